@@ -1,0 +1,45 @@
+package steward.numerics;
+
+/**
+ * A 64-bit hash of a sequence of numbers: {@code h = mix(h + x + gamma)} for each, with the mixer of
+ * {@link SplitMix64}. It depends on the order. Doubles enter by their bits, so that two states have the same hash only
+ * if they agree to the last bit (and -0.0 differs from 0.0).
+ *
+ * <p>Caveat: finds differences, resists no adversary.
+ */
+public final class StateHash {
+
+    private static final long GAMMA = 0x9E3779B97F4A7C15L;
+
+    private long hash;
+
+    public StateHash add(long value) {
+        hash = SplitMix64.mix(hash + value + GAMMA);
+        return this;
+    }
+
+    /** Adds the bits of the number; every NaN counts as the same one. */
+    public StateHash add(double value) {
+        return add(Double.doubleToLongBits(value));
+    }
+
+    public StateHash add(boolean value) {
+        return add(value ? 1L : 0L);
+    }
+
+    public long value() {
+        return hash;
+    }
+
+    /** Back to the empty sequence, whose hash is 0. */
+    public StateHash reset() {
+        hash = 0;
+        return this;
+    }
+
+    /** A hash as it is written in replays: 16 lower-case hexadecimal digits. */
+    public static String toHex(long hash) {
+        String digits = Long.toHexString(hash);
+        return "0".repeat(16 - digits.length()) + digits;
+    }
+}

@@ -1,0 +1,13 @@
+package steward.physics;
+
+/** A way to advance all bodies by one turn, from t = 0 to t = 1. One instance serves one thread. */
+public interface Advance {
+
+    /**
+     * Flies, finds impacts and lets them react, until the turn is over or the bound on impacts ends it.
+     *
+     * @param bodies altered in place
+     * @param sink   told of impacts and path knots
+     */
+    void turn(Bodies bodies, TurnSink sink);
+}

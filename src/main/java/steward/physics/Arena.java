@@ -1,0 +1,49 @@
+package steward.physics;
+
+/**
+ * A round wall around the bodies.
+ *
+ * @param x           its centre
+ * @param y           its centre
+ * @param radius      above 0; every body inside must be smaller
+ * @param restitution 0..1
+ */
+public record Arena(double x, double y, double radius, double restitution) implements Wall {
+
+    /** @throws IllegalArgumentException if a number is not finite or the radius or restitution out of range */
+    public Arena {
+        Wall.require(Double.isFinite(x), "x", x, "a finite number");
+        Wall.require(Double.isFinite(y), "y", y, "a finite number");
+        Wall.require(radius > 0 && radius < Double.POSITIVE_INFINITY, "radius", radius, "finite and above 0");
+        Wall.requireRestitution(restitution);
+    }
+
+    /** @return as {@link TimeOfImpact#arena}; a body larger than the arena has no room and stays at the centre */
+    @Override
+    public double timeOfImpact(double cx, double cy, double vx, double vy, double bodyRadius) {
+        return TimeOfImpact.arena(cx - x, cy - y, vx, vy, Math.max(0, radius - bodyRadius));
+    }
+
+    @Override
+    public double gap(double cx, double cy, double bodyRadius) {
+        return radius - bodyRadius - distance(cx, cy);
+    }
+
+    @Override
+    public double normalX(double cx, double cy) {
+        double distance = distance(cx, cy);
+        return distance == 0 ? 1 : (cx - x) / distance;
+    }
+
+    @Override
+    public double normalY(double cx, double cy) {
+        double distance = distance(cx, cy);
+        return distance == 0 ? 0 : (cy - y) / distance;
+    }
+
+    private double distance(double cx, double cy) {
+        double dx = cx - x;
+        double dy = cy - y;
+        return Math.sqrt(dx * dx + dy * dy);
+    }
+}

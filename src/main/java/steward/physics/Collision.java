@@ -1,0 +1,107 @@
+package steward.physics;
+
+/** Lets a pair, or a body and a wall, react under a law: impulse, push-out, record. */
+final class Collision {
+
+    private static final double ELASTIC = 1;
+
+    private final Impulse pairImpulse;
+    private final Impulse wallImpulse;
+    private final boolean elastic;
+    private final boolean pushes;
+    private final double pushOut;
+    private final Wall[] walls;
+
+    Collision(ImpactLaw law, Wall[] walls) {
+        pairImpulse = Impulse.of(law, true);
+        wallImpulse = Impulse.of(law, law.minimumImpulseAtWalls());
+        elastic = law.restitution() == ImpactLaw.Restitution.ELASTIC;
+        pushes = !Double.isNaN(law.pushOut());
+        pushOut = law.pushOut();
+        this.walls = walls;
+    }
+
+    /** @param b an index, or {@code ~wall} */
+    void react(Bodies bodies, int a, int b, double time, TurnSink sink) {
+        if (b < 0) {
+            reactWall(bodies, a, ~b, time, sink);
+        } else {
+            reactPair(bodies, a, b, time, sink);
+        }
+    }
+
+    /** Centres that coincide have no direction: they part along x. */
+    private void reactPair(Bodies bodies, int a, int b, double time, TurnSink sink) {
+        double ax = bodies.x[a];
+        double ay = bodies.y[a];
+        double bx = bodies.x[b];
+        double by = bodies.y[b];
+        double dx = bx - ax;
+        double dy = by - ay;
+        double distance = Math.sqrt(dx * dx + dy * dy);
+        double nx = distance == 0 ? 1 : dx / distance;
+        double ny = distance == 0 ? 0 : dy / distance;
+        double vax = bodies.vx[a];
+        double vay = bodies.vy[a];
+        double vbx = bodies.vx[b];
+        double vby = bodies.vy[b];
+        double inverse = bodies.inverseMass[a] + bodies.inverseMass[b];
+        double first = (nx * (vax - vbx) + ny * (vay - vby)) / inverse;
+        double second = pairImpulse.secondStep(first,
+            elastic ? ELASTIC : Math.min(bodies.restitution[a], bodies.restitution[b]));
+        double impulse = first + second;
+        double massA = bodies.mass[a];
+        double massB = bodies.mass[b];
+        bodies.vx[a] = vax - nx * impulse / massA;
+        bodies.vy[a] = vay - ny * impulse / massA;
+        bodies.vx[b] = vbx + nx * impulse / massB;
+        bodies.vy[b] = vby + ny * impulse / massB;
+        sink.impact(time, bodies.id(a), bodies.id(b), ax, ay, bx, by, nx, ny, impulse,
+            inverse * (second * second - first * first) / 2, massA, massB,
+            vax, vay, bodies.vx[a], bodies.vy[a], vbx, vby, bodies.vx[b], bodies.vy[b]);
+        sink.knot(bodies.id(a), time, ax, ay);
+        sink.knot(bodies.id(b), time, bx, by);
+        double overlap = bodies.radius[a] + bodies.radius[b] - distance;
+        if (pushes && overlap >= 0) {
+            double each = overlap / 2 + pushOut;
+            pushApart(bodies, a, nx, ny, massB == Double.POSITIVE_INFINITY ? -2 * each : -each, time, sink);
+            pushApart(bodies, b, nx, ny, massA == Double.POSITIVE_INFINITY ? 2 * each : each, time, sink);
+        }
+    }
+
+    private void reactWall(Bodies bodies, int a, int w, double time, TurnSink sink) {
+        Wall wall = walls[w];
+        double ax = bodies.x[a];
+        double ay = bodies.y[a];
+        double nx = wall.normalX(ax, ay);
+        double ny = wall.normalY(ax, ay);
+        double vax = bodies.vx[a];
+        double vay = bodies.vy[a];
+        double mass = bodies.mass[a];
+        double inverse = bodies.inverseMass[a];
+        double first = (nx * vax + ny * vay) / inverse;
+        double second = wallImpulse.secondStep(first,
+            elastic ? ELASTIC : Math.min(bodies.restitution[a], wall.restitution()));
+        double impulse = first + second;
+        bodies.vx[a] = vax - nx * impulse / mass;
+        bodies.vy[a] = vay - ny * impulse / mass;
+        double gap = wall.gap(ax, ay, bodies.radius[a]);
+        double reach = gap + bodies.radius[a];
+        sink.impact(time, bodies.id(a), ~w, ax, ay, ax + nx * reach, ay + ny * reach, nx, ny, impulse,
+            inverse * (second * second - first * first) / 2, mass, Double.POSITIVE_INFINITY,
+            vax, vay, bodies.vx[a], bodies.vy[a], 0, 0, 0, 0);
+        sink.knot(bodies.id(a), time, ax, ay);
+        if (pushes && gap <= 0) {
+            pushApart(bodies, a, nx, ny, gap - 2 * pushOut, time, sink);
+        }
+    }
+
+    private static void pushApart(Bodies bodies, int body, double nx, double ny, double by, double time,
+                                  TurnSink sink) {
+        if (bodies.inverseMass[body] > 0) {
+            bodies.x[body] += nx * by;
+            bodies.y[body] += ny * by;
+            sink.knot(bodies.id(body), time, bodies.x[body], bodies.y[body]);
+        }
+    }
+}

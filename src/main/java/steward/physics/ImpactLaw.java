@@ -1,0 +1,100 @@
+package steward.physics;
+
+/**
+ * How impacts go in a scene. Start from {@link #PHYSICS} or {@link #OFFICIAL_POD_RACE} and change what differs with the
+ * {@code with} methods.
+ *
+ * @param restitution           how much of the approach speed comes back
+ * @param minimumImpulse        the least second step of an impulse, in pod masses times u per turn; 0 for none
+ * @param minimumImpulseAtWalls whether that holds at walls too
+ * @param deadZone              {@code NaN}: the second step is at least the minimum. Otherwise (Mean Max) it is raised
+ *                              to the minimum by magnitude, keeping its sign, and only if its magnitude is above
+ *                              this, at least 0
+ * @param separatingPairsReact  whether two bodies that touch while they separate react (the official games; needs a
+ *                              minimum impulse). Walls react only to approach
+ * @param batchWindow           impacts up to this long after the earliest react together, in turns; 0 for one at a time,
+ *                              ties going to the lowest pair of ids
+ * @param scanOrder             the order in which pairs are looked at; decides ties within a batch
+ * @param pushOut               {@code NaN} for none. Otherwise bodies that touch after an impact are moved apart, half
+ *                              of the overlap plus this much each (all of it the movable one against infinite mass)
+ * @param maximumImpacts        the bound on impacts in a turn; 0 for the default, 10,000 + 1,000 per body
+ */
+public record ImpactLaw(Restitution restitution, double minimumImpulse, boolean minimumImpulseAtWalls, double deadZone,
+                        boolean separatingPairsReact, double batchWindow, ScanOrder scanOrder, double pushOut,
+                        int maximumImpacts) {
+
+    /** How the restitution of an impact follows from the two partners'. */
+    public enum Restitution {
+        /** Everything gives back all: nobody looks a restitution up. */
+        ELASTIC,
+        /** The lower of the two. */
+        MINIMUM
+    }
+
+    /** The order of pairs (i, j) of indices; the first of the pair is body a of the impact. */
+    public enum ScanOrder {
+        /** i upward, j from i + 1 upward. */
+        ASCENDING,
+        /** i from the last downward, j from i - 1 downward. */
+        DESCENDING
+    }
+
+    /** Perfectly elastic, one impact at a time, only approach reacts, nobody is pushed. */
+    public static final ImpactLaw PHYSICS = new ImpactLaw(Restitution.ELASTIC, 0, false, Double.NaN, false, 0,
+        ScanOrder.ASCENDING, Double.NaN, 0);
+
+    /** CodinGame's pod race: minimum impulse 120, batches of 1e-5 turns, push-out of 1e-5 u. */
+    public static final ImpactLaw OFFICIAL_POD_RACE = new ImpactLaw(Restitution.ELASTIC, 120, false, Double.NaN, true,
+        1e-5, ScanOrder.DESCENDING, 1e-5, 0);
+
+    /** @throws IllegalArgumentException if a value is out of range, or separating pairs react without a minimum impulse */
+    public ImpactLaw {
+        require(minimumImpulse >= 0 && minimumImpulse < Double.POSITIVE_INFINITY, "minimumImpulse", minimumImpulse,
+            "finite and at least 0");
+        require(Double.isNaN(deadZone) || deadZone >= 0, "deadZone", deadZone, "at least 0");
+        require(batchWindow >= 0 && batchWindow <= 1, "batchWindow", batchWindow, "0..1");
+        require(Double.isNaN(pushOut) || pushOut >= 0 && pushOut < Double.POSITIVE_INFINITY, "pushOut", pushOut,
+            "finite and at least 0");
+        require(maximumImpacts >= 0, "maximumImpacts", maximumImpacts, "at least 0");
+        require(!separatingPairsReact || minimumImpulse > 0, "minimumImpulse", minimumImpulse,
+            "above 0, because separating pairs react");
+        require(separatingPairsReact || batchWindow == 0, "batchWindow", batchWindow,
+            "0, because only approaching pairs react");
+    }
+
+    public ImpactLaw withRestitution(Restitution value) {
+        return new ImpactLaw(value, minimumImpulse, minimumImpulseAtWalls, deadZone, separatingPairsReact, batchWindow,
+            scanOrder, pushOut, maximumImpacts);
+    }
+
+    public ImpactLaw withMinimumImpulse(double value, boolean atWalls) {
+        return new ImpactLaw(restitution, value, atWalls, deadZone, separatingPairsReact, batchWindow, scanOrder,
+            pushOut, maximumImpacts);
+    }
+
+    public ImpactLaw withDeadZone(double value) {
+        return new ImpactLaw(restitution, minimumImpulse, minimumImpulseAtWalls, value, separatingPairsReact,
+            batchWindow, scanOrder, pushOut, maximumImpacts);
+    }
+
+    public ImpactLaw withPushOut(double value) {
+        return new ImpactLaw(restitution, minimumImpulse, minimumImpulseAtWalls, deadZone, separatingPairsReact,
+            batchWindow, scanOrder, value, maximumImpacts);
+    }
+
+    public ImpactLaw withMaximumImpacts(int value) {
+        return new ImpactLaw(restitution, minimumImpulse, minimumImpulseAtWalls, deadZone, separatingPairsReact,
+            batchWindow, scanOrder, pushOut, value);
+    }
+
+    /** The bound on impacts in a turn with this many bodies. */
+    public int impactLimit(int bodies) {
+        return maximumImpacts > 0 ? maximumImpacts : 10_000 + 1_000 * bodies;
+    }
+
+    private static void require(boolean inRange, String what, double value, String expected) {
+        if (!inRange) {
+            throw new IllegalArgumentException("impact law: " + what + " " + value + ", expected " + expected);
+        }
+    }
+}

@@ -1,0 +1,152 @@
+package steward.physics;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Looks for impacts in the rest of a turn. Each kind of scene gets the scan that looks at nothing it has not got. */
+abstract sealed class Scan {
+
+    /** Offers every impact from {@code now} to the end of the turn. */
+    abstract void find(Bodies bodies, double now, ImpactQueue queue);
+
+    /** The scans that a scene needs: pairs, and walls if there are any. */
+    static Scan[] of(PhysicsParts parts, PairTime time) {
+        List<Scan> scans = new ArrayList<>();
+        boolean plain = parts.contacts().allBounce() && !parts.infiniteMasses();
+        boolean descending = parts.law().scanOrder() == ImpactLaw.ScanOrder.DESCENDING;
+        if (plain) {
+            scans.add(descending ? new DescendingPairs(time) : new AscendingPairs(time));
+        } else {
+            scans.add(new SelectedPairs(time, parts.contacts(), descending));
+        }
+        if (!parts.walls().isEmpty()) {
+            scans.add(new Walls(parts.walls().toArray(new Wall[0]),
+                parts.contacts().allBounce() ? null : parts.contacts()));
+        }
+        return scans.toArray(new Scan[0]);
+    }
+
+    static final class AscendingPairs extends Scan {
+
+        private final PairTime time;
+
+        AscendingPairs(PairTime time) {
+            this.time = time;
+        }
+
+        @Override
+        void find(Bodies bodies, double now, ImpactQueue queue) {
+            int size = bodies.size();
+            for (int i = 0; i < size - 1; i++) {
+                for (int j = i + 1; j < size; j++) {
+                    offer(bodies, i, j, time, now, queue);
+                }
+            }
+        }
+    }
+
+    static final class DescendingPairs extends Scan {
+
+        private final PairTime time;
+
+        DescendingPairs(PairTime time) {
+            this.time = time;
+        }
+
+        @Override
+        void find(Bodies bodies, double now, ImpactQueue queue) {
+            for (int i = bodies.size() - 1; i > 0; i--) {
+                for (int j = i - 1; j >= 0; j--) {
+                    offer(bodies, i, j, time, now, queue);
+                }
+            }
+        }
+    }
+
+    /** Leaves out pairs that ignore each other, pass through each other, or both have infinite mass. */
+    static final class SelectedPairs extends Scan {
+
+        private final PairTime time;
+        private final Contacts contacts;
+        private final boolean descending;
+
+        SelectedPairs(PairTime time, Contacts contacts, boolean descending) {
+            this.time = time;
+            this.contacts = contacts;
+            this.descending = descending;
+        }
+
+        @Override
+        void find(Bodies bodies, double now, ImpactQueue queue) {
+            int size = bodies.size();
+            for (int high = 1; high < size; high++) {
+                int i = descending ? size - high : high;
+                for (int low = 0; low < i; low++) {
+                    int j = descending ? i - 1 - low : low;
+                    if (isMeant(bodies, i, j)) {
+                        if (descending) {
+                            offer(bodies, i, j, time, now, queue);
+                        } else {
+                            offer(bodies, j, i, time, now, queue);
+                        }
+                    }
+                }
+            }
+        }
+
+        private boolean isMeant(Bodies bodies, int i, int j) {
+            return switch (contacts.between(bodies.kind[i], bodies.kind[j])) {
+                case NONE -> false;
+                case BOUNCE -> bodies.inverseMass[i] + bodies.inverseMass[j] > 0;
+                case ASK -> bodies.passing().isEmpty() || !bodies.passing().contains(bodies.id(i), bodies.id(j));
+            };
+        }
+    }
+
+    /** Every body against every wall. */
+    static final class Walls extends Scan {
+
+        private final Wall[] walls;
+        private final Contacts contacts;
+
+        /** @param contacts {@code null} when every body bounces off walls */
+        Walls(Wall[] walls, Contacts contacts) {
+            this.walls = walls;
+            this.contacts = contacts;
+        }
+
+        @Override
+        void find(Bodies bodies, double now, ImpactQueue queue) {
+            double left = 1 - now;
+            for (int i = 0; i < bodies.size(); i++) {
+                if (bodies.inverseMass[i] == 0 || contacts != null && !isMeant(bodies, i)) {
+                    continue;
+                }
+                for (int w = 0; w < walls.length; w++) {
+                    double until = walls[w].timeOfImpact(bodies.x[i], bodies.y[i], bodies.vx[i], bodies.vy[i],
+                        bodies.radius[i]);
+                    if (until <= left && !isPassing(bodies, i, w)) {
+                        queue.offer(now + until, i, ~w);
+                    }
+                }
+            }
+        }
+
+        private boolean isMeant(Bodies bodies, int i) {
+            return contacts.withWall(bodies.kind[i]) != Contacts.Meaning.NONE;
+        }
+
+        private boolean isPassing(Bodies bodies, int i, int w) {
+            return contacts != null && !bodies.passing().isEmpty() && bodies.passing().contains(bodies.id(i), ~w);
+        }
+    }
+
+    /** Offers the impact of a pair if it falls into the turn. */
+    private static void offer(Bodies bodies, int i, int j, PairTime time, double now, ImpactQueue queue) {
+        double until = time.until(bodies.x[i] - bodies.x[j], bodies.y[i] - bodies.y[j],
+            bodies.vx[i] - bodies.vx[j], bodies.vy[i] - bodies.vy[j], bodies.radius[i] + bodies.radius[j]);
+        if (until <= 1 - now) {
+            queue.offer(now + until, i, j);
+        }
+    }
+}

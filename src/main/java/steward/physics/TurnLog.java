@@ -1,0 +1,135 @@
+package steward.physics;
+
+import java.util.Arrays;
+
+/**
+ * Keeps what happened inside a turn in flat arrays that grow once and are then reused: impacts, path knots and the
+ * ending by the impact limit, if any.
+ */
+public final class TurnLog implements TurnSink {
+
+    private static final int[] NOBODY = {};
+
+    private double[] impactTime = new double[16];
+    private int[] impactPair = new int[2 * 16];
+    private double[] impactNumbers = new double[Impact.NUMBERS * 16];
+    private int impacts;
+
+    private int[] knotBody = new int[32];
+    private double[] knotNumbers = new double[3 * 32];
+    private int knots;
+
+    private double limitTime = Double.NaN;
+    private int[] limitBodies = NOBODY;
+
+    /** Forgets the turn. */
+    public void clear() {
+        impacts = 0;
+        knots = 0;
+        limitTime = Double.NaN;
+        limitBodies = NOBODY;
+    }
+
+    @Override
+    public void impact(double time, int a, int b, double ax, double ay, double bx, double by,
+                       double normalX, double normalY, double impulse, double energy, double massA, double massB,
+                       double vaxBefore, double vayBefore, double vaxAfter, double vayAfter,
+                       double vbxBefore, double vbyBefore, double vbxAfter, double vbyAfter) {
+        if (impacts == impactTime.length) {
+            impactTime = Arrays.copyOf(impactTime, 2 * impacts);
+            impactPair = Arrays.copyOf(impactPair, 4 * impacts);
+            impactNumbers = Arrays.copyOf(impactNumbers, 2 * Impact.NUMBERS * impacts);
+        }
+        impactTime[impacts] = time;
+        impactPair[2 * impacts] = a;
+        impactPair[2 * impacts + 1] = b;
+        double[] to = impactNumbers;
+        int k = Impact.NUMBERS * impacts++;
+        to[k++] = ax;
+        to[k++] = ay;
+        to[k++] = bx;
+        to[k++] = by;
+        to[k++] = normalX;
+        to[k++] = normalY;
+        to[k++] = impulse;
+        to[k++] = energy;
+        to[k++] = massA;
+        to[k++] = massB;
+        to[k++] = vaxBefore;
+        to[k++] = vayBefore;
+        to[k++] = vaxAfter;
+        to[k++] = vayAfter;
+        to[k++] = vbxBefore;
+        to[k++] = vbyBefore;
+        to[k++] = vbxAfter;
+        to[k] = vbyAfter;
+    }
+
+    @Override
+    public void knot(int bodyId, double time, double x, double y) {
+        if (knots == knotBody.length) {
+            knotBody = Arrays.copyOf(knotBody, 2 * knots);
+            knotNumbers = Arrays.copyOf(knotNumbers, 6 * knots);
+        }
+        knotBody[knots] = bodyId;
+        knotNumbers[3 * knots] = time;
+        knotNumbers[3 * knots + 1] = x;
+        knotNumbers[3 * knots + 2] = y;
+        knots++;
+    }
+
+    @Override
+    public void impactLimit(double time, int[] bodyIds) {
+        limitTime = time;
+        limitBodies = bodyIds;
+    }
+
+    public int impacts() {
+        return impacts;
+    }
+
+    /** The k-th impact of the turn, in the order of time. */
+    public Impact impact(int k) {
+        double[] n = impactNumbers;
+        int i = Impact.NUMBERS * k;
+        return new Impact(impactTime[k], impactPair[2 * k], impactPair[2 * k + 1], n[i], n[i + 1], n[i + 2], n[i + 3],
+            n[i + 4], n[i + 5], n[i + 6], n[i + 7], n[i + 8], n[i + 9], n[i + 10], n[i + 11], n[i + 12], n[i + 13],
+            n[i + 14], n[i + 15], n[i + 16], n[i + 17]);
+    }
+
+    /** How many corners all paths of the turn have together. */
+    public int knots() {
+        return knots;
+    }
+
+    public int knotBody(int k) {
+        return knotBody[k];
+    }
+
+    public double knotTime(int k) {
+        return knotNumbers[3 * k];
+    }
+
+    public double knotX(int k) {
+        return knotNumbers[3 * k + 1];
+    }
+
+    public double knotY(int k) {
+        return knotNumbers[3 * k + 2];
+    }
+
+    /** Whether the turn ended at the bound on impacts. */
+    public boolean limited() {
+        return !Double.isNaN(limitTime);
+    }
+
+    /** When the bound was reached, or NaN. */
+    public double limitTime() {
+        return limitTime;
+    }
+
+    /** Ids of the bodies that then kept their places, ascending. */
+    public int[] limitBodies() {
+        return limitBodies.clone();
+    }
+}

@@ -1,0 +1,44 @@
+package steward.physics;
+
+/** Something that never moves and has infinite mass: bodies bounce off it. */
+public sealed interface Wall permits HalfPlane, Segment, Arena {
+
+    /** The share of an approach speed that an impact gives back, 0..1; the lower of wall and body counts. */
+    double restitution();
+
+    /** When a circle with this centre, velocity and radius first touches, in turns; 0 when it does and approaches. */
+    double timeOfImpact(double x, double y, double vx, double vy, double radius);
+
+    /** From a circle's edge to the wall, in u; 0 or less when they touch. */
+    double gap(double x, double y, double radius);
+
+    /** The unit vector from a circle's centre straight to the wall. */
+    double normalX(double x, double y);
+
+    double normalY(double x, double y);
+
+    /**
+     * The four walls around a field from (0, 0) to (width, height): left, top (y = 0), right, bottom.
+     *
+     * @throws IllegalArgumentException if a side is not finite and above 0 or the restitution not in 0..1
+     */
+    static Wall[] box(double width, double height, double restitution) {
+        require(width > 0 && width < Double.POSITIVE_INFINITY, "width", width, "finite and above 0");
+        require(height > 0 && height < Double.POSITIVE_INFINITY, "height", height, "finite and above 0");
+        return new Wall[] {
+            new HalfPlane(0, 0, 1, 0, restitution), new HalfPlane(0, 0, 0, 1, restitution),
+            new HalfPlane(width, 0, -1, 0, restitution), new HalfPlane(0, height, 0, -1, restitution)};
+    }
+
+    /** Throws unless the value is in range, saying which and what was expected. */
+    static void require(boolean inRange, String what, double value, String expected) {
+        if (!inRange) {
+            throw new IllegalArgumentException("wall: " + what + " " + value + ", expected " + expected);
+        }
+    }
+
+    /** Throws unless the restitution is in 0..1. */
+    static void requireRestitution(double value) {
+        require(value >= 0 && value <= 1, "restitution", value, "0..1");
+    }
+}
