@@ -1,0 +1,12 @@
+package steward.scene;
+
+/**
+ * A round body of infinite mass that never moves.
+ *
+ * @param x           its centre, in u
+ * @param y           its centre, in u
+ * @param radius      above 0
+ * @param restitution 0..1
+ */
+public record Bumper(double x, double y, double radius, double restitution) {
+}

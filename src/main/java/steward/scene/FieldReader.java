@@ -1,0 +1,88 @@
+package steward.scene;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+import steward.physics.Arena;
+import steward.physics.HalfPlane;
+import steward.physics.Segment;
+import steward.physics.Wall;
+
+/** Reads the block {@code field}. */
+final class FieldReader {
+
+    private static final Map<String, Function<Block, Wall>> WALLS =
+        Map.of("segment", FieldReader::segment, "half-plane", FieldReader::halfPlane, "arena", FieldReader::arena);
+
+    private FieldReader() {
+    }
+
+    static Field read(Block block) {
+        double width = block.positive("width");
+        double height = block.positive("height");
+        return new Field(width, height, walls(block, width, height), bumpers(block));
+    }
+
+    /** {@code "box"}, a box with a restitution, or an array of single walls; no walls when absent. */
+    private static List<Wall> walls(Block block, double width, double height) {
+        Map<String, Boolean> box = Map.of("box", true);
+        if (!block.has("walls")) {
+            return List.of();
+        }
+        if (block.isText("walls")) {
+            block.choice("walls", box);
+            return List.of(Wall.box(width, height, 1));
+        }
+        if (block.isArray("walls")) {
+            List<Wall> walls = new ArrayList<>();
+            block.blocks("walls").forEach(wall -> walls.add(single(wall)));
+            return walls;
+        }
+        Block wall = block.block("walls");
+        wall.choice("type", box);
+        return List.of(Wall.box(width, height, restitution(wall)));
+    }
+
+    private static Wall single(Block wall) {
+        Function<Block, Wall> kind = wall.choice("type", WALLS);
+        try {
+            return kind.apply(wall);
+        } catch (IllegalArgumentException refusal) {
+            throw wall.error(refusal);
+        }
+    }
+
+    private static Wall segment(Block wall) {
+        return new Segment(finite(wall, "ax"), finite(wall, "ay"), finite(wall, "bx"), finite(wall, "by"),
+            restitution(wall));
+    }
+
+    private static Wall halfPlane(Block wall) {
+        return new HalfPlane(finite(wall, "x"), finite(wall, "y"), finite(wall, "insideX"), finite(wall, "insideY"),
+            restitution(wall));
+    }
+
+    private static Wall arena(Block wall) {
+        return new Arena(finite(wall, "x"), finite(wall, "y"), wall.positive("radius"), restitution(wall));
+    }
+
+    private static List<Bumper> bumpers(Block block) {
+        List<Bumper> bumpers = new ArrayList<>();
+        if (block.has("bumpers")) {
+            for (Block bumper : block.blocks("bumpers")) {
+                bumpers.add(new Bumper(finite(bumper, "x"), finite(bumper, "y"), bumper.positive("radius"),
+                    restitution(bumper)));
+            }
+        }
+        return bumpers;
+    }
+
+    private static double finite(Block block, String name) {
+        return block.number(name, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
+    }
+
+    private static double restitution(Block block) {
+        return block.number("restitution", 0, 1, 1);
+    }
+}

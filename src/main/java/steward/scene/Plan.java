@@ -1,0 +1,171 @@
+package steward.scene;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
+import steward.physics.Contacts;
+import steward.physics.Contacts.Meaning;
+import steward.physics.ImpactLaw;
+import steward.physics.ImpactLaw.Restitution;
+import steward.physics.Motion;
+import steward.physics.PhysicsParts;
+import steward.physics.Reaction;
+import steward.physics.Wall;
+
+/** Which parts of the engine a scene needs and why, and the physics made of just these. */
+public final class Plan {
+
+    private final Scene scene;
+    private final Contacts contacts;
+    private final double lowestRestitution;
+    private final boolean infiniteMasses;
+    private final List<Wall> walls;
+    private final List<Part> parts;
+
+    private Plan(Scene scene, Contacts contacts, double lowestOfBodies, boolean infiniteBodies, List<Part> gameParts) {
+        this.scene = scene;
+        this.contacts = contacts;
+        List<Bumper> bumpers = scene.field().map(Field::bumpers).orElse(List.of());
+        walls = meetsWalls(contacts) ? scene.field().map(Field::walls).orElse(List.of()) : List.of();
+        infiniteMasses = infiniteBodies || !bumpers.isEmpty();
+        lowestRestitution = DoubleStream.concat(DoubleStream.of(lowestOfBodies),
+            DoubleStream.concat(walls.stream().mapToDouble(Wall::restitution),
+                bumpers.stream().mapToDouble(Bumper::restitution))).min().getAsDouble();
+        parts = Stream.concat(Stream.of(
+            pairImpacts(), walls(), restitution(), minimumImpulse(), infiniteMasses(infiniteBodies, bumpers.size()),
+            drag(), velocityRounding(), positionRounding(), reactions(), broadPhase()), gameParts.stream()).toList();
+    }
+
+    /**
+     * @param contacts          what contacts between the game's kinds of bodies mean, bumpers included
+     * @param lowestRestitution of the game's bodies, without bumpers and walls
+     * @param infiniteMasses    whether bodies of the game can have infinite mass, bumpers aside
+     * @param gameParts         what the game itself takes or leaves out
+     */
+    public static Plan of(Scene scene, Contacts contacts, double lowestRestitution, boolean infiniteMasses,
+                          List<Part> gameParts) {
+        return new Plan(scene, contacts, lowestRestitution, infiniteMasses, gameParts);
+    }
+
+    /** All parts, those of the game last. */
+    public List<Part> parts() {
+        return parts;
+    }
+
+    /**
+     * @param reaction answers the contacts that ask; {@code null} when none does
+     * @throws IllegalArgumentException if contacts ask and there is no reaction, or the other way round
+     */
+    public PhysicsParts physics(Reaction reaction) {
+        Restitution restitution = lowestRestitution < 1 ? Restitution.MINIMUM : Restitution.ELASTIC;
+        return new PhysicsParts(scene.law().withRestitution(restitution), scene.accuracy().arithmetic(), contacts,
+            walls, reaction, infiniteMasses);
+    }
+
+    /** What happens to speeds and positions at the end of a turn. */
+    public Motion motion() {
+        return new Motion(scene.drag() > 0, scene.truncateVelocity(), scene.roundPosition());
+    }
+
+    private Part pairImpacts() {
+        ImpactLaw law = scene.law();
+        List<String> words = new ArrayList<>(List.of("bodies meet"));
+        if (law.separatingPairsReact()) {
+            words.add("separatingPairs react");
+        }
+        if (law.batchWindow() > 0) {
+            words.add("batchWindow " + Wording.number(law.batchWindow()));
+        }
+        if (law.scanOrder() == ImpactLaw.ScanOrder.DESCENDING) {
+            words.add("scanOrder descending");
+        }
+        if (!Double.isNaN(law.pushOut())) {
+            words.add("pushOut " + Wording.number(law.pushOut()));
+        }
+        boolean in = bodiesMeet(contacts);
+        return new Part("pair impacts", in, in ? String.join(", ", words) : "no two kinds of bodies meet");
+    }
+
+    private Part walls() {
+        String absent = scene.field().isEmpty() ? "no field"
+            : scene.field().get().walls().isEmpty() ? "the field has no walls" : "no kind of bodies meets walls";
+        return new Part("walls", !walls.isEmpty(), walls.isEmpty() ? absent : count(walls.size(), "wall"));
+    }
+
+    private Part restitution() {
+        boolean in = lowestRestitution < 1;
+        return new Part("restitution", in,
+            in ? "restitution as low as " + Wording.number(lowestRestitution) : "everything has restitution 1");
+    }
+
+    private Part minimumImpulse() {
+        ImpactLaw law = scene.law();
+        if (!(law.minimumImpulse() > 0)) {
+            return new Part("minimum impulse", false, "no minimumImpulse");
+        }
+        return new Part("minimum impulse", true, "minimumImpulse " + Wording.number(law.minimumImpulse())
+            + (law.minimumImpulseAtWalls() ? ", at walls too" : "")
+            + (Double.isNaN(law.deadZone()) ? "" : ", deadZone " + Wording.number(law.deadZone())));
+    }
+
+    private Part infiniteMasses(boolean bodies, int bumpers) {
+        List<String> words = new ArrayList<>();
+        if (bumpers > 0) {
+            words.add(count(bumpers, "bumper"));
+        }
+        if (bodies) {
+            words.add("bodies of mass \"infinite\"");
+        }
+        return new Part("infinite masses", infiniteMasses,
+            infiniteMasses ? String.join(", ", words) : "every mass is finite");
+    }
+
+    private Part drag() {
+        boolean in = scene.drag() > 0;
+        return new Part("drag", in, in ? "drag " + Wording.number(scene.drag()) : "no drag");
+    }
+
+    private Part velocityRounding() {
+        boolean in = scene.truncateVelocity();
+        return new Part("velocity rounding", in, in ? "velocity truncate" : "velocities stay as they are");
+    }
+
+    private Part positionRounding() {
+        boolean in = scene.roundPosition();
+        return new Part("position rounding", in, in ? "position round" : "positions stay as they are");
+    }
+
+    private Part reactions() {
+        boolean in = contacts.ask();
+        return new Part("reactions", in, in ? "some contacts ask the game" : "no contact asks the game");
+    }
+
+    private Part broadPhase() {
+        return new Part("broad phase", false, "advance " + scene.accuracy().advance() + " looks at all pairs");
+    }
+
+    private static boolean bodiesMeet(Contacts contacts) {
+        for (int a = 0; a < contacts.kinds(); a++) {
+            for (int b = a; b < contacts.kinds(); b++) {
+                if (contacts.between(a, b) != Meaning.NONE) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    private static boolean meetsWalls(Contacts contacts) {
+        for (int kind = 0; kind < contacts.kinds(); kind++) {
+            if (contacts.withWall(kind) != Meaning.NONE) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private static String count(int number, String what) {
+        return number + " " + what + (number == 1 ? "" : "s");
+    }
+}

@@ -1,0 +1,80 @@
+package steward.scene;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.ByteBuffer;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.List;
+
+/** Finds scene files: by path, or by the name of one that comes with the program. */
+public final class SceneFiles {
+
+    /** The scenes that come with the program; a test holds the list against the folder they are kept in. */
+    static final List<String> SHIPPED = List.of("duel", "mad-pod-racing", "walled-race");
+
+    private static final String SUFFIX = ".json";
+
+    private SceneFiles() {
+    }
+
+    /** The names that {@link #load} knows; none when the program runs without its resources. */
+    public static List<String> shipped() {
+        return SHIPPED.stream().filter(name -> SceneFiles.class.getResource(resource(name)) != null).toList();
+    }
+
+    /**
+     * @param pathOrName a path to a file; otherwise the name of a shipped scene, with or without {@code .json}
+     * @throws SceneException if there is no such scene, or it cannot be read as UTF-8
+     */
+    public static SceneText load(String pathOrName) {
+        boolean folder = false;
+        try {
+            Path path = Path.of(pathOrName);
+            folder = Files.isDirectory(path);
+            if (!folder && Files.exists(path)) {
+                return new SceneText(decode(Files.readAllBytes(path), pathOrName), pathOrName);
+            }
+        } catch (InvalidPathException | NoSuchFileException e) {
+            folder = false;
+        } catch (IOException e) {
+            throw new SceneException(pathOrName + ": found a file that cannot be read (" + e.getMessage()
+                + "), expected a scene file");
+        }
+        String name = pathOrName.endsWith(SUFFIX)
+            ? pathOrName.substring(0, pathOrName.length() - SUFFIX.length()) : pathOrName;
+        if (shipped().contains(name)) {
+            return packed(name);
+        }
+        throw new SceneException(pathOrName + ": found " + (folder ? "a folder" : "no such file")
+            + ", expected a scene file" + (shipped().isEmpty() ? "" : " or " + Wording.choice(name, shipped())));
+    }
+
+    private static SceneText packed(String name) {
+        String source = resource(name).substring(1);
+        try (InputStream in = SceneFiles.class.getResourceAsStream(resource(name))) {
+            return new SceneText(decode(in.readAllBytes(), source), source);
+        } catch (IOException e) {
+            throw new SceneException(source + ": found a damaged scene (" + e.getMessage()
+                + "), expected the program to be whole");
+        }
+    }
+
+    private static String resource(String name) {
+        return "/scenes/" + name + SUFFIX;
+    }
+
+    /** Strict, unlike {@code new String}; a byte order mark is left out. */
+    private static String decode(byte[] bytes, String source) {
+        try {
+            String text = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
+            return text.startsWith("\ufeff") ? text.substring(1) : text;
+        } catch (CharacterCodingException e) {
+            throw new SceneException(source + ": found bytes that are not UTF-8, expected a text in UTF-8");
+        }
+    }
+}

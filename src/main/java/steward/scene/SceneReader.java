@@ -1,0 +1,66 @@
+package steward.scene;
+
+import java.util.Map;
+import java.util.Optional;
+import steward.physics.Arithmetic;
+import steward.physics.ImpactLaw;
+import steward.physics.ImpactLaw.Restitution;
+import steward.physics.ImpactLaw.ScanOrder;
+
+/** Reads the fields and blocks that scenes of all games have in common. */
+public final class SceneReader {
+
+    private static final int MOST_PLAYERS = 16;
+
+    /** An hour. */
+    private static final int MOST_MS = 3_600_000;
+
+    private SceneReader() {
+    }
+
+    /**
+     * Leaves the game's blocks unread: whoever reads them calls {@link Block#done()} on the scene's root at the end.
+     *
+     * @param text   the file
+     * @param source names it in errors
+     * @throws SceneException if the text is not JSON, or a common field is missing or not as it has to be
+     */
+    public static Scene read(String text, String source) {
+        Block root = new Block(source, "", JsonTree.read(text, source));
+        String name = root.text("name");
+        String game = root.text("game");
+        int players = root.integer("players", 1, MOST_PLAYERS);
+        Optional<Field> field = root.optionalBlock("field").map(FieldReader::read);
+        ImpactLaw law = root.optionalBlock("impacts").map(SceneReader::law).orElse(ImpactLaw.PHYSICS);
+        Optional<Block> motion = root.optionalBlock("motion");
+        Block time = root.block("time");
+        Block accuracy = root.block("accuracy");
+        return new Scene(name, game, players, field, law,
+            motion.map(block -> block.number("drag", 0, 1, 0)).orElse(0.0),
+            motion.map(block -> block.choice("velocity", Map.of("truncate", true), false)).orElse(false),
+            motion.map(block -> block.choice("position", Map.of("round", true), false)).orElse(false),
+            new Time(time.integer("firstAnswerMs", 1, MOST_MS), time.integer("answerMs", 1, MOST_MS)),
+            new Accuracy(accuracy.choice("advance", Map.of("event", "event")),
+                accuracy.choice("arithmetic", Map.of("official", Arithmetic.OFFICIAL, "double", Arithmetic.DOUBLE))),
+            root);
+    }
+
+    /** What the block does not name stays as in {@link ImpactLaw#PHYSICS}. */
+    private static ImpactLaw law(Block block) {
+        double minimumImpulse = block.number("minimumImpulse", 0, Double.POSITIVE_INFINITY, 0);
+        boolean atWalls = block.flag("minimumImpulseAtWalls", false);
+        double deadZone = block.number("deadZone", 0, Double.POSITIVE_INFINITY, Double.NaN);
+        boolean react = block.choice("separatingPairs", Map.of("ignore", false, "react", true), false);
+        double batchWindow = block.number("batchWindow", 0, 1, 0);
+        ScanOrder order = block.choice("scanOrder",
+            Map.of("ascending", ScanOrder.ASCENDING, "descending", ScanOrder.DESCENDING), ScanOrder.ASCENDING);
+        double pushOut = block.number("pushOut", 0, Double.POSITIVE_INFINITY, Double.NaN);
+        int maximumImpacts = block.integer("maximumImpactsPerTurn", 1, Integer.MAX_VALUE, 0);
+        try {
+            return new ImpactLaw(Restitution.ELASTIC, minimumImpulse, atWalls, deadZone, react, batchWindow, order,
+                pushOut, maximumImpacts);
+        } catch (IllegalArgumentException refusal) {
+            throw block.error(refusal);
+        }
+    }
+}
