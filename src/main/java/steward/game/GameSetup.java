@@ -1,0 +1,20 @@
+package steward.game;
+
+import steward.scene.Plan;
+import steward.scene.Scene;
+
+/** A game with the settings of one scene, immutable: makes any number of games. */
+public interface GameSetup {
+
+    /** The scene it was made from. */
+    Scene scene();
+
+    /** The parts that the scene requires, and those left out. */
+    Plan plan();
+
+    /** A game before its first turn. Everything drawn by lot follows from the seed. */
+    Game create(long seed);
+
+    /** Reads and writes a game's frames; made by {@link #create} of the same setup. */
+    FrameCodec codec(Game game);
+}

@@ -1,0 +1,41 @@
+package steward.game;
+
+import java.util.ArrayList;
+import java.util.List;
+import steward.scene.Nearest;
+import steward.scene.Scene;
+import steward.scene.SceneReader;
+
+/**
+ * The games that are known; made by the command line, which alone lists them.
+ *
+ * @param types each with its own id
+ */
+public record GameTypes(List<GameType> types) {
+
+    /** Copies the list. */
+    public GameTypes {
+        types = List.copyOf(types);
+    }
+
+    /**
+     * Reads a scene and has its game read the rest.
+     *
+     * @param text   the scene as JSON
+     * @param source where it came from, for errors
+     * @throws steward.scene.SceneException if anything about it is wrong
+     */
+    public GameSetup open(String text, String source) {
+        Scene scene = SceneReader.read(text, source);
+        List<String> known = new ArrayList<>();
+        for (GameType type : types) {
+            if (type.id().equals(scene.gameId())) {
+                return type.open(scene);
+            }
+            known.add(type.id());
+        }
+        String hint = Nearest.of(scene.gameId(), known).map(near -> "; did you mean \"" + near + "\"?").orElse("");
+        throw scene.root().error("game", "unknown game \"" + scene.gameId() + "\"",
+            "one of " + String.join(", ", known) + hint);
+    }
+}

@@ -1,0 +1,215 @@
+package steward.game.podrace;
+
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import steward.game.JsonNumbers;
+import steward.scene.Nearest;
+import tools.jackson.core.JacksonException;
+import tools.jackson.core.JsonParser;
+import tools.jackson.core.JsonToken;
+import tools.jackson.core.ObjectReadContext;
+
+/**
+ * Reads one answer of a pod-race bot,
+ * <pre>{"pods":[{"x":1,"y":2.5,"thrust":100},{"x":1,"y":2,"shield":true}],"message":"optional"}</pre>
+ * token by token. What is wrong comes back as a sentence, because a wrong answer is an everyday event, not an exception.
+ */
+final class PodAnswer {
+
+    private static final Set<String> POD_FIELDS = new TreeSet<>(Set.of("x", "y", "thrust", "shield", "boost"));
+    private static final Set<String> FIELDS = new TreeSet<>(Set.of("pods", "message"));
+    private static final int NOT_GIVEN = Integer.MIN_VALUE;
+
+    private final double[] x;
+    private final double[] y;
+    private final int[] thrust;
+    private String message;
+
+    /** @param pods how many pods an answer must command */
+    PodAnswer(int pods) {
+        x = new double[pods];
+        y = new double[pods];
+        thrust = new int[pods];
+    }
+
+    double x(int pod) {
+        return x[pod];
+    }
+
+    double y(int pod) {
+        return y[pod];
+    }
+
+    /** 0..200, {@link PodRace#SHIELD} or {@link PodRace#BOOST}. */
+    int thrust(int pod) {
+        return thrust[pod];
+    }
+
+    /** The message of the last good answer, or {@code null}. */
+    String message() {
+        return message;
+    }
+
+    /** @return {@code null} if the line is a good answer, otherwise what is wrong with it */
+    String read(byte[] line, int length) {
+        message = null;
+        try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), line, 0, length)) {
+            if (in.nextToken() != JsonToken.START_OBJECT) {
+                return "found " + describe(in) + ", expected an object {\"pods\":[...]}";
+            }
+            String wrong = readFields(in);
+            if (wrong != null) {
+                return wrong;
+            }
+            return in.nextToken() == null ? null : "found more after the closing }, expected one object a line";
+        } catch (JacksonException problem) {
+            return "not JSON, column " + problem.getLocation().getColumnNr() + ": " + problem.getOriginalMessage();
+        }
+    }
+
+    private String readFields(JsonParser in) {
+        boolean hasPods = false;
+        while (in.nextToken() == JsonToken.PROPERTY_NAME) {
+            String name = in.currentName();
+            in.nextToken();
+            String wrong;
+            switch (name) {
+                case "pods" -> {
+                    wrong = hasPods ? "pods: found twice, expected once" : readPods(in);
+                    hasPods = true;
+                }
+                case "message" -> wrong = readMessage(in);
+                default -> wrong = unknown("", name, FIELDS);
+            }
+            if (wrong != null) {
+                return wrong;
+            }
+        }
+        return hasPods ? null : "pods: found nothing, expected an array of " + count();
+    }
+
+    private String readMessage(JsonParser in) {
+        if (in.currentToken() != JsonToken.VALUE_STRING) {
+            return "message: found " + describe(in) + ", expected a string";
+        }
+        message = in.getString();
+        return null;
+    }
+
+    /** Reads the array of pods on whose first token the parser stands. */
+    String readPods(JsonParser in) {
+        if (in.currentToken() != JsonToken.START_ARRAY) {
+            return "pods: found " + describe(in) + ", expected an array of " + count();
+        }
+        int pod = 0;
+        while (in.nextToken() != JsonToken.END_ARRAY) {
+            if (pod == x.length) {
+                return "pods: found more than " + x.length + ", expected " + count();
+            }
+            String wrong = readPod(in, pod++);
+            if (wrong != null) {
+                return wrong;
+            }
+        }
+        return pod == x.length ? null : "pods: found " + pod + ", expected " + count();
+    }
+
+    private String readPod(JsonParser in, int pod) {
+        String path = "pods[" + pod + "]";
+        if (in.currentToken() != JsonToken.START_OBJECT) {
+            return path + ": found " + describe(in) + ", expected an object";
+        }
+        x[pod] = Double.NaN;
+        y[pod] = Double.NaN;
+        thrust[pod] = NOT_GIVEN;
+        while (in.nextToken() == JsonToken.PROPERTY_NAME) {
+            String name = in.currentName();
+            in.nextToken();
+            String wrong = switch (name) {
+                case "x" -> readCoordinate(in, path, "x", x, pod);
+                case "y" -> readCoordinate(in, path, "y", y, pod);
+                case "thrust" -> thrust[pod] != NOT_GIVEN ? onlyOne(path) : readThrust(in, path, pod);
+                case "shield" -> thrust[pod] != NOT_GIVEN ? onlyOne(path)
+                    : readFlag(in, path, "shield", pod, PodRace.SHIELD);
+                case "boost" -> thrust[pod] != NOT_GIVEN ? onlyOne(path)
+                    : readFlag(in, path, "boost", pod, PodRace.BOOST);
+                default -> unknown(path + ".", name, POD_FIELDS);
+            };
+            if (wrong != null) {
+                return wrong;
+            }
+        }
+        if (Double.isNaN(x[pod]) || Double.isNaN(y[pod])) {
+            return path + (Double.isNaN(x[pod]) ? ".x" : ".y") + ": found nothing, expected a number";
+        }
+        return thrust[pod] == NOT_GIVEN ? path + ": found none of thrust, shield, boost, expected exactly one" : null;
+    }
+
+    private static String onlyOne(String path) {
+        return path + ": found more than one of thrust, shield, boost, expected exactly one";
+    }
+
+    private String readCoordinate(JsonParser in, String path, String name, double[] into, int pod) {
+        if (!Double.isNaN(into[pod])) {
+            return path + "." + name + ": found twice, expected once";
+        }
+        if (!in.currentToken().isNumeric() || !Double.isFinite(in.getDoubleValue())) {
+            return path + "." + name + ": found " + describe(in) + ", expected a finite number";
+        }
+        into[pod] = in.getDoubleValue();
+        return null;
+    }
+
+    private String readThrust(JsonParser in, String path, int pod) {
+        boolean whole = in.currentToken() == JsonToken.VALUE_NUMBER_INT
+            && in.getNumberType() == JsonParser.NumberType.INT;
+        if (!whole || in.getIntValue() < 0 || in.getIntValue() > PodRaceSettings.MAXIMUM_THRUST) {
+            return path + ".thrust: found " + describe(in) + ", expected a whole number 0.."
+                + PodRaceSettings.MAXIMUM_THRUST;
+        }
+        thrust[pod] = in.getIntValue();
+        return null;
+    }
+
+    private String readFlag(JsonParser in, String path, String name, int pod, int meaning) {
+        if (in.currentToken() != JsonToken.VALUE_TRUE) {
+            return path + "." + name + ": found " + describe(in) + ", expected true (or leave it out)";
+        }
+        thrust[pod] = meaning;
+        return null;
+    }
+
+    private static String unknown(String path, String name, Set<String> known) {
+        Optional<String> near = Nearest.of(name, known);
+        return path + shorten(name) + ": unknown field, expected one of " + String.join(", ", known)
+            + near.map(word -> "; did you mean " + word + "?").orElse("");
+    }
+
+    private String count() {
+        return x.length == 1 ? "1 pod" : x.length + " pods";
+    }
+
+    private static String describe(JsonParser in) {
+        JsonToken token = in.currentToken();
+        if (token == null) {
+            return "nothing";
+        }
+        return switch (token) {
+            case START_OBJECT -> "an object";
+            case START_ARRAY -> "an array";
+            case VALUE_STRING -> "\"" + shorten(in.getString()) + "\"";
+            default -> shorten(in.getString());
+        };
+    }
+
+    private static String shorten(String text) {
+        return text.length() <= 40 ? text : text.substring(0, 40) + "...";
+    }
+
+    @Override
+    public String toString() {
+        return "x " + Arrays.toString(x) + ", y " + Arrays.toString(y) + ", thrust " + Arrays.toString(thrust);
+    }
+}

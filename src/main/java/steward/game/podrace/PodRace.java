@@ -1,0 +1,442 @@
+package steward.game.podrace;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import steward.game.Game;
+import steward.game.TurnEvent;
+import steward.numerics.SplitMix64;
+import steward.numerics.StateHash;
+import steward.physics.Advance;
+import steward.physics.Bodies;
+import steward.physics.EventAdvance;
+import steward.physics.Motion;
+import steward.physics.TurnLog;
+import steward.scene.Bumper;
+import steward.scene.Plan;
+import steward.scene.Scene;
+
+/**
+ * The rules of the pod race, free of JSON. Pods are the bodies 0..pods-1 in the order of players; bumpers come behind
+ * them. Sources: the published official referee and official recordings of 2016 and 2026; with the official law and
+ * arithmetic, positions, speeds, headings, impact times and impulses agree with them to the last bit.
+ *
+ * <p>A player who is out keeps the pods on the field: they get no commands, drift, and can be hit.
+ */
+public final class PodRace implements Game {
+
+    /** How far a heading can turn in a turn, in radians: 18 degrees. */
+    private static final double MAXIMUM_TURN = Math.PI / 10;
+    private static final double FULL_TURN = 2 * Math.PI;
+    /** Distance of the inner start places from checkpoint 0, in u, and of each further pair from the last. */
+    private static final double START_OFFSET = 500;
+    private static final double START_SPACING = 1000;
+    private static final int NOT_OUT = Integer.MAX_VALUE;
+
+    /** Pseudo-thrust of a pod whose player gave no command. */
+    static final int NO_COMMAND = -1;
+    /** Pseudo-thrust of a SHIELD command. */
+    static final int SHIELD = -2;
+    /** Pseudo-thrust of a BOOST command. */
+    static final int BOOST = -3;
+
+    private final PodRaceSettings settings;
+    private final double[][] checkpoints;
+    private final Bodies bodies;
+    private final Advance advance;
+    private final Motion motion;
+    private final TurnLog log = new TurnLog();
+    private final List<TurnEvent> events = new ArrayList<>();
+    private final StateHash hash = new StateHash();
+
+    private final double[] heading;
+    private final int[] shieldTimer;
+    private final boolean[] boostLeft;
+    private final int[] passed;
+    private final double[] targetX;
+    private final double[] targetY;
+    private final int[] thrust;
+    private final double[] startX;
+    private final double[] startY;
+
+    private final int[] turnsLeft;
+    private final int[] outTurn;
+    private final String[] outReason;
+    private int turn;
+    private String ending;
+
+    /**
+     * A race before its first turn. Draws, in this order: the map, 0..maps-1; if the scene shifts, the first
+     * checkpoint, 0..n-1; if it jitters, for each checkpoint in the shifted order x, then y, -jitter..jitter.
+     */
+    PodRace(PodRaceSettings settings, Scene scene, Plan plan, long seed) {
+        this(settings, scene, plan, drawMap(settings, new SplitMix64(seed)));
+    }
+
+    /** A race on a given map, {@code [n][x, y]}. */
+    PodRace(PodRaceSettings settings, Scene scene, Plan plan, double[][] checkpoints) {
+        this.settings = settings;
+        this.checkpoints = checkpoints;
+        List<Bumper> bumpers = scene.field().map(field -> field.bumpers()).orElse(List.of());
+        int pods = settings.pods();
+        bodies = new Bodies(pods + bumpers.size());
+        advance = new EventAdvance(plan.physics(null));
+        motion = plan.motion();
+        heading = new double[pods];
+        shieldTimer = new int[pods];
+        boostLeft = new boolean[pods];
+        passed = new int[pods];
+        targetX = new double[pods];
+        targetY = new double[pods];
+        thrust = new int[pods];
+        startX = new double[pods];
+        startY = new double[pods];
+        Arrays.fill(heading, Double.NaN);
+        Arrays.fill(boostLeft, true);
+        Arrays.fill(thrust, NO_COMMAND);
+        turnsLeft = new int[settings.players()];
+        outTurn = new int[settings.players()];
+        outReason = new String[settings.players()];
+        Arrays.fill(turnsLeft, settings.turnsWithoutCheckpoint());
+        Arrays.fill(outTurn, NOT_OUT);
+        placePods(scene.drag());
+        for (Bumper bumper : bumpers) {
+            int body = bodies.add(bumper.x(), bumper.y(), bumper.radius(), Double.POSITIVE_INFINITY);
+            bodies.setRestitution(body, bumper.restitution());
+        }
+    }
+
+    private static double[][] drawMap(PodRaceSettings settings, SplitMix64 random) {
+        double[][] map = settings.maps().get(random.nextInt(settings.maps().size()));
+        int first = settings.shift() ? random.nextInt(map.length) : 0;
+        double[][] drawn = new double[map.length][];
+        for (int k = 0; k < drawn.length; k++) {
+            drawn[k] = map[(first + k) % map.length].clone();
+            if (settings.jitter() > 0) {
+                drawn[k][0] += random.nextInt(-settings.jitter(), settings.jitter());
+                drawn[k][1] += random.nextInt(-settings.jitter(), settings.jitter());
+            }
+        }
+        return drawn;
+    }
+
+    /** Side by side across checkpoint 0, facing checkpoint 1: offsets -500, +500, -1500, +1500, ... */
+    private void placePods(double drag) {
+        double dx = checkpoints[1][0] - checkpoints[0][0];
+        double dy = checkpoints[1][1] - checkpoints[0][1];
+        double length = Math.sqrt(dx * dx + dy * dy);
+        for (int pod = 0; pod < settings.pods(); pod++) {
+            double offset = START_OFFSET + START_SPACING * (pod / 2);
+            double side = pod % 2 == 0 ? -offset : offset;
+            int body = bodies.add(Math.floor(checkpoints[0][0] - side * dy / length + 0.5),
+                Math.floor(checkpoints[0][1] + side * dx / length + 0.5), settings.radius(), settings.mass());
+            bodies.setRestitution(body, settings.restitution());
+            bodies.setDrag(body, drag);
+        }
+    }
+
+    /** Gives a pod a command for the next turn: an ordinary thrust 0..200, {@link #SHIELD} or {@link #BOOST}. */
+    void command(int pod, double x, double y, int podThrust) {
+        targetX[pod] = x;
+        targetY[pod] = y;
+        thrust[pod] = podThrust;
+    }
+
+    @Override
+    public void play() {
+        if (isOver()) {
+            throw new IllegalStateException("the race is over: " + ending);
+        }
+        turn++;
+        log.clear();
+        events.clear();
+        for (int pod = 0; pod < settings.pods(); pod++) {
+            startX[pod] = bodies.x[pod];
+            startY[pod] = bodies.y[pod];
+            steer(pod, isIn(playerOf(pod)) ? thrust[pod] : NO_COMMAND);
+            thrust[pod] = NO_COMMAND;
+        }
+        advance.turn(bodies, log);
+        motion.endTurn(bodies);
+        for (int player = 0; player < settings.players(); player++) {
+            if (isIn(player)) {
+                countCheckpoints(player);
+            }
+        }
+        judge();
+    }
+
+    /** Shield, boost, heading and thrust of one pod: step 1 of the official turn. */
+    private void steer(int pod, int command) {
+        if (command == SHIELD) {
+            shieldTimer[pod] = PodRaceSettings.SHIELD_TURNS;
+        } else if (shieldTimer[pod] > 0) {
+            shieldTimer[pod]--;
+        }
+        bodies.setMass(pod, command == SHIELD ? PodRaceSettings.SHIELD_MASS_FACTOR * settings.mass() : settings.mass());
+        int power = Math.max(0, command);
+        if (command == BOOST) {
+            power = boostLeft[pod] ? PodRaceSettings.BOOST_THRUST : PodRaceSettings.MAXIMUM_THRUST;
+            boostLeft[pod] = false;
+        }
+        double dx = targetX[pod] - bodies.x[pod];
+        double dy = targetY[pod] - bodies.y[pod];
+        if (command == NO_COMMAND || dx == 0 && dy == 0) {
+            return;
+        }
+        turnTo(pod, StrictMath.atan2(dy, dx));
+        if (shieldTimer[pod] == 0) {
+            double cos = StrictMath.cos(heading[pod]);
+            double sin = StrictMath.sin(heading[pod]);
+            double length = Math.sqrt(cos * cos + sin * sin);
+            bodies.vx[pod] += cos / length * power;
+            bodies.vy[pod] += sin / length * power;
+        }
+    }
+
+    private void turnTo(int pod, double wanted) {
+        double delta = (wanted - heading[pod]) % FULL_TURN;
+        double shortest = 2 * delta % FULL_TURN - delta;
+        if (Math.abs(shortest) >= MAXIMUM_TURN) {
+            heading[pod] += shortest > 0 ? MAXIMUM_TURN : -MAXIMUM_TURN;
+        } else {
+            heading[pod] = wanted;                    // also while the heading, and with it the difference, is NaN
+        }
+    }
+
+    private void countCheckpoints(int player) {
+        int before = 0;
+        int after = 0;
+        for (int pod = player * settings.podsPerPlayer(); pod < (player + 1) * settings.podsPerPlayer(); pod++) {
+            before += passed[pod];
+            while (passed[pod] < toFinish() && passesNext(pod)) {
+                passed[pod]++;
+                markCheckpoint(pod);
+            }
+            after += passed[pod];
+        }
+        turnsLeft[player] = after > before ? settings.turnsWithoutCheckpoint() : turnsLeft[player] - 1;
+    }
+
+    private boolean passesNext(int pod) {
+        double[] next = checkpoints[nextCheckpoint(pod)];
+        return CheckpointSweep.passes(log, bodies.id(pod), startX[pod], startY[pod], bodies.x[pod], bodies.y[pod],
+            next[0], next[1], settings.checkpointRadius());
+    }
+
+    private void markCheckpoint(int pod) {
+        boolean lap = passed[pod] % checkpoints.length == 0;
+        String text = lap ? "pod " + pod + ", lap " + lap(pod) + " of " + settings.laps() + " done"
+            : "pod " + pod + ", checkpoint " + passed[pod] % checkpoints.length;
+        events.add(new TurnEvent(TurnEvent.Kind.MARK, 1, pod, bodies.x[pod], bodies.y[pod], text, lap));
+    }
+
+    /** Eliminations and the end: step 4 of the official turn. */
+    private void judge() {
+        int in = 0;
+        int finished = 0;
+        for (int player = 0; player < settings.players(); player++) {
+            finished += hasFinished(player) ? 1 : 0;
+            if (isIn(player) && turnsLeft[player] <= 0 && !hasFinished(player)) {
+                eliminate(player, "no checkpoint in " + settings.turnsWithoutCheckpoint() + " turns", turn);
+            }
+            in += isIn(player) ? 1 : 0;
+        }
+        if (finished > 0) {
+            ending = "finished after " + settings.laps() + " laps";
+        } else if (in <= (settings.players() > 1 ? 1 : 0)) {
+            ending = in == 1 ? "all others are out" : "all are out";
+        } else if (turn >= settings.maximumTurns()) {
+            ending = "at most " + settings.maximumTurns() + " turns are played";
+        }
+    }
+
+    @Override
+    public void eliminate(int player, String reason) {
+        eliminate(player, reason, turn + 1);
+    }
+
+    private void eliminate(int player, String reason, int when) {
+        if (isIn(player)) {
+            outTurn[player] = when;
+            outReason[player] = reason;
+        }
+    }
+
+    @Override
+    public String eliminationReason(int player) {
+        return outReason[player];
+    }
+
+    @Override
+    public int players() {
+        return settings.players();
+    }
+
+    @Override
+    public int turn() {
+        return turn;
+    }
+
+    @Override
+    public boolean isOver() {
+        return ending != null;
+    }
+
+    @Override
+    public String ending() {
+        return ending;
+    }
+
+    /** Finished, else out later, else more checkpoints passed by the best pod, else nearer to the next. */
+    @Override
+    public int[] ranks() {
+        int[] ranks = new int[players()];
+        for (int player = 0; player < ranks.length; player++) {
+            for (int other = 0; other < ranks.length; other++) {
+                ranks[player] += isAhead(other, player) ? 1 : 0;
+            }
+        }
+        return ranks;
+    }
+
+    private boolean isAhead(int one, int other) {
+        if (hasFinished(one) || hasFinished(other)) {
+            return hasFinished(one) && !hasFinished(other);
+        }
+        if (!isIn(one) || !isIn(other)) {
+            return outTurn[one] > outTurn[other];
+        }
+        int best = bestPod(one);
+        int otherBest = bestPod(other);
+        return passed[best] != passed[otherBest] ? passed[best] > passed[otherBest]
+            : toNext(best) < toNext(otherBest);
+    }
+
+    /** Checkpoints passed by the best pod; -1 for a player who is out. */
+    @Override
+    public double[] scores() {
+        double[] scores = new double[players()];
+        for (int player = 0; player < scores.length; player++) {
+            scores[player] = isIn(player) ? passed[bestPod(player)] : -1;
+        }
+        return scores;
+    }
+
+    @Override
+    public Bodies bodies() {
+        return bodies;
+    }
+
+    @Override
+    public TurnLog log() {
+        return log;
+    }
+
+    @Override
+    public List<TurnEvent> events() {
+        return events;
+    }
+
+    /**
+     * Order: turn; per pod x, y, vx, vy, heading, shield timer, boost left, checkpoints passed; per player turns left
+     * and the turn of elimination (2^31 - 1 while in).
+     */
+    @Override
+    public long hash() {
+        hash.reset().add(turn);
+        for (int pod = 0; pod < settings.pods(); pod++) {
+            hash.add(bodies.x[pod]).add(bodies.y[pod]).add(bodies.vx[pod]).add(bodies.vy[pod]).add(heading[pod])
+                .add(shieldTimer[pod]).add(boostLeft[pod]).add(passed[pod]);
+        }
+        for (int player = 0; player < settings.players(); player++) {
+            hash.add(turnsLeft[player]).add(outTurn[player]);
+        }
+        return hash.value();
+    }
+
+    public PodRaceSettings settings() {
+        return settings;
+    }
+
+    /** A copy of the checkpoints, {@code [n][x, y]}. */
+    public double[][] checkpoints() {
+        double[][] copy = new double[checkpoints.length][];
+        for (int k = 0; k < copy.length; k++) {
+            copy[k] = checkpoints[k].clone();
+        }
+        return copy;
+    }
+
+    /** How many turns the player has left to pass a checkpoint. */
+    public int turnsLeft(int player) {
+        return turnsLeft[player];
+    }
+
+    /** Everything about one pod. */
+    public PodState pod(int pod) {
+        return new PodState(bodies.x[pod], bodies.y[pod], bodies.vx[pod], bodies.vy[pod], heading[pod],
+            shieldTimer[pod], boostLeft[pod], passed[pod]);
+    }
+
+    /** Puts a pod into a state, for tests of the rules and for simulators. */
+    public void setPod(int pod, PodState state) {
+        bodies.setPosition(pod, state.x(), state.y());
+        bodies.setVelocity(pod, state.vx(), state.vy());
+        heading[pod] = state.heading();
+        shieldTimer[pod] = state.shieldTimer();
+        boostLeft[pod] = state.boostLeft();
+        passed[pod] = state.passed();
+    }
+
+    int playerOf(int pod) {
+        return pod / settings.podsPerPlayer();
+    }
+
+    /** Index of the checkpoint that a pod must pass next. */
+    int nextCheckpoint(int pod) {
+        return (passed[pod] + 1) % checkpoints.length;
+    }
+
+    /** Laps done. */
+    int lap(int pod) {
+        return passed[pod] / checkpoints.length;
+    }
+
+    double targetX(int pod) {
+        return targetX[pod];
+    }
+
+    double targetY(int pod) {
+        return targetY[pod];
+    }
+
+    int thrust(int pod) {
+        return thrust[pod];
+    }
+
+    private int toFinish() {
+        return settings.laps() * checkpoints.length;
+    }
+
+    private boolean hasFinished(int player) {
+        return isIn(player) && passed[bestPod(player)] >= toFinish();
+    }
+
+    /** The pod that has passed more checkpoints, then the one nearer to the next. */
+    private int bestPod(int player) {
+        int best = player * settings.podsPerPlayer();
+        for (int pod = best + 1; pod < (player + 1) * settings.podsPerPlayer(); pod++) {
+            if (passed[pod] > passed[best] || passed[pod] == passed[best] && toNext(pod) < toNext(best)) {
+                best = pod;
+            }
+        }
+        return best;
+    }
+
+    private double toNext(int pod) {
+        double dx = checkpoints[nextCheckpoint(pod)][0] - bodies.x[pod];
+        double dy = checkpoints[nextCheckpoint(pod)][1] - bodies.y[pod];
+        return Math.sqrt(dx * dx + dy * dy);
+    }
+}

@@ -1,0 +1,96 @@
+package steward.game.podrace;
+
+import java.util.ArrayList;
+import java.util.List;
+import steward.scene.Block;
+import steward.scene.Scene;
+
+/**
+ * The settings of a pod race, from the blocks {@code pods} and {@code race} of a scene.
+ *
+ * @param players                how many players, 1..16
+ * @param podsPerPlayer          1..8
+ * @param radius                 of a pod, in u
+ * @param mass                   of a pod without a raised shield, in pod masses
+ * @param restitution            of a pod, 0..1
+ * @param laps                   1..100
+ * @param checkpointRadius       in u
+ * @param maps                   one of these is drawn by lot: checkpoints {@code [n][x, y]}, n at least 2
+ * @param shift                  whether the order of checkpoints starts at one drawn by lot
+ * @param jitter                 each coordinate is moved by a whole number drawn from -jitter..jitter
+ * @param turnsWithoutCheckpoint a player none of whose pods passes one for so many turns is out
+ * @param maximumTurns           then the race ends
+ */
+public record PodRaceSettings(int players, int podsPerPlayer, double radius, double mass, double restitution,
+                              int laps, double checkpointRadius, List<double[][]> maps, boolean shift, int jitter,
+                              int turnsWithoutCheckpoint, int maximumTurns) {
+
+    /** The thrust range of an ordinary command, 0..200 u per turn^2. */
+    public static final int MAXIMUM_THRUST = 200;
+    /** The thrust of a boost. */
+    public static final int BOOST_THRUST = 650;
+    /** A raised shield multiplies the mass by this for its turn. */
+    public static final int SHIELD_MASS_FACTOR = 10;
+    /** The shield's timer on the turn it is raised: no thrust on this and the next three. */
+    public static final int SHIELD_TURNS = 4;
+
+    private static final int MAXIMUM_CHECKPOINTS = 64;
+    private static final double MAXIMUM_COORDINATE = 1e6;
+
+    /** How many pods race. */
+    public int pods() {
+        return players * podsPerPlayer;
+    }
+
+    /** Reads the blocks {@code pods} and {@code race}. */
+    static PodRaceSettings read(Scene scene) {
+        Block pods = scene.root().block("pods");
+        int perPlayer = pods.integer("perPlayer", 1, 8);
+        double radius = pods.positive("radius");
+        double mass = pods.positive("mass");
+        double restitution = pods.number("restitution", 0, 1, 1);
+        pods.done();
+        Block race = scene.root().block("race");
+        int laps = race.integer("laps", 1, 100);
+        double checkpointRadius = race.positive("checkpointRadius");
+        List<double[][]> maps = readMaps(race);
+        boolean shift = race.flag("shift", false);
+        int jitter = race.integer("jitter", 0, 1000, 0);
+        int turnsWithoutCheckpoint = race.integer("turnsWithoutCheckpoint", 1, 1_000_000);
+        int maximumTurns = race.integer("maximumTurns", 1, 1_000_000);
+        race.done();
+        return new PodRaceSettings(scene.players(), perPlayer, radius, mass, restitution, laps, checkpointRadius, maps,
+            shift, jitter, turnsWithoutCheckpoint, maximumTurns);
+    }
+
+    private static List<double[][]> readMaps(Block race) {
+        if (race.isText("maps")) {
+            race.choice("maps", java.util.Map.of("official", true));
+            return OfficialMaps.all();
+        }
+        List<double[][]> maps = new ArrayList<>();
+        for (Block map : race.blocks("maps")) {
+            List<Block> points = map.blocks("checkpoints");
+            if (points.size() < 2 || points.size() > MAXIMUM_CHECKPOINTS) {
+                throw map.error("checkpoints", points.size() + " checkpoints", "2.." + MAXIMUM_CHECKPOINTS);
+            }
+            double[][] checkpoints = new double[points.size()][];
+            for (int k = 0; k < checkpoints.length; k++) {
+                Block point = points.get(k);
+                checkpoints[k] = new double[] {
+                    point.number("x", -MAXIMUM_COORDINATE, MAXIMUM_COORDINATE),
+                    point.number("y", -MAXIMUM_COORDINATE, MAXIMUM_COORDINATE)};
+                point.done();
+            }
+            if (checkpoints[0][0] == checkpoints[1][0] && checkpoints[0][1] == checkpoints[1][1]) {
+                throw map.error("checkpoints", "the first two in the same place", "two places: pods start across them");
+            }
+            map.done();
+            maps.add(checkpoints);
+        }
+        if (maps.isEmpty()) {
+            throw race.error("maps", "no map", "\"official\" or at least one map");
+        }
+        return maps;
+    }
+}

@@ -1,0 +1,56 @@
+package steward.game.podrace;
+
+import java.util.List;
+import steward.game.FrameCodec;
+import steward.game.Game;
+import steward.game.GameSetup;
+import steward.game.GameType;
+import steward.physics.Contacts;
+import steward.scene.Part;
+import steward.scene.Plan;
+import steward.scene.Scene;
+
+/** The pod race as a game that scenes can name. */
+public final class PodRaceType implements GameType {
+
+    @Override
+    public String id() {
+        return "pod-race";
+    }
+
+    @Override
+    public PodRaceSetup open(Scene scene) {
+        PodRaceSettings settings = PodRaceSettings.read(scene);
+        scene.root().done();
+        boolean bumpers = scene.field().map(field -> !field.bumpers().isEmpty()).orElse(false);
+        Plan plan = Plan.of(scene, new Contacts(1), settings.restitution(), bumpers, List.of(
+            new Part("headings", true, "pods turn at most 18 degrees a turn"),
+            new Part("checkpoint sweeps", true, "checkpoints count along the whole path of a turn")));
+        return new PodRaceSetup(scene, settings, plan);
+    }
+
+    /**
+     * A pod race with the settings of one scene.
+     *
+     * @param scene    the scene
+     * @param settings its blocks {@code pods} and {@code race}
+     * @param plan     what it requires
+     */
+    public record PodRaceSetup(Scene scene, PodRaceSettings settings, Plan plan) implements GameSetup {
+
+        @Override
+        public PodRace create(long seed) {
+            return new PodRace(settings, scene, plan, seed);
+        }
+
+        /** A race on a given map, {@code [n][x, y]}, for tests against recordings and for simulators. */
+        public PodRace create(double[][] checkpoints) {
+            return new PodRace(settings, scene, plan, checkpoints);
+        }
+
+        @Override
+        public FrameCodec codec(Game game) {
+            return new PodRaceJson((PodRace) game, scene);
+        }
+    }
+}

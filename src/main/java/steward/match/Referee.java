@@ -1,0 +1,218 @@
+package steward.match;
+
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.ExecutionException;
+import steward.bot.Answer;
+import steward.bot.Player;
+import steward.game.FrameCodec;
+import steward.game.Game;
+import steward.game.GameSetup;
+
+/**
+ * The referee loop: each turn it sends every player a frame, takes the commands one player after another, eliminates who
+ * failed, has the game play the turn and tells the listener. All players who are in are asked every turn, also after
+ * another has failed.
+ *
+ * <p>The loop runs on a daemon thread of its own. When a player can neither be read nor killed, that thread is stuck;
+ * the player then hands the fault to a fresh thread, which goes on with the next player, and the stuck one, should it
+ * ever return, leaves without touching anything. All state of the loop is therefore in fields, handed over by the
+ * player with a happens-before edge.
+ */
+public final class Referee {
+
+    /** How much of a wrong answer is quoted in a fault, in characters. */
+    private static final int QUOTED = 120;
+
+    private final Game game;
+    private final FrameCodec codec;
+    private final Frames frames;
+    private final List<Player> players;
+    private final TimeControl time;
+    private final MatchListener listener;
+    private final CompletableFuture<MatchResult> result = new CompletableFuture<>();
+
+    private final Turn turn;
+    private final Answer[] answers;
+    private final Stopwatch[] watches;
+    private final String[] faults;
+    private final int[] extraLines;
+    private int next;
+
+    /**
+     * @param players as many as the scene has, in order; they are finished when the match is over
+     * @throws IllegalArgumentException if their number is not the scene's
+     */
+    public Referee(GameSetup setup, long seed, List<? extends Player> players, TimeControl time,
+                   MatchListener listener) {
+        game = setup.create(seed);
+        if (players.size() != game.players()) {
+            throw new IllegalArgumentException(players.size() + " bots, expected " + game.players()
+                + ": the scene \"" + setup.scene().name() + "\" is for " + game.players() + " players");
+        }
+        codec = setup.codec(game);
+        frames = new Frames(setup, game, codec);
+        this.players = List.copyOf(players);
+        this.time = time;
+        this.listener = listener;
+        int count = players.size();
+        turn = new Turn(count);
+        answers = new Answer[count];
+        watches = new Stopwatch[count];
+        faults = new String[count];
+        extraLines = new int[count];
+        for (int player = 0; player < count; player++) {
+            int number = player;
+            answers[player] = new Answer();
+            watches[player] = new Stopwatch();
+            this.players.get(player).onAbandoned(answer -> goOnAfter(number, answer));
+        }
+    }
+
+    /**
+     * Plays the match. Call once.
+     *
+     * @throws InterruptedException if the calling thread is interrupted; the players are finished then
+     * @throws RuntimeException     whatever the game or the listener threw; the players are finished then
+     */
+    public MatchResult play() throws InterruptedException {
+        startThread(this::begin);
+        try {
+            return result.get();
+        } catch (ExecutionException problem) {
+            if (problem.getCause() instanceof RuntimeException unchecked) {
+                throw unchecked;
+            }
+            throw new CompletionException(problem.getCause());
+        } catch (InterruptedException interrupted) {
+            result.completeExceptionally(interrupted);
+            players.forEach(Player::close);
+            throw interrupted;
+        }
+    }
+
+    private static void startThread(Runnable work) {
+        Thread thread = new Thread(work, "referee");
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    private void begin() {
+        guarded(() -> {
+            listener.start(game, codec);
+            for (int player = 0; player < players.size(); player++) {
+                Frames.LineBuffer frame = frames.setup(player);
+                players.get(player).tell(frame.bytes(), frame.size());
+            }
+            turn.begin(1);
+            askRest();
+        });
+    }
+
+    /** On a fresh thread: the last one is stuck with this player, whose fault is known by now. */
+    private void goOnAfter(int player, Answer answer) {
+        guarded(() -> {
+            take(player, Player.Ending.FAULT, answer);
+            next = player + 1;
+            askRest();
+        });
+    }
+
+    private void guarded(Runnable work) {
+        try {
+            work.run();
+        } catch (Throwable problem) {              // errors too: whoever waits for the result must be told
+            players.forEach(Player::close);
+            result.completeExceptionally(problem);
+        }
+    }
+
+    /** From the next player on, to the end of the match, or until this thread has lost the match to another. */
+    private void askRest() {
+        while (!result.isDone()) {
+            for (; next < players.size(); next++) {
+                if (game.isIn(next) && !ask(next)) {
+                    return;
+                }
+            }
+            playTurn();
+            if (game.isOver()) {
+                finish();
+                return;
+            }
+            next = 0;
+            turn.begin(game.turn() + 1);
+        }
+    }
+
+    /** @return false if this thread must leave */
+    private boolean ask(int player) {
+        Frames.LineBuffer frame = frames.turn(player);
+        long limit = time.limit(watches[player].answers());
+        Player.Ending ending = players.get(player).ask(frame.bytes(), frame.size(), 1, limit, answers[player]);
+        if (ending == Player.Ending.ABANDONED) {
+            return false;
+        }
+        take(player, ending, answers[player]);
+        return true;
+    }
+
+    private void take(int player, Player.Ending ending, Answer answer) {
+        watches[player].add(answer.nanos());
+        extraLines[player] = Math.max(extraLines[player], answer.extraLines());
+        turn.asked[player] = true;
+        turn.nanos[player] = answer.nanos();
+        turn.stderr[player] = answer.stderr();
+        String fault = answer.fault();
+        if (ending == Player.Ending.ANSWERED) {
+            String wrong = codec.readAnswer(player, answer.bytes(), answer.length());
+            fault = wrong == null ? null : wrong + "; received: " + quote(answer);
+        }
+        if (fault == null) {
+            turn.answered[player] = true;
+            turn.messages[player] = codec.message(player);
+        } else {
+            turn.faults[player] = fault;
+            faults[player] = fault;
+            players.get(player).close();
+        }
+    }
+
+    private static String quote(Answer answer) {
+        String line = new String(answer.bytes(), 0, Math.min(answer.length(), 4 * QUOTED), StandardCharsets.UTF_8);
+        return line.length() <= QUOTED ? line : line.substring(0, QUOTED) + "...";
+    }
+
+    private void playTurn() {
+        for (int player = 0; player < players.size(); player++) {
+            if (turn.faults[player] != null) {
+                game.eliminate(player, turn.faults[player]);
+            }
+        }
+        listener.commands(turn);
+        game.play();
+        listener.played(turn);
+    }
+
+    private void finish() {
+        int[] ranks = game.ranks();
+        double[] scores = game.scores();
+        List<MatchResult.PlayerResult> results = new ArrayList<>();
+        for (int player = 0; player < players.size(); player++) {
+            Stopwatch watch = watches[player];
+            results.add(new MatchResult.PlayerResult(players.get(player).name(), ranks[player], scores[player],
+                faults[player], game.eliminationReason(player), watch.answers(), watch.averageNanos(),
+                watch.worstNanos(), watch.firstNanos(), extraLines[player]));
+        }
+        MatchResult matchResult = new MatchResult(game.turn(), game.ending(), results);
+        listener.end(matchResult);
+        for (int player = 0; player < players.size(); player++) {
+            Frames.LineBuffer frame = frames.end(player);
+            players.get(player).finish(frame.bytes(), frame.size());
+        }
+        result.complete(matchResult);
+    }
+}

@@ -1,0 +1,31 @@
+package steward.match;
+
+import steward.scene.Time;
+
+/**
+ * How long players may take.
+ *
+ * @param firstNanos the limit of the first answer, in nanoseconds; it includes the start of a process
+ * @param turnNanos  the limit of every later answer; {@code Long.MAX_VALUE} is no deadline
+ */
+public record TimeControl(long firstNanos, long turnNanos) {
+
+    /** Nobody is hurried. */
+    public static final TimeControl UNLIMITED = new TimeControl(Long.MAX_VALUE, Long.MAX_VALUE);
+
+    private static final double NANOS_PER_MS = 1e6;
+
+    /** A scene's limits times a factor, finite and above 0. */
+    public static TimeControl of(Time time, double factor) {
+        if (!(factor > 0 && factor < Double.POSITIVE_INFINITY)) {
+            throw new IllegalArgumentException("time factor " + factor + ", expected above 0");
+        }
+        return new TimeControl((long) (time.firstAnswerMs() * NANOS_PER_MS * factor),
+            (long) (time.answerMs() * NANOS_PER_MS * factor));
+    }
+
+    /** The limit of a player's n-th answer, counted from 0. */
+    long limit(int answersBefore) {
+        return answersBefore == 0 ? firstNanos : turnNanos;
+    }
+}

@@ -1,0 +1,75 @@
+package steward.match;
+
+/**
+ * What the players did in one turn; reused from turn to turn. Arrays are indexed by player.
+ */
+public final class Turn {
+
+    private int number;
+    final boolean[] asked;
+    final boolean[] answered;
+    final String[] faults;
+    final String[] messages;
+    final String[] stderr;
+    final long[] nanos;
+
+    Turn(int players) {
+        asked = new boolean[players];
+        answered = new boolean[players];
+        faults = new String[players];
+        messages = new String[players];
+        stderr = new String[players];
+        nanos = new long[players];
+    }
+
+    void begin(int turnNumber) {
+        number = turnNumber;
+        for (int player = 0; player < asked.length; player++) {
+            asked[player] = false;
+            answered[player] = false;
+            faults[player] = null;
+            messages[player] = null;
+            stderr[player] = null;
+            nanos[player] = 0;
+        }
+    }
+
+    /** Counted from 1. */
+    public int number() {
+        return number;
+    }
+
+    public int players() {
+        return asked.length;
+    }
+
+    /** Whether the player was asked: players who are out are not. */
+    public boolean asked(int player) {
+        return asked[player];
+    }
+
+    /** Whether the player gave a good command. */
+    public boolean answered(int player) {
+        return answered[player];
+    }
+
+    /** Why the player failed in this turn, or {@code null}. */
+    public String fault(int player) {
+        return faults[player];
+    }
+
+    /** The message that came with the answer, or {@code null}. */
+    public String message(int player) {
+        return messages[player];
+    }
+
+    /** What the player wrote to stderr up to its answer, bounded, or {@code null}. */
+    public String stderr(int player) {
+        return stderr[player];
+    }
+
+    /** How long the player took, in nanoseconds. */
+    public long nanos(int player) {
+        return nanos[player];
+    }
+}
