@@ -57,6 +57,11 @@ public final class Block {
         return ask(name) instanceof JsonArray;
     }
 
+    /** Whether the field is there and an object. */
+    public boolean isBlock(String name) {
+        return ask(name) instanceof JsonObject;
+    }
+
     /**
      * A finite number.
      *
@@ -72,6 +77,7 @@ public final class Block {
         return value;
     }
 
+    /** As the method without {@code whenAbsent}, which is the value of an absent field. */
     public double number(String name, double low, double high, double whenAbsent) {
         return has(name) ? number(name, low, high) : whenAbsent;
     }
@@ -108,6 +114,7 @@ public final class Block {
         return (int) value;
     }
 
+    /** As the method without {@code whenAbsent}, which is the value of an absent field. */
     public int integer(String name, int low, int high, int whenAbsent) {
         return has(name) ? integer(name, low, high) : whenAbsent;
     }
@@ -120,6 +127,7 @@ public final class Block {
         throw unexpected(name, "true or false");
     }
 
+    /** As the method without {@code whenAbsent}, which is the value of an absent field. */
     public boolean flag(String name, boolean whenAbsent) {
         return has(name) ? flag(name) : whenAbsent;
     }
@@ -148,6 +156,7 @@ public final class Block {
         return values.get(text.text());
     }
 
+    /** As the method without {@code whenAbsent}, which is the value of an absent field. */
     public <E> E choice(String name, Map<String, E> values, E whenAbsent) {
         return has(name) ? choice(name, values) : whenAbsent;
     }
@@ -218,7 +227,8 @@ public final class Block {
         }
         String expected = plain.substring(split + ", expected ".length());
         String field = plain.split(" ", 2)[0];
-        return asked.contains(field) ? error(field, shown(field), expected) : error(plain.substring(0, split), expected);
+        return asked.contains(field)
+            ? error(field, shown(field), expected) : error(plain.substring(0, split), expected);
     }
 
     /**
@@ -278,7 +288,8 @@ public final class Block {
         return path.isEmpty() ? name : path + "." + name;
     }
 
-    private String shown(String name) {
+    /** How an error names what is there. */
+    String shown(String name) {
         Entry entry = object.entries().get(name);
         return entry == null ? "nothing" : entry.value().shown();
     }

@@ -13,6 +13,7 @@ import steward.physics.Wall;
  */
 public record Field(double width, double height, List<Wall> walls, List<Bumper> bumpers) {
 
+    /** Copies the lists. */
     public Field {
         walls = List.copyOf(walls);
         bumpers = List.copyOf(bumpers);

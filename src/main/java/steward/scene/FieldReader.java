@@ -39,6 +39,9 @@ final class FieldReader {
             block.blocks("walls").forEach(wall -> walls.add(single(wall)));
             return walls;
         }
+        if (!block.isBlock("walls")) {
+            throw block.error("walls", block.shown("walls"), "\"box\", an object or an array of walls");
+        }
         Block wall = block.block("walls");
         wall.choice("type", box);
         return List.of(Wall.box(width, height, restitution(wall)));

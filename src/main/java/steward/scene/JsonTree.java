@@ -26,8 +26,9 @@ final class JsonTree {
     /** Names and texts are written in ASCII: a scene then survives any encoding. */
     private static final JsonFactory JSON = JsonFactory.builder().enable(JsonWriteFeature.ESCAPE_NON_ASCII).build();
 
-    /** How the parser refers to another place of the text. */
-    private static final Pattern OTHER_PLACE = Pattern.compile("\\[Source: .*?; (line: \\d+, column: \\d+)]");
+    /** What the parser says to programmers: descriptions of its source, and settings it could be given. */
+    private static final Pattern FOR_PROGRAMMERS =
+        Pattern.compile(" \\(start marker at \\[Source: .*?]\\)|: enable `[^`]*` to allow|, from `[^`]*`");
 
     private final String source;
     private final JsonParser json;
@@ -45,10 +46,6 @@ final class JsonTree {
     static JsonObject read(String text, String source) {
         try (JsonParser json = JSON.createParser(ObjectReadContext.empty(), text)) {
             return new JsonTree(source, json).file();
-        } catch (JacksonException e) {
-            Place place = e.getLocation() == null ? new Place(1, 1) : Place.of(e.getLocation());
-            String why = OTHER_PLACE.matcher(e.getOriginalMessage()).replaceAll("$1");
-            throw SceneException.at(source, place, "", "found malformed JSON (" + why + "), expected a scene in JSON");
         }
     }
 
@@ -62,6 +59,16 @@ final class JsonTree {
     }
 
     private JsonObject file() {
+        try {
+            return onlyObject();
+        } catch (JacksonException e) {
+            Place place = Place.of(e.getLocation() == null ? json.currentLocation() : e.getLocation());
+            String why = FOR_PROGRAMMERS.matcher(e.getOriginalMessage()).replaceAll("");
+            throw SceneException.at(source, place, "", "found malformed JSON (" + why + "), expected a scene in JSON");
+        }
+    }
+
+    private JsonObject onlyObject() {
         if (json.nextToken() == null) {
             throw SceneException.at(source, new Place(1, 1), "", "found an empty file, expected a scene in JSON");
         }

@@ -20,7 +20,8 @@ public final class PlanTable {
         int width = plan.parts().stream().mapToInt(part -> part.name().length()).max().orElse(1);
         StringBuilder table = new StringBuilder();
         for (Part part : plan.parts()) {
-            String line = String.format("%-3s  %-" + width + "s  %s", part.in() ? "in" : "out", part.name(), part.why());
+            String use = part.in() ? "in" : "out";
+            String line = String.format("%-3s  %-" + width + "s  %s", use, part.name(), part.why());
             table.append(dress.apply(part, line)).append('\n');
         }
         return table.toString();

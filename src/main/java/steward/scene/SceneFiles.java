@@ -5,9 +5,9 @@ import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
 
@@ -35,23 +35,26 @@ public final class SceneFiles {
         boolean folder = false;
         try {
             Path path = Path.of(pathOrName);
-            folder = Files.isDirectory(path);
-            if (!folder && Files.exists(path)) {
+            folder = Files.isDirectory(path) && !pathOrName.isEmpty();
+            if (Files.exists(path) && !Files.isDirectory(path)) {
                 return new SceneText(decode(Files.readAllBytes(path), pathOrName), pathOrName);
             }
-        } catch (InvalidPathException | NoSuchFileException e) {
-            folder = false;
+        } catch (InvalidPathException e) {
+            // No file can have this name, so it is looked up among the shipped ones and reported below.
         } catch (IOException e) {
-            throw new SceneException(pathOrName + ": found a file that cannot be read (" + e.getMessage()
+            String why = e instanceof AccessDeniedException ? "no permission" : e.getMessage();
+            throw new SceneException(pathOrName + ": found a file that cannot be read (" + why
                 + "), expected a scene file");
         }
         String name = pathOrName.endsWith(SUFFIX)
             ? pathOrName.substring(0, pathOrName.length() - SUFFIX.length()) : pathOrName;
-        if (shipped().contains(name)) {
+        List<String> shipped = shipped();
+        if (shipped.contains(name)) {
             return packed(name);
         }
-        throw new SceneException(pathOrName + ": found " + (folder ? "a folder" : "no such file")
-            + ", expected a scene file" + (shipped().isEmpty() ? "" : " or " + Wording.choice(name, shipped())));
+        throw new SceneException((pathOrName.isEmpty() ? "\"\"" : pathOrName) + ": found "
+            + (folder ? "a folder" : "no such file") + ", expected a scene file"
+            + (shipped.isEmpty() ? "" : " or " + Wording.choice(name, shipped)));
     }
 
     private static SceneText packed(String name) {

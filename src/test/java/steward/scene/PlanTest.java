@@ -1,0 +1,124 @@
+package steward.scene;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import steward.physics.Arithmetic;
+import steward.physics.Contacts;
+import steward.physics.Contacts.Meaning;
+import steward.physics.ImpactLaw;
+import steward.physics.ImpactLaw.Restitution;
+import steward.physics.Motion;
+import steward.physics.PhysicsParts;
+import steward.physics.Reaction;
+
+/** A plan has exactly the parts that its scene and its game require. */
+class PlanTest {
+
+    private static final Contacts ALL = new Contacts(1);
+
+    @Test
+    void aBareSceneNeedsOnlyPairImpacts() {
+        Plan plan = Plan.of(scene(""), ALL, 1, false, List.of());
+        assertEquals("""
+            in   pair impacts       bodies meet
+            out  walls              no field
+            out  restitution        everything has restitution 1
+            out  minimum impulse    no minimumImpulse
+            out  infinite masses    every mass is finite
+            out  drag               no drag
+            out  velocity rounding  velocities stay as they are
+            out  position rounding  positions stay as they are
+            out  reactions          no contact asks the game
+            out  broad phase        advance event looks at all pairs
+            """, PlanTable.of(plan));
+        assertEquals(new PhysicsParts(ImpactLaw.PHYSICS, Arithmetic.DOUBLE, ALL, List.of(), null, false),
+            plan.physics(null));
+        assertEquals(new Motion(false, false, false), plan.motion());
+    }
+
+    @Test
+    void aFullSceneNeedsAlmostEverything() {
+        Contacts ask = new Contacts(2).set(0, 1, Meaning.ASK);
+        Plan plan = Plan.of(scene("""
+            , "field": { "width": 9, "height": 9, "walls": "box",
+                         "bumpers": [ { "x": 4, "y": 4, "radius": 1, "restitution": 0.8 } ] },
+              "impacts": { "minimumImpulse": 30, "minimumImpulseAtWalls": true, "deadZone": 1.5, "batchWindow": 1e-5,
+                           "separatingPairs": "react", "scanOrder": "descending", "pushOut": 1e-5 },
+              "motion": { "drag": 0.15, "velocity": "truncate", "position": "round" }"""), ask, 0.9, true,
+            List.of(new Part("headings", true, "pods turn"), new Part("checkpoint sweeps", false, "no race")));
+        assertEquals("""
+            in   pair impacts       bodies meet, separatingPairs react, batchWindow 1e-5, scanOrder descending, \
+            pushOut 1e-5
+            in   walls              4 walls
+            in   restitution        restitution as low as 0.8
+            in   minimum impulse    minimumImpulse 30, at walls too, deadZone 1.5
+            in   infinite masses    1 bumper, bodies of mass "infinite"
+            in   drag               drag 0.15
+            in   velocity rounding  velocity truncate
+            in   position rounding  position round
+            in   reactions          some contacts ask the game
+            out  broad phase        advance event looks at all pairs
+            in   headings           pods turn
+            out  checkpoint sweeps  no race
+            """, PlanTable.of(plan));
+        Reaction reaction = (time, a, b, bodies) -> Reaction.Verdict.BOUNCE;
+        PhysicsParts parts = plan.physics(reaction);
+        assertEquals(Restitution.MINIMUM, parts.law().restitution());
+        assertEquals(4, parts.walls().size());
+        assertSame(reaction, parts.reaction());
+        assertEquals(true, parts.infiniteMasses());
+        assertEquals(new Motion(true, true, true), plan.motion());
+        assertThrows(IllegalArgumentException.class, () -> plan.physics(null));
+    }
+
+    @Test
+    void wallsThatNobodyMeetsAreLeftOutWithTheirRestitution() {
+        Scene scene = scene(", \"field\": { \"width\": 9, \"height\": 9, "
+            + "\"walls\": { \"type\": \"box\", \"restitution\": 0.5 } }");
+        Plan ghosts = Plan.of(scene, new Contacts(1).setWall(0, Meaning.NONE), 1, false, List.of());
+        assertEquals(new Part("walls", false, "no kind of bodies meets walls"), ghosts.parts().get(1));
+        assertEquals(Restitution.ELASTIC, ghosts.physics(null).law().restitution());
+        assertEquals(List.of(), ghosts.physics(null).walls());
+
+        Plan solid = Plan.of(scene, ALL, 1, false, List.of());
+        assertEquals(new Part("restitution", true, "restitution as low as 0.5"), solid.parts().get(2));
+        assertEquals(Restitution.MINIMUM, solid.physics(null).law().restitution());
+    }
+
+    @Test
+    void bodiesThatMeetOnlyBumpersStillHavePairImpacts() {
+        Contacts contacts = new Contacts(2).set(0, 0, Meaning.NONE).set(1, 1, Meaning.NONE);
+        assertEquals(true, Plan.of(scene(""), contacts, 1, false, List.of()).parts().get(0).in());
+        contacts.set(0, 1, Meaning.NONE);
+        assertEquals(new Part("pair impacts", false, "no two kinds of bodies meet"),
+            Plan.of(scene(""), contacts, 1, false, List.of()).parts().get(0));
+    }
+
+    @Test
+    void oneBumperMakesInfiniteMasses() {
+        Plan plan = Plan.of(scene(", \"field\": { \"width\": 9, \"height\": 9, "
+            + "\"bumpers\": [ { \"x\": 1, \"y\": 1, \"radius\": 1 } ] }"), ALL, 1, false, List.of());
+        assertEquals(new Part("walls", false, "the field has no walls"), plan.parts().get(1));
+        assertEquals(new Part("infinite masses", true, "1 bumper"), plan.parts().get(4));
+        assertEquals(true, plan.physics(null).infiniteMasses());
+        assertNull(plan.physics(null).reaction());
+    }
+
+    @Test
+    void theCallerMayColourTheLinesOfATable() {
+        Plan plan = Plan.of(scene(""), ALL, 1, false, List.of());
+        String first = PlanTable.of(plan, (part, line) -> (part.in() ? "+" : "-") + line).lines().toList().get(1);
+        assertEquals("-out  walls              no field", first);
+    }
+
+    private static Scene scene(String more) {
+        return SceneReader.read("""
+            { "name": "s", "game": "g", "players": 2, "time": { "firstAnswerMs": 1000, "answerMs": 75 },
+              "accuracy": { "advance": "event", "arithmetic": "double" }""" + more + " }", "s.json");
+    }
+}

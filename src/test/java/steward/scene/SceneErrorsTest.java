@@ -1,0 +1,285 @@
+package steward.scene;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * Every kind of mistake in the common part of a scene ends in an error with its exact place and words. A row of a
+ * table is three lines: a part of {@link #GOOD}, what stands there instead, and the message; places count in GOOD.
+ */
+class SceneErrorsTest {
+
+    private static final String GOOD = """
+        { "name": "walls", "game": "any", "players": 2,
+          "field": { "width": 16000, "height": 9000,
+            "walls": [ { "type": "segment", "ax": 0, "ay": 0, "bx": 5, "by": 5 },
+                       { "type": "half-plane", "x": 0, "y": 0, "insideX": 1, "insideY": 0 },
+                       { "type": "arena", "x": 0, "y": 0, "radius": 9 } ],
+            "bumpers": [ { "x": 1, "y": 2, "radius": 3, "restitution": 0.5 } ] },
+          "impacts": { "minimumImpulse": 120, "separatingPairs": "react", "batchWindow": 1e-5,
+                       "minimumImpulseAtWalls": true, "maximumImpactsPerTurn": 50 },
+          "motion": { "drag": 0.15, "velocity": "truncate", "position": "round" },
+          "time": { "firstAnswerMs": 1000, "answerMs": 75 },
+          "accuracy": { "advance": "event", "arithmetic": "double" } }
+        """;
+
+    private static final String FIELDS = """
+        "name": "walls"
+        "name": 7
+        1:11: name: found 7, expected a text
+
+        "name": "walls"
+        "name": " "
+        1:11: name: found " ", expected a text
+
+        "game": "any",
+        (nothing)
+        1:1: game: found nothing, expected a text
+
+        "players": 2
+        "players": 17
+        1:46: players: found 17, expected a whole number 1..16
+
+        "players": 2
+        "players": 2.5
+        1:46: players: found 2.5, expected a whole number 1..16
+
+        "players": 2
+        "players": "2"
+        1:46: players: found "2", expected a whole number 1..16
+
+        "players": 2
+        "players": null
+        1:46: players: found null, expected a whole number 1..16
+
+        "width": 16000
+        "width": 0
+        2:23: field.width: found 0, expected above 0
+
+        "width": 16000
+        "width": 1e999
+        2:23: field.width: found 1e999, expected above 0
+
+        "width": 16000
+        "width": []
+        2:23: field.width: found an empty array, expected above 0
+
+        "height": 9000
+        "heigth": 9000
+        2:12: field.height: found nothing, expected above 0; the nearest field here is "heigth" in line 2
+
+        "drag": 0.15
+        "drag": -0.5
+        9:23: motion.drag: found -0.5, expected a number 0..1
+
+        "drag": 0.15
+        "drag": 1.0001
+        9:23: motion.drag: found 1.0001, expected a number 0..1
+
+        "answerMs": 75
+        "answerMs": 3600001
+        10:48: time.answerMs: found 3600001, expected a whole number 1..3600000
+        """;
+
+    private static final String FIELD_BLOCK = """
+        "radius": 3
+        "radius": -3
+        6:46: field.bumpers[0].radius: found -3, expected above 0
+
+        "restitution": 0.5
+        "restitution": 1.5
+        6:64: field.bumpers[0].restitution: found 1.5, expected a number 0..1
+
+        "radius": 9
+        "radius": true
+        5:61: field.walls[2].radius: found true, expected above 0
+
+        "type": "arena"
+        "type": "arna"
+        5:26: field.walls[2].type: found "arna", expected one of "arena", "half-plane", "segment"; did you mean "arena"?
+
+        "type": "arena",
+        (nothing)
+        5:16: field.walls[2].type: found nothing, expected one of "arena", "half-plane", "segment"
+
+        "insideX": 1
+        "insideX": 2
+        4:16: field.walls[1]: found length of the inside vector 2.0, expected 1
+
+        "bx": 5, "by": 5
+        "bx": 0, "by": 0
+        3:16: field.walls[0]: found length of a segment 0.0, expected finite and above 0
+
+        "ax": 0
+        "ax": "left"
+        3:43: field.walls[0].ax: found "left", expected a finite number
+
+        "bumpers": [ {
+        "bumpers": [ 4, {
+        6:18: field.bumpers[0]: found 4, expected an object
+        """;
+
+    private static final String IMPACTS = """
+        "minimumImpulse": 120
+        "minimumImpulse": -1
+        7:34: impacts.minimumImpulse: found -1, expected a number of at least 0
+
+        "minimumImpulse": 120
+        "minimumImpulse": 0.0
+        7:34: impacts.minimumImpulse: found 0.0, expected above 0, because separating pairs react
+
+        "minimumImpulse": 120,
+        (nothing)
+        7:14: impacts.minimumImpulse: found nothing, expected above 0, because separating pairs react
+
+        "react"
+        "ignore"
+        7:83: impacts.batchWindow: found 1e-5, expected 0, because only approaching pairs react
+
+        "react"
+        "reacts"
+        7:58: impacts.separatingPairs: found "reacts", expected one of "ignore", "react"; did you mean "react"?
+
+        "batchWindow": 1e-5
+        "batchWindow": 2
+        7:82: impacts.batchWindow: found 2, expected a number 0..1
+
+        AtWalls": true
+        AtWalls": "yes"
+        8:41: impacts.minimumImpulseAtWalls: found "yes", expected true or false
+
+        PerTurn": 50
+        PerTurn": 0
+        8:72: impacts.maximumImpactsPerTurn: found 0, expected a whole number 1..2147483647
+        """;
+
+    private static final String MOTION = """
+        "truncate"
+        "truncat"
+        9:41: motion.velocity: found "truncat", expected "truncate"; did you mean "truncate"?
+
+        "round"
+        "floor"
+        9:65: motion.position: found "floor", expected "round"
+
+        "event"
+        "evnet"
+        11:28: accuracy.advance: found "evnet", expected "event"; did you mean "event"?
+
+        "double"
+        "offical"
+        11:51: accuracy.arithmetic: found "offical", expected one of "double", "official"; did you mean "official"?
+
+        "double"
+        "exact"
+        11:51: accuracy.arithmetic: found "exact", expected one of "double", "official"
+
+        "accuracy"
+        "acuracy"
+        1:1: accuracy: found nothing, expected an object; the nearest field here is "acuracy" in line 11
+        """;
+
+    private static final String UNKNOWN = """
+        "drag": 0.15
+        "drag": 0, "drga": 1
+        9:26: motion.drga: found an unknown field, expected one of "drag", "velocity", "position"; did you mean "drag"?
+
+        "radius": 3
+        "radius": 3, "mass": 1
+        6:49: field.bumpers[0].mass: found an unknown field, expected one of "x", "y", "radius", "restitution"
+
+        "width": 16000
+        "width": 1, "width": 2
+        2:26: field.width: found the field a second time, expected it once (the first is in line 2)
+        """;
+
+    @Test
+    void theSceneWithoutMistakesReads() {
+        read(GOOD);
+    }
+
+    @ParameterizedTest
+    @MethodSource("mistakes")
+    void mistakesAreNamedWithTheirPlace(String part, String instead, String message) {
+        assertTrue(GOOD.contains(part), part);
+        String text = GOOD.replace(part, instead.equals("(nothing)") ? "" : instead);
+        assertEquals("s.json:" + message, assertThrows(SceneException.class, () -> read(text)).getMessage());
+    }
+
+    static Stream<Arguments> mistakes() {
+        return Stream.of(FIELDS, FIELD_BLOCK, IMPACTS, MOTION, UNKNOWN).flatMap(table -> Stream.of(table.split("\n\n")))
+            .map(row -> Arguments.of((Object[]) row.strip().split("\n")));
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
+        "circle"                             | field.walls: found "circle", expected "box"
+        7                                    | field.walls: found 7, expected "box", an object or an array of walls
+        { "restitution": 1 }                 | field.walls.type: found nothing, expected "box"
+        { "type": "box", "restitution": -1 } | field.walls.restitution: found -1, expected a number 0..1
+        { "type": "arena" }                  | field.walls.type: found "arena", expected "box"
+        [ "box" ]                            | field.walls[0]: found "box", expected an object
+        [ { "type": "box" } ]                | field.walls[0].type: found "box", expected one of "arena"
+        """)
+    void wallsAreABoxOrAList(String walls, String message) {
+        String text = GOOD.replaceFirst("(?s)\"walls\": .*?],", "\"walls\": " + walls + ",");
+        String found = assertThrows(SceneException.class, () -> read(text)).getMessage();
+        assertTrue(found.replaceFirst("s.json:3:\\d+: ", "").startsWith(message), found);
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
+        ``                  | s.json:1:1: found an empty file, expected a scene in JSON
+        `  \t `             | s.json:1:1: found an empty file, expected a scene in JSON
+        []                  | s.json:1:1: found an empty array, expected an object
+        ` "scene"`          | s.json:1:2: found "scene", expected an object
+        {} {}               | s.json:1:4: found more after the end of the scene, expected the end of the file
+        """)
+    void aFileIsOneObject(String text, String message) {
+        assertEquals(message, assertThrows(SceneException.class, () -> read(text)).getMessage());
+    }
+
+    /** The parser's own words and place, without its note about the source. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
+        { "a": 1, }  | 1:11 | Unexpected character ('}' (code 125)): was expecting double-quote to start property name
+        { "a": 1     | 1:9  | Unexpected end-of-input: expected close marker for Object
+        { "a": [     | 1:9  | Unexpected end-of-input: expected close marker for Array
+        { "a": 01 }  | 1:9  | Invalid numeric value: Leading zeroes not allowed
+        { "a": NaN } | 1:11 | Non-standard token 'NaN'
+        { 'a': 1 }   | 1:3  | Unexpected character (''' (code 39)): was expecting double-quote to start property name
+        { "a": "b }  | 1:12 | Unexpected end-of-input: was expecting closing quote for a string value
+        { "a": 1 } } | 1:12 | Unexpected close marker '}': no open Object to close
+        { "a": tru } | 1:8  | Unrecognized token 'tru': was expecting
+        """)
+    void whatIsNotJsonIsSaidSo(String text, String place, String why) {
+        String message = assertThrows(SceneException.class, () -> read(text)).getMessage();
+        assertTrue(message.startsWith("s.json:" + place + ": found malformed JSON (" + why), message);
+        assertTrue(message.endsWith("), expected a scene in JSON"), message);
+        assertFalse(message.contains("Source") || message.contains("Feature"), message);
+    }
+
+    /** Such an error is located behind what is too much. */
+    @Test
+    void theParserKeepsItsBounds() {
+        assertEquals("s.json:1:502: found malformed JSON (Document nesting depth (501) exceeds the maximum allowed "
+            + "(500)), expected a scene in JSON",
+            assertThrows(SceneException.class, () -> read("[".repeat(1000))).getMessage());
+        assertEquals("s.json:1:2001: found malformed JSON (Number value length (2000) exceeds the maximum allowed (1000)), "
+            + "expected a scene in JSON",
+            assertThrows(SceneException.class, () -> read("1".repeat(2000))).getMessage());
+    }
+
+    private static void read(String text) {
+        SceneReader.read(text, "s.json").root().done();
+    }
+}

@@ -1,0 +1,145 @@
+package steward.scene;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import steward.physics.Arithmetic;
+import steward.physics.ImpactLaw;
+
+/** Scene files are found by path or by name, and the shipped ones are whole. */
+class SceneFilesTest {
+
+    private static final Path FOLDER = Path.of("config/scenes");
+
+    @TempDir
+    Path temp;
+
+    /** The names in the code are those of the folder. */
+    @Test
+    void theListOfShippedScenesIsTheFolder() throws IOException {
+        try (Stream<Path> files = Files.list(FOLDER)) {
+            assertEquals(files.map(file -> file.getFileName().toString()).sorted().toList(),
+                SceneFiles.SHIPPED.stream().map(name -> name + ".json").toList());
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("shipped")
+    void everyShippedSceneReadsAndIsNamedLikeItsFile(String name) {
+        SceneText file = SceneFiles.load(FOLDER.resolve(name + ".json").toString());
+        Scene scene = SceneReader.read(file.text(), file.source());
+        assertEquals(name, scene.name());
+        assertEquals("pod-race", scene.gameId());
+        assertEquals(scene, SceneReader.read(scene.json(), "again"));
+    }
+
+    static List<String> shipped() {
+        return SceneFiles.SHIPPED;
+    }
+
+    @Test
+    void theOfficialSceneIsTheOfficialLaw() {
+        for (String name : List.of("mad-pod-racing", "duel")) {
+            Scene scene = fromFolder(name);
+            assertEquals(ImpactLaw.OFFICIAL_POD_RACE, scene.law());
+            assertEquals(Arithmetic.OFFICIAL, scene.accuracy().arithmetic());
+            assertTrue(scene.truncateVelocity() && scene.roundPosition() && scene.field().isEmpty());
+        }
+    }
+
+    @Test
+    void theWalledRaceHasABoxAndBumpersInside() {
+        Field field = fromFolder("walled-race").field().get();
+        assertEquals(4, field.walls().size());
+        assertEquals(3, field.bumpers().size());
+        for (Bumper bumper : field.bumpers()) {
+            assertTrue(field.walls().stream().allMatch(wall -> wall.gap(bumper.x(), bumper.y(), bumper.radius()) > 800),
+                bumper + " leaves room for a pod on every side");
+        }
+    }
+
+    /** A pod that starts in a bumper or wall, or a checkpoint that a bumper covers, would spoil a race. */
+    @Test
+    void nothingOfTheWalledRaceStandsWhereAPodStartsOrHasToGo() {
+        Scene scene = fromFolder("walled-race");
+        Field field = scene.field().get();
+        double jitter = 30 * Math.sqrt(2) + 1;
+        for (List<Block> map : scene.root().block("race").blockLists("maps")) {
+            for (int i = 0; i < map.size(); i++) {
+                double x = map.get(i).positive("x");
+                double y = map.get(i).positive("y");
+                field.bumpers().forEach(bumper -> assertTrue(
+                    Math.hypot(x - bumper.x(), y - bumper.y()) > bumper.radius() + 600 + jitter, bumper + " covers"));
+            }
+            double x = map.get(0).positive("x");
+            double y = map.get(0).positive("y");
+            double length = Math.hypot(map.get(1).positive("x") - x, map.get(1).positive("y") - y);
+            double dx = (map.get(1).positive("x") - x) / length;
+            double dy = (map.get(1).positive("y") - y) / length;
+            for (int offset = -1500; offset <= 1500; offset += 1000) {
+                double startX = x - offset * dy;
+                double startY = y + offset * dx;
+                field.bumpers().forEach(bumper -> assertTrue(
+                    Math.hypot(startX - bumper.x(), startY - bumper.y()) > bumper.radius() + 400 + jitter,
+                    bumper + " stands on a start"));
+                field.walls().forEach(wall -> assertTrue(wall.gap(startX, startY, 400) > jitter,
+                    map.get(0).path() + " starts in " + wall));
+            }
+        }
+    }
+
+    @Test
+    void aShippedNameIsFoundWhereTheProgramHasItsResources() {
+        for (String name : SceneFiles.shipped()) {
+            assertEquals(SceneFiles.load(name), SceneFiles.load(name + ".json"));
+            assertEquals("scenes/" + name + ".json", SceneFiles.load(name).source());
+            assertEquals(fromFolder(name), SceneReader.read(SceneFiles.load(name).text(), name));
+        }
+    }
+
+    @Test
+    void whatIsNotThereIsSaidWithTheNamesThereAre() {
+        String message = refused("mad-pod-racign");
+        assertTrue(message.startsWith("mad-pod-racign: found no such file, expected a scene file"), message);
+        if (!SceneFiles.shipped().isEmpty()) {
+            assertTrue(message.endsWith(" or one of \"duel\", \"mad-pod-racing\", \"walled-race\"; did you mean "
+                + "\"mad-pod-racing\"?"), message);
+        }
+        assertTrue(refused("no\0name").startsWith("no\0name: found no such file"));
+        assertTrue(refused("").startsWith("\"\": found no such file"));
+        assertTrue(refused(temp.toString()).startsWith(temp + ": found a folder, expected a scene file"));
+    }
+
+    @Test
+    void aFileMustBeUtf8() throws IOException {
+        Path file = temp.resolve("latin.json");
+        Files.write(file, "{ \"name\": \"é\" }".getBytes(StandardCharsets.ISO_8859_1));
+        assertEquals(file + ": found bytes that are not UTF-8, expected a text in UTF-8", refused(file.toString()));
+    }
+
+    @Test
+    void aByteOrderMarkIsNotPartOfTheText() throws IOException {
+        Path file = Files.writeString(temp.resolve("marked.json"), "\ufeff{}");
+        assertEquals(new SceneText("{}", file.toString()), SceneFiles.load(file.toString()));
+    }
+
+    private static Scene fromFolder(String name) {
+        SceneText file = SceneFiles.load(FOLDER.resolve(name + ".json").toString());
+        return SceneReader.read(file.text(), file.source());
+    }
+
+    private static String refused(String pathOrName) {
+        return assertThrows(SceneException.class, () -> SceneFiles.load(pathOrName)).getMessage();
+    }
+}
