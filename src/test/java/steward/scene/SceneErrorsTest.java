@@ -274,8 +274,8 @@ class SceneErrorsTest {
         assertEquals("s.json:1:502: found malformed JSON (Document nesting depth (501) exceeds the maximum allowed "
             + "(500)), expected a scene in JSON",
             assertThrows(SceneException.class, () -> read("[".repeat(1000))).getMessage());
-        assertEquals("s.json:1:2001: found malformed JSON (Number value length (2000) exceeds the maximum allowed (1000)), "
-            + "expected a scene in JSON",
+        assertEquals("s.json:1:2001: found malformed JSON (Number value length (2000) exceeds the maximum allowed "
+            + "(1000)), expected a scene in JSON",
             assertThrows(SceneException.class, () -> read("1".repeat(2000))).getMessage());
     }
 
