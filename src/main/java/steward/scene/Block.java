@@ -177,25 +177,17 @@ public final class Block {
     /** An array of objects; may be empty. */
     public List<Block> blocks(String name) {
         if (ask(name) instanceof JsonArray array) {
-            return objects(pathOf(name), array);
+            List<Block> blocks = new ArrayList<>();
+            for (JsonValue value : array.values()) {
+                String at = pathOf(name) + "[" + blocks.size() + "]";
+                if (!(value instanceof JsonObject child)) {
+                    throw problem(value.place(), at, value.shown(), "an object");
+                }
+                blocks.add(child(at, child));
+            }
+            return blocks;
         }
         throw unexpected(name, "an array of objects");
-    }
-
-    /** An array of arrays of objects; all may be empty. */
-    public List<List<Block>> blockLists(String name) {
-        if (!(ask(name) instanceof JsonArray outer)) {
-            throw unexpected(name, "an array of arrays");
-        }
-        List<List<Block>> lists = new ArrayList<>();
-        for (JsonValue value : outer.values()) {
-            String at = pathOf(name) + "[" + lists.size() + "]";
-            if (!(value instanceof JsonArray inner)) {
-                throw problem(value.place(), at, value.shown(), "an array of objects");
-            }
-            lists.add(objects(at, inner));
-        }
-        return lists;
     }
 
     /**
@@ -265,18 +257,6 @@ public final class Block {
             }
         }
         throw unexpected(name, expected);
-    }
-
-    private List<Block> objects(String arrayPath, JsonArray array) {
-        List<Block> blocks = new ArrayList<>();
-        for (JsonValue value : array.values()) {
-            String at = arrayPath + "[" + blocks.size() + "]";
-            if (!(value instanceof JsonObject child)) {
-                throw problem(value.place(), at, value.shown(), "an object");
-            }
-            blocks.add(child(at, child));
-        }
-        return blocks;
     }
 
     /** The same block for the same object, so that what two readers ask for adds up. */

@@ -33,14 +33,14 @@ public final class Plan {
             DoubleStream.concat(walls.stream().mapToDouble(Wall::restitution),
                 bumpers.stream().mapToDouble(Bumper::restitution))).min().getAsDouble();
         parts = Stream.concat(Stream.of(
-            pairImpacts(), walls(), restitution(), minimumImpulse(), infiniteMasses(infiniteBodies, bumpers.size()),
+            pairImpacts(), walls(), restitution(), minimumImpulse(), infiniteMasses(bumpers.size()),
             drag(), velocityRounding(), positionRounding(), reactions(), broadPhase()), gameParts.stream()).toList();
     }
 
     /**
      * @param contacts          what contacts between the game's kinds of bodies mean, bumpers included
      * @param lowestRestitution of the game's bodies, without bumpers and walls
-     * @param infiniteMasses    whether bodies of the game can have infinite mass, bumpers aside
+     * @param infiniteMasses    whether bodies of the game can have infinite mass; bumpers count without it
      * @param gameParts         what the game itself takes or leaves out
      */
     public static Plan of(Scene scene, Contacts contacts, double lowestRestitution, boolean infiniteMasses,
@@ -109,16 +109,9 @@ public final class Plan {
             + (Double.isNaN(law.deadZone()) ? "" : ", deadZone " + Wording.number(law.deadZone())));
     }
 
-    private Part infiniteMasses(boolean bodies, int bumpers) {
-        List<String> words = new ArrayList<>();
-        if (bumpers > 0) {
-            words.add(count(bumpers, "bumper"));
-        }
-        if (bodies) {
-            words.add("bodies of mass \"infinite\"");
-        }
-        return new Part("infinite masses", infiniteMasses,
-            infiniteMasses ? String.join(", ", words) : "every mass is finite");
+    private Part infiniteMasses(int bumpers) {
+        String why = bumpers > 0 ? count(bumpers, "bumper") : "bodies of mass \"infinite\"";
+        return new Part("infinite masses", infiniteMasses, infiniteMasses ? why : "every mass is finite");
     }
 
     private Part drag() {

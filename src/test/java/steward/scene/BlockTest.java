@@ -38,7 +38,6 @@ class BlockTest {
         assertEquals(Optional.empty(), block.optionalBlock("a"));
         refused("a: found nothing, expected true or false", () -> block.flag("a"));
         refused("a: found nothing, expected an array of objects", () -> block.blocks("a"));
-        refused("a: found nothing, expected an array of arrays", () -> block.blockLists("a"));
     }
 
     @Test
@@ -97,14 +96,14 @@ class BlockTest {
 
     @Test
     void objectsInArraysKnowTheirPath() {
-        Block block = block("{ 'maps': [ [ { 'x': 1 }, { 'x': 2 } ], [], [ { 'x': 'three' } ] ] }");
+        Block block = block("{ 'maps': [ {}, 5 ] , 'none': [] }");
         assertEquals("", block.path());
-        List<List<Block>> maps = block.blockLists("maps");
-        assertEquals(List.of(2, 0, 1), maps.stream().map(List::size).toList());
-        assertEquals("maps[0][1]", maps.get(0).get(1).path());
-        refused("maps[2][0].x: found \"three\", expected above 0", () -> maps.get(2).get(0).positive("x"));
-        refused("m[1]: found 5, expected an array of objects", () -> block("{ 'm': [ [], 5 ] }").blockLists("m"));
-        refused("m[0][0]: found 5, expected an object", () -> block("{ 'm': [ [ 5 ] ] }").blockLists("m"));
+        assertEquals(List.of(), block.blocks("none"));
+        refused("maps[1]: found 5, expected an object", () -> block.blocks("maps"));
+        Block nested = block("{ 'maps': [ { 'points': [ { 'x': 1 }, { 'x': 'two' } ] } ] }");
+        Block point = nested.blocks("maps").get(0).blocks("points").get(1);
+        assertEquals("maps[0].points[1]", point.path());
+        refused("maps[0].points[1].x: found \"two\", expected above 0", () -> point.positive("x"));
     }
 
     @Test

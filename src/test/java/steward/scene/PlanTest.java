@@ -57,7 +57,7 @@ class PlanTest {
             in   walls              4 walls
             in   restitution        restitution as low as 0.8
             in   minimum impulse    minimumImpulse 30, at walls too, deadZone 1.5
-            in   infinite masses    1 bumper, bodies of mass "infinite"
+            in   infinite masses    1 bumper
             in   drag               drag 0.15
             in   velocity rounding  velocity truncate
             in   position rounding  position round
@@ -100,13 +100,15 @@ class PlanTest {
     }
 
     @Test
-    void oneBumperMakesInfiniteMasses() {
+    void oneBumperOrBodyMakesInfiniteMasses() {
         Plan plan = Plan.of(scene(", \"field\": { \"width\": 9, \"height\": 9, "
             + "\"bumpers\": [ { \"x\": 1, \"y\": 1, \"radius\": 1 } ] }"), ALL, 1, false, List.of());
         assertEquals(new Part("walls", false, "the field has no walls"), plan.parts().get(1));
         assertEquals(new Part("infinite masses", true, "1 bumper"), plan.parts().get(4));
         assertEquals(true, plan.physics(null).infiniteMasses());
         assertNull(plan.physics(null).reaction());
+        assertEquals(new Part("infinite masses", true, "bodies of mass \"infinite\""),
+            Plan.of(scene(""), ALL, 1, true, List.of()).parts().get(4));
     }
 
     @Test

@@ -75,7 +75,8 @@ class SceneFilesTest {
         Scene scene = fromFolder("walled-race");
         Field field = scene.field().get();
         double jitter = 30 * Math.sqrt(2) + 1;
-        for (List<Block> map : scene.root().block("race").blockLists("maps")) {
+        for (Block course : scene.root().block("race").blocks("maps")) {
+            List<Block> map = course.blocks("checkpoints");
             for (int i = 0; i < map.size(); i++) {
                 double x = map.get(i).positive("x");
                 double y = map.get(i).positive("y");
@@ -94,7 +95,7 @@ class SceneFilesTest {
                     Math.hypot(startX - bumper.x(), startY - bumper.y()) > bumper.radius() + 400 + jitter,
                     bumper + " stands on a start"));
                 field.walls().forEach(wall -> assertTrue(wall.gap(startX, startY, 400) > jitter,
-                    map.get(0).path() + " starts in " + wall));
+                    course.path() + " starts in " + wall));
             }
         }
     }
