@@ -1,5 +1,6 @@
 package steward.game;
 
+import java.util.Optional;
 import steward.scene.Plan;
 import steward.scene.Scene;
 
@@ -17,4 +18,9 @@ public interface GameSetup {
 
     /** Reads and writes a game's frames; made by {@link #create} of the same setup. */
     FrameCodec codec(Game game);
+
+    /** The line protocol of a game of the same setup, if this scene has one. */
+    default Optional<TextCodec> textCodec(Game game) {
+        return Optional.empty();
+    }
 }

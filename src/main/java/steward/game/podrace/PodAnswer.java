@@ -25,10 +25,15 @@ final class PodAnswer {
     private final double[] x;
     private final double[] y;
     private final int[] thrust;
+    private final int maximumThrust;
     private String message;
 
-    /** @param pods how many pods an answer must command */
-    PodAnswer(int pods) {
+    /**
+     * @param pods          how many pods an answer must command
+     * @param maximumThrust the greatest ordinary thrust
+     */
+    PodAnswer(int pods, int maximumThrust) {
+        this.maximumThrust = maximumThrust;
         x = new double[pods];
         y = new double[pods];
         thrust = new int[pods];
@@ -42,7 +47,7 @@ final class PodAnswer {
         return y[pod];
     }
 
-    /** 0..200, {@link PodRace#SHIELD} or {@link PodRace#BOOST}. */
+    /** An ordinary thrust, {@link PodRace#SHIELD} or {@link PodRace#BOOST}. */
     int thrust(int pod) {
         return thrust[pod];
     }
@@ -165,9 +170,8 @@ final class PodAnswer {
     private String readThrust(JsonParser in, String path, int pod) {
         boolean whole = in.currentToken() == JsonToken.VALUE_NUMBER_INT
             && in.getNumberType() == JsonParser.NumberType.INT;
-        if (!whole || in.getIntValue() < 0 || in.getIntValue() > PodRaceSettings.MAXIMUM_THRUST) {
-            return path + ".thrust: found " + describe(in) + ", expected a whole number 0.."
-                + PodRaceSettings.MAXIMUM_THRUST;
+        if (!whole || in.getIntValue() < 0 || in.getIntValue() > maximumThrust) {
+            return path + ".thrust: found " + describe(in) + ", expected a whole number 0.." + maximumThrust;
         }
         thrust[pod] = in.getIntValue();
         return null;

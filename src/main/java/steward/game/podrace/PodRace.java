@@ -135,7 +135,7 @@ public final class PodRace implements Game {
         }
     }
 
-    /** Gives a pod a command for the next turn: an ordinary thrust 0..200, {@link #SHIELD} or {@link #BOOST}. */
+    /** Gives a pod a command for the next turn: an ordinary thrust from 0 to the scene's maximum, {@link #SHIELD} or {@link #BOOST}. */
     void command(int pod, double x, double y, int podThrust) {
         targetX[pod] = x;
         targetY[pod] = y;
@@ -176,7 +176,7 @@ public final class PodRace implements Game {
         bodies.setMass(pod, command == SHIELD ? PodRaceSettings.SHIELD_MASS_FACTOR * settings.mass() : settings.mass());
         int power = Math.max(0, command);
         if (command == BOOST) {
-            power = boostLeft[pod] ? PodRaceSettings.BOOST_THRUST : PodRaceSettings.MAXIMUM_THRUST;
+            power = boostLeft[pod] ? PodRaceSettings.BOOST_THRUST : settings.maximumThrust();
             boostLeft[pod] = false;
         }
         double dx = targetX[pod] - bodies.x[pod];

@@ -23,7 +23,7 @@ final class PodRaceJson implements FrameCodec {
     PodRaceJson(PodRace race, Scene scene) {
         this.race = race;
         this.scene = scene;
-        answer = new PodAnswer(race.settings().podsPerPlayer());
+        answer = new PodAnswer(race.settings().podsPerPlayer(), race.settings().maximumThrust());
         messages = new String[race.players()];
     }
 
@@ -45,7 +45,7 @@ final class PodRaceJson implements FrameCodec {
         JsonNumbers.write(out, "podMass", settings.mass());
         JsonNumbers.write(out, "minimumImpulse", scene.law().minimumImpulse());
         JsonNumbers.write(out, "drag", scene.drag());
-        out.writeNumberProperty("maximumThrust", PodRaceSettings.MAXIMUM_THRUST);
+        out.writeNumberProperty("maximumThrust", settings.maximumThrust());
         out.writeNumberProperty("boostThrust", PodRaceSettings.BOOST_THRUST);
         out.writeNumberProperty("turnsWithoutCheckpoint", settings.turnsWithoutCheckpoint());
         out.writeNumberProperty("maximumTurns", settings.maximumTurns());

@@ -13,6 +13,7 @@ import steward.scene.Scene;
  * @param radius                 of a pod, in u
  * @param mass                   of a pod without a raised shield, in pod masses
  * @param restitution            of a pod, 0..1
+ * @param maximumThrust          of an ordinary command, and of a boost that is used up; in u per turn^2
  * @param laps                   1..100
  * @param checkpointRadius       in u
  * @param maps                   one of these is drawn by lot: checkpoints {@code [n][x, y]}, n at least 2
@@ -22,11 +23,11 @@ import steward.scene.Scene;
  * @param maximumTurns           then the race ends
  */
 public record PodRaceSettings(int players, int podsPerPlayer, double radius, double mass, double restitution,
-                              int laps, double checkpointRadius, List<double[][]> maps, boolean shift, int jitter,
+                              int maximumThrust, int laps, double checkpointRadius, List<double[][]> maps, boolean shift, int jitter,
                               int turnsWithoutCheckpoint, int maximumTurns) {
 
-    /** The thrust range of an ordinary command, 0..200 u per turn^2. */
-    public static final int MAXIMUM_THRUST = 200;
+    /** The official greatest ordinary thrust, in u per turn^2; a scene may set another. */
+    private static final int OFFICIAL_THRUST = 200;
     /** The thrust of a boost. */
     public static final int BOOST_THRUST = 650;
     /** A raised shield multiplies the mass by this for its turn. */
@@ -49,6 +50,7 @@ public record PodRaceSettings(int players, int podsPerPlayer, double radius, dou
         double radius = pods.positive("radius");
         double mass = pods.positive("mass");
         double restitution = pods.number("restitution", 0, 1, 1);
+        int maximumThrust = pods.integer("maximumThrust", 1, BOOST_THRUST, OFFICIAL_THRUST);
         pods.done();
         Block race = scene.root().block("race");
         int laps = race.integer("laps", 1, 100);
@@ -59,8 +61,8 @@ public record PodRaceSettings(int players, int podsPerPlayer, double radius, dou
         int turnsWithoutCheckpoint = race.integer("turnsWithoutCheckpoint", 1, 1_000_000);
         int maximumTurns = race.integer("maximumTurns", 1, 1_000_000);
         race.done();
-        return new PodRaceSettings(scene.players(), perPlayer, radius, mass, restitution, laps, checkpointRadius, maps,
-            shift, jitter, turnsWithoutCheckpoint, maximumTurns);
+        return new PodRaceSettings(scene.players(), perPlayer, radius, mass, restitution, maximumThrust, laps,
+            checkpointRadius, maps, shift, jitter, turnsWithoutCheckpoint, maximumTurns);
     }
 
     private static List<double[][]> readMaps(Block race) {

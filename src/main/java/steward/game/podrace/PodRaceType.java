@@ -1,10 +1,12 @@
 package steward.game.podrace;
 
 import java.util.List;
+import java.util.Optional;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
 import steward.game.GameType;
+import steward.game.TextCodec;
 import steward.physics.Contacts;
 import steward.scene.Part;
 import steward.scene.Plan;
@@ -51,6 +53,12 @@ public final class PodRaceType implements GameType {
         @Override
         public FrameCodec codec(Game game) {
             return new PodRaceJson((PodRace) game, scene);
+        }
+
+        /** CodinGame's protocols: that of the single-pod leagues where each player has one pod. */
+        @Override
+        public Optional<TextCodec> textCodec(Game game) {
+            return Optional.of(new PodRaceText((PodRace) game));
         }
     }
 }

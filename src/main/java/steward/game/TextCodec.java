@@ -1,0 +1,29 @@
+package steward.game;
+
+/**
+ * What a player sees and says in a line protocol of words and numbers, for games and scenes that have one. Bound to one
+ * {@link Game}, beside its {@link FrameCodec}. Lines end with a line feed.
+ */
+public interface TextCodec {
+
+    /** Appends the lines a player is sent before the first turn; none in some protocols. */
+    void writeSetup(StringBuilder out, int player);
+
+    /** Appends the lines of one turn. */
+    void writeTurn(StringBuilder out, int player);
+
+    /** How many lines make the player's answer to a turn, at least 1. */
+    int answerLines(int player);
+
+    /**
+     * Reads a player's answer and, if it is good, makes it the player's command.
+     *
+     * @param answer UTF-8, {@link #answerLines} lines separated by line feeds
+     * @param length how many bytes count
+     * @return {@code null} if it is good; otherwise what is wrong: line, value found, what was expected
+     */
+    String readAnswer(int player, byte[] answer, int length);
+
+    /** The messages that came with the player's last answer, joined, or {@code null}. */
+    String message(int player);
+}
