@@ -1,0 +1,152 @@
+package steward.replay;
+
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import steward.game.JsonNumbers;
+import tools.jackson.core.JacksonException;
+import tools.jackson.core.JsonParser;
+import tools.jackson.core.JsonToken;
+import tools.jackson.core.ObjectReadContext;
+
+/**
+ * One line of a replay: a JSON object of which only the top level is taken apart. Objects and arrays are kept as the
+ * bytes they were written with, so that they can be compared with other bytes and parsed only when needed.
+ */
+final class JsonLine {
+
+    /**
+     * A value: the text of a scalar (null for JSON null), or where an object or array stands in the line.
+     */
+    private record Value(JsonToken token, String text, int from, int to) {
+    }
+
+    private final String where;
+    private final byte[] bytes;
+    private final Map<String, Value> values = new LinkedHashMap<>();
+
+    /**
+     * @param where file and line, for errors
+     * @throws ReplayException  if it is JSON but not an object
+     * @throws JacksonException if it is not JSON
+     */
+    JsonLine(String where, byte[] bytes) {
+        this.where = where;
+        this.bytes = bytes;
+        try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), bytes, 0, bytes.length)) {
+            if (in.nextToken() != JsonToken.START_OBJECT) {
+                throw new ReplayException(where + ": found no object, expected one object a line");
+            }
+            while (in.nextToken() == JsonToken.PROPERTY_NAME) {
+                String name = in.currentName();
+                values.put(name, value(in, in.nextToken()));
+            }
+            if (in.nextToken() != null) {
+                throw new ReplayException(where + ": found more behind the object, expected one object a line");
+            }
+        }
+    }
+
+    private static Value value(JsonParser in, JsonToken token) {
+        if (token != null && token.isStructStart()) {
+            int from = (int) in.currentTokenLocation().getByteOffset();
+            in.skipChildren();
+            return new Value(token, null, from, (int) in.currentLocation().getByteOffset());
+        }
+        return new Value(token, token == JsonToken.VALUE_NULL ? null : in.getString(), -1, -1);
+    }
+
+    boolean has(String name) {
+        return values.containsKey(name);
+    }
+
+    /** A string. */
+    String text(String name) {
+        return require(name, JsonToken.VALUE_STRING, "a string").text();
+    }
+
+    /** A whole number. */
+    int integer(String name) {
+        String text = require(name, JsonToken.VALUE_NUMBER_INT, "a whole number").text();
+        try {
+            return Integer.parseInt(text);
+        } catch (NumberFormatException tooLarge) {
+            throw new ReplayException(where + ": " + name + ": found " + text + ", expected a whole number below 2^31");
+        }
+    }
+
+    /** A number, or {@code whenNull} for null. */
+    double number(String name, double whenNull) {
+        Value value = values.get(name);
+        if (value != null && value.token() == JsonToken.VALUE_NULL) {
+            return whenNull;
+        }
+        if (value == null || !value.token().isNumeric()) {
+            throw wrong(name, value, "a number or null");
+        }
+        return Double.parseDouble(value.text());
+    }
+
+    /** The bytes of an object, as written. */
+    byte[] object(String name) {
+        return slice(require(name, JsonToken.START_OBJECT, "an object"));
+    }
+
+    /** The bytes of an array, as written. */
+    byte[] array(String name) {
+        return slice(require(name, JsonToken.START_ARRAY, "an array"));
+    }
+
+    /** An array of strings and nulls; all null when the field is absent. */
+    String[] texts(String name, int count) {
+        if (!has(name)) {
+            return new String[count];
+        }
+        byte[] array = array(name);
+        List<String> texts = new ArrayList<>();
+        try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), array, 0, array.length)) {
+            in.nextToken();
+            for (JsonToken token = in.nextToken(); token != JsonToken.END_ARRAY; token = in.nextToken()) {
+                if (token != JsonToken.VALUE_STRING && token != JsonToken.VALUE_NULL) {
+                    throw new ReplayException(where + ": " + name + "[" + texts.size() + "]: found " + token
+                        + ", expected a string or null");
+                }
+                texts.add(token == JsonToken.VALUE_NULL ? null : in.getString());
+            }
+        }
+        if (texts.size() != count) {
+            throw new ReplayException(where + ": " + name + ": found " + texts.size() + " entries, expected " + count);
+        }
+        return texts.toArray(new String[0]);
+    }
+
+    String where() {
+        return where;
+    }
+
+    private byte[] slice(Value value) {
+        return Arrays.copyOfRange(bytes, value.from(), value.to());
+    }
+
+    private Value require(String name, JsonToken token, String expected) {
+        Value value = values.get(name);
+        if (value == null || value.token() != token) {
+            throw wrong(name, value, expected);
+        }
+        return value;
+    }
+
+    private ReplayException wrong(String name, Value value, String expected) {
+        String found = value == null ? "nothing" : value.text() != null ? value.text()
+            : value.token() == JsonToken.VALUE_NULL ? "null" : shorten(slice(value));
+        return new ReplayException(where + ": " + name + ": found " + found + ", expected " + expected);
+    }
+
+    private static String shorten(byte[] json) {
+        String text = new String(json, StandardCharsets.UTF_8);
+        return text.length() <= 40 ? text : text.substring(0, 40) + "...";
+    }
+}

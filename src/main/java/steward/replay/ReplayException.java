@@ -1,0 +1,11 @@
+package steward.replay;
+
+/** A file that cannot be used as a replay; the message says where, what was found and what was expected. */
+public final class ReplayException extends RuntimeException {
+
+    private static final long serialVersionUID = 1L;
+
+    ReplayException(String message) {
+        super(message);
+    }
+}

@@ -1,0 +1,250 @@
+package steward.replay;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import steward.game.JsonNumbers;
+import tools.jackson.core.JacksonException;
+import tools.jackson.core.JsonParser;
+import tools.jackson.core.JsonToken;
+import tools.jackson.core.ObjectReadContext;
+
+/**
+ * Reads a replay line by line. A file that was cut off anywhere is read up to the cut: its last line, if it has no line
+ * end and is no complete object, is dropped, and {@link #warning} says so.
+ *
+ * <p>Throws {@link ReplayException} for a file that is no replay, of a newer format, or damaged before its end, and
+ * {@link UncheckedIOException} if the file cannot be read.
+ */
+public final class ReplayReader implements AutoCloseable {
+
+    private final String source;
+    private final InputStream in;
+    private final byte[] buffer = new byte[1 << 16];
+    private int position;
+    private int limit;
+    private int lineNumber;
+    private boolean lineEnded;
+
+    private final ReplayHeader header;
+    private final JsonLine headerLine;
+    private int lastTurn;
+    private String warning;
+    private JsonLine result;
+
+    /**
+     * Opens a file and reads its header.
+     *
+     * @throws IOException     if it is missing or cannot be read
+     * @throws ReplayException if it is no replay
+     */
+    public static ReplayReader open(Path file) throws IOException {
+        if (Files.isDirectory(file)) {
+            throw new ReplayException(file + ": found a folder, expected a replay file");
+        }
+        InputStream in = Files.newInputStream(file);
+        try {
+            return new ReplayReader(in, file.toString());
+        } catch (RuntimeException problem) {
+            in.close();
+            throw problem;
+        }
+    }
+
+    /** @param source the name of the file, for errors */
+    public ReplayReader(InputStream in, String source) {
+        this.in = in;
+        this.source = source;
+        byte[] first = readLine();
+        if (first == null) {
+            throw new ReplayException(source + ": found an empty file, expected a replay");
+        }
+        if (!isSignature(first)) {
+            throw new ReplayException(where() + ": found no replay header, expected a line that begins with "
+                + ReplayHeader.SIGNATURE);
+        }
+        headerLine = parse(first);
+        header = headerLine == null ? null : header(headerLine);
+    }
+
+    /** Whether the line begins like a replay; a line that was cut off needs to agree only as far as it goes. */
+    private boolean isSignature(byte[] line) {
+        byte[] signature = ReplayHeader.SIGNATURE.getBytes(StandardCharsets.UTF_8);
+        int count = lineEnded ? signature.length : Math.min(signature.length, line.length);
+        return line.length >= count && Arrays.equals(line, 0, count, signature, 0, count);
+    }
+
+    private static ReplayHeader header(JsonLine line) {
+        int format = line.integer("format");
+        if (format > ReplayHeader.FORMAT || format < 1) {
+            throw new ReplayException(line.where() + ": format: found " + format + ", expected at most "
+                + ReplayHeader.FORMAT + (format < 1 ? " and at least 1" : ": a newer version of Steward wrote this replay"));
+        }
+        List<String> names = new ArrayList<>();
+        List<String> bots = new ArrayList<>();
+        byte[] players = line.array("players");
+        try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), players, 0, players.length)) {
+            in.nextToken();
+            while (in.nextToken() == JsonToken.START_OBJECT) {
+                while (in.nextToken() == JsonToken.PROPERTY_NAME) {
+                    String name = in.currentName();
+                    String value = in.nextStringValue();
+                    if (name.equals("name")) {
+                        names.add(value);
+                    } else if (name.equals("bot")) {
+                        bots.add(value);
+                    }
+                }
+            }
+        }
+        if (names.isEmpty() || names.size() != bots.size() || names.contains(null) || bots.contains(null)) {
+            throw new ReplayException(line.where() + ": players: expected objects with name and bot");
+        }
+        long seed;
+        try {
+            seed = Long.parseLong(line.text("seed"));
+        } catch (NumberFormatException problem) {
+            throw new ReplayException(line.where() + ": seed: found \"" + line.text("seed")
+                + "\", expected a whole number of 64 bits");
+        }
+        return new ReplayHeader(line.text("game"), new String(line.object("scene"), StandardCharsets.UTF_8), seed,
+            names, bots, line.number("timeFactor", Double.POSITIVE_INFINITY));
+    }
+
+    /** The header, or {@code null} if the file was cut off within it ({@link #warning} says so). */
+    public ReplayHeader header() {
+        return header;
+    }
+
+    /** The header's fields that follow from scene and seed: drawing and start, as JSON. */
+    byte[] drawing() {
+        return headerLine.object("drawing");
+    }
+
+    byte[] start() {
+        return headerLine.object("start");
+    }
+
+    /** The name of the file. */
+    public String source() {
+        return source;
+    }
+
+    /** The next turn, or {@code null} at the end: then the result and the warning are known. */
+    public RecordedTurn next() {
+        if (header == null || result != null) {
+            return null;
+        }
+        byte[] bytes = readLine();
+        JsonLine line = bytes == null ? null : parse(bytes);
+        if (line == null) {
+            if (warning == null) {
+                warning = source + ": cut off after turn " + lastTurn + ": there is no result";
+            }
+            return null;
+        }
+        switch (line.text("type")) {
+            case "turn" -> {
+                RecordedTurn turn = RecordedTurn.of(line, header.names().size());
+                lastTurn = turn.number();
+                return turn;
+            }
+            case "result" -> {
+                result = line;
+                if (readLine() != null) {
+                    throw new ReplayException(where() + ": found more behind the result, expected the end of the file");
+                }
+                return null;
+            }
+            default -> throw new ReplayException(line.where() + ": type: found " + line.text("type")
+                + ", expected turn or result");
+        }
+    }
+
+    /** The result line, or {@code null} if the replay has none; known once {@link #next} has returned null. */
+    JsonLine result() {
+        return result;
+    }
+
+    /** The result as one line of JSON, or {@code null} if the replay has none; known at the end. */
+    public String ending() {
+        return result == null ? null : result.text("ending");
+    }
+
+    /** Says where the file was cut off, or {@code null} if it was not; known at the end. */
+    public String warning() {
+        return warning;
+    }
+
+    /** @return {@code null} if the line was cut off, which then is the warning */
+    private JsonLine parse(byte[] line) {
+        try {
+            return new JsonLine(where(), line);
+        } catch (JacksonException problem) {
+            if (lineEnded) {
+                throw new ReplayException(where() + ":" + problem.getLocation().getColumnNr() + ": not JSON: "
+                    + problem.getOriginalMessage());
+            }
+            warning = lineNumber == 1 ? source + ": cut off within the header: there is no turn to look at"
+                : source + ": cut off within the line of turn " + (lastTurn + 1);
+            return null;
+        }
+    }
+
+    private String where() {
+        return source + ":" + lineNumber;
+    }
+
+    /** The next line without its end, or {@code null} at the end of the file. */
+    private byte[] readLine() {
+        ByteArrayOutputStream line = null;
+        lineNumber++;
+        lineEnded = false;
+        try {
+            for (;;) {
+                if (position == limit) {
+                    position = 0;
+                    limit = in.read(buffer, 0, buffer.length);
+                    if (limit <= 0) {
+                        limit = 0;
+                        return line == null ? null : line.toByteArray();
+                    }
+                }
+                int end = position;
+                while (end < limit && buffer[end] != '\n') {
+                    end++;
+                }
+                lineEnded = end < limit;
+                if (lineEnded && line == null) {
+                    byte[] whole = Arrays.copyOfRange(buffer, position, end);
+                    position = end + 1;
+                    return whole;
+                }
+                line = line == null ? new ByteArrayOutputStream() : line;
+                line.write(buffer, position, end - position);
+                position = lineEnded ? end + 1 : end;
+                if (lineEnded) {
+                    return line.toByteArray();
+                }
+            }
+        } catch (IOException problem) {
+            throw new UncheckedIOException(where() + ": cannot read: " + problem.getMessage(), problem);
+        }
+    }
+
+    @Override
+    public void close() {
+        try {
+            in.close();
+        } catch (IOException problem) {
+            throw new UncheckedIOException(source + ": cannot close: " + problem.getMessage(), problem);
+        }
+    }
+}

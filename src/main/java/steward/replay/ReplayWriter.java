@@ -1,0 +1,222 @@
+package steward.replay;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.UncheckedIOException;
+import java.util.function.ToLongFunction;
+import steward.game.FrameCodec;
+import steward.game.Game;
+import steward.game.JsonNumbers;
+import steward.match.MatchListener;
+import steward.match.MatchResult;
+import steward.match.Turn;
+import tools.jackson.core.JsonGenerator;
+import tools.jackson.core.ObjectWriteContext;
+
+/**
+ * Writes a match as it is played, a line at a time; every complete line is handed to the operating system at once, so
+ * that a match that is killed leaves all turns it has played.
+ */
+public final class ReplayWriter implements MatchListener, AutoCloseable {
+
+    private final OutputStream file;
+    private final ReplayHeader header;
+    private final Line line = new Line();
+    private Game game;
+    private FrameCodec codec;
+    private JsonGenerator turnLine;
+
+    /** @param file unbuffered is best: it is written once per line; closed by {@link #close} */
+    public ReplayWriter(OutputStream file, ReplayHeader header) {
+        this.file = file;
+        this.header = header;
+    }
+
+    @Override
+    public void start(Game startedGame, FrameCodec startedCodec) {
+        game = startedGame;
+        codec = startedCodec;
+        JsonGenerator out = open(ReplayHeader.TYPE);
+        out.writeNumberProperty("format", ReplayHeader.FORMAT);
+        out.writeStringProperty("game", header.game());
+        out.writeStringProperty("seed", Long.toString(header.seed()));
+        out.writeArrayPropertyStart("players");
+        for (int player = 0; player < header.names().size(); player++) {
+            out.writeStartObject();
+            out.writeStringProperty("name", header.names().get(player));
+            out.writeStringProperty("bot", header.bots().get(player));
+            out.writeEndObject();
+        }
+        out.writeEndArray();
+        out.writeName("timeFactor");
+        if (header.timeFactor() < Double.POSITIVE_INFINITY) {
+            JsonNumbers.write(out, header.timeFactor());
+        } else {
+            out.writeNull();
+        }
+        out.writeName("scene");
+        out.writeRawValue(header.scene());
+        writeOpening(out, game, codec);
+        close(out);
+    }
+
+    /** The fields {@code drawing} and {@code start}: what follows from scene and seed alone. */
+    static void writeOpening(JsonGenerator out, Game game, FrameCodec codec) {
+        out.writeObjectPropertyStart("drawing");
+        codec.writeDrawing(out);
+        out.writeEndObject();
+        out.writeObjectPropertyStart("start");
+        OutcomeJson.writeState(out, game, codec);
+        out.writeEndObject();
+    }
+
+    @Override
+    public void commands(Turn turn) {
+        turnLine = open("turn");
+        turnLine.writeNumberProperty("turn", turn.number());
+        turnLine.writeArrayPropertyStart("commands");
+        for (int player = 0; player < turn.players(); player++) {
+            if (turn.answered(player)) {
+                codec.writeCommand(turnLine, player);
+            } else {
+                turnLine.writeNull();
+            }
+        }
+        turnLine.writeEndArray();
+        writeTexts(turnLine, "faults", turn, Turn::fault);
+    }
+
+    @Override
+    public void played(Turn turn) {
+        turnLine.writeName("outcome");
+        OutcomeJson.write(turnLine, game, codec);
+        writeTexts(turnLine, "messages", turn, Turn::message);
+        writeTexts(turnLine, "stderr", turn, Turn::stderr);
+        turnLine.writeObjectPropertyStart("times");
+        turnLine.writeArrayPropertyStart("answerNanos");
+        for (int player = 0; player < turn.players(); player++) {
+            if (turn.asked(player)) {
+                turnLine.writeNumber(turn.nanos(player));
+            } else {
+                turnLine.writeNull();
+            }
+        }
+        turnLine.writeEndArray();
+        turnLine.writeEndObject();
+        close(turnLine);
+    }
+
+    @Override
+    public void end(MatchResult result) {
+        JsonGenerator out = open("result");
+        out.writeNumberProperty("turns", result.turns());
+        out.writeStringProperty("ending", result.ending());
+        writeStanding(out, game);
+        out.writeArrayPropertyStart("players");
+        for (MatchResult.PlayerResult player : result.players()) {
+            out.writeStartObject();
+            out.writeStringProperty("name", player.name());
+            if (player.fault() != null) {
+                out.writeStringProperty("fault", player.fault());
+            }
+            if (player.extraLines() > 0) {
+                out.writeNumberProperty("extraLines", player.extraLines());
+            }
+            out.writeEndObject();
+        }
+        out.writeEndArray();
+        out.writeObjectPropertyStart("times");
+        writeNanos(out, "averageNanos", result, MatchResult.PlayerResult::averageNanos);
+        writeNanos(out, "worstNanos", result, MatchResult.PlayerResult::worstNanos);
+        writeNanos(out, "firstNanos", result, MatchResult.PlayerResult::firstNanos);
+        out.writeEndObject();
+        close(out);
+    }
+
+    /** The field {@code standing}: what the game itself says of each player at the end. */
+    static void writeStanding(JsonGenerator out, Game game) {
+        int[] ranks = game.ranks();
+        double[] scores = game.scores();
+        out.writeArrayPropertyStart("standing");
+        for (int player = 0; player < ranks.length; player++) {
+            out.writeStartObject();
+            out.writeNumberProperty("rank", ranks[player]);
+            JsonNumbers.write(out, "score", scores[player]);
+            if (!game.isIn(player)) {
+                out.writeStringProperty("out", game.eliminationReason(player));
+            }
+            out.writeEndObject();
+        }
+        out.writeEndArray();
+    }
+
+    private static void writeNanos(JsonGenerator out, String name, MatchResult result,
+                                   ToLongFunction<MatchResult.PlayerResult> nanos) {
+        out.writeArrayPropertyStart(name);
+        for (MatchResult.PlayerResult player : result.players()) {
+            out.writeNumber(nanos.applyAsLong(player));
+        }
+        out.writeEndArray();
+    }
+
+    /** A text of one player's turn. */
+    private interface Text {
+        String of(Turn turn, int player);
+    }
+
+    private static void writeTexts(JsonGenerator out, String name, Turn turn, Text text) {
+        boolean any = false;
+        for (int player = 0; player < turn.players(); player++) {
+            any |= text.of(turn, player) != null;
+        }
+        if (any) {
+            out.writeArrayPropertyStart(name);
+            for (int player = 0; player < turn.players(); player++) {
+                String value = text.of(turn, player);
+                if (value == null) {
+                    out.writeNull();
+                } else {
+                    out.writeString(value);
+                }
+            }
+            out.writeEndArray();
+        }
+    }
+
+    private JsonGenerator open(String type) {
+        line.reset();
+        JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), line);
+        out.writeStartObject();
+        out.writeStringProperty("type", type);
+        return out;
+    }
+
+    private void close(JsonGenerator out) {
+        out.writeEndObject();
+        out.close();
+        line.write('\n');
+        try {
+            line.writeTo(file);
+            file.flush();
+        } catch (IOException problem) {
+            throw new UncheckedIOException("replay: cannot write: " + problem.getMessage(), problem);
+        }
+    }
+
+    @Override
+    public void close() {
+        try {
+            file.close();
+        } catch (IOException problem) {
+            throw new UncheckedIOException("replay: cannot close: " + problem.getMessage(), problem);
+        }
+    }
+
+    /** Collects one line. */
+    private static final class Line extends ByteArrayOutputStream {
+        Line() {
+            super(8192);
+        }
+    }
+}

@@ -1,0 +1,96 @@
+package steward.replay;
+
+import steward.game.FrameCodec;
+import steward.game.Game;
+import steward.game.GameSetup;
+import steward.game.GameTypes;
+import steward.game.JsonNumbers;
+import tools.jackson.core.JacksonException;
+import tools.jackson.core.JsonParser;
+import tools.jackson.core.JsonToken;
+import tools.jackson.core.ObjectReadContext;
+
+/** Plays a recorded match again, from its scene, seed, commands and faults. */
+public final class Resimulation {
+
+    private final GameSetup setup;
+    private final Game game;
+    private final FrameCodec codec;
+
+    /**
+     * @param source name of the replay, for errors about its scene
+     * @throws steward.scene.SceneException if the scene in the header is not one that the known games can play
+     */
+    public Resimulation(ReplayHeader header, GameTypes types, String source) {
+        setup = types.open(header.scene(), source + " (scene)");
+        game = setup.create(header.seed());
+        codec = setup.codec(game);
+        if (game.players() != header.names().size()) {
+            throw new ReplayException(source + ":1: players: found " + header.names().size() + ", expected "
+                + game.players() + " as in the scene");
+        }
+    }
+
+    public GameSetup setup() {
+        return setup;
+    }
+
+    public Game game() {
+        return game;
+    }
+
+    public FrameCodec codec() {
+        return codec;
+    }
+
+    /**
+     * Plays one recorded turn.
+     *
+     * @return {@code null}, or the difference because of which it cannot be played
+     */
+    public Difference play(RecordedTurn turn) {
+        int expected = game.turn() + 1;
+        if (game.isOver()) {
+            return new Difference(turn.number(), "turn", Integer.toString(turn.number()),
+                "the match is over: " + game.ending());
+        }
+        if (turn.number() != expected) {
+            return new Difference(expected, "turn", Integer.toString(turn.number()), Integer.toString(expected));
+        }
+        Difference wrong = readCommands(turn);
+        if (wrong != null) {
+            return wrong;
+        }
+        for (int player = 0; player < game.players(); player++) {
+            if (turn.faults()[player] != null) {
+                game.eliminate(player, turn.faults()[player]);
+            }
+        }
+        game.play();
+        return null;
+    }
+
+    private Difference readCommands(RecordedTurn turn) {
+        byte[] json = turn.commands();
+        int player = 0;
+        try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), json, 0, json.length)) {
+            in.nextToken();
+            for (JsonToken token = in.nextToken(); token != JsonToken.END_ARRAY; token = in.nextToken()) {
+                boolean wanted = player < game.players() && game.isIn(player) && turn.faults()[player] == null;
+                if (wanted != (token != JsonToken.VALUE_NULL)) {
+                    return new Difference(turn.number(), "commands[" + player + "]", wanted ? "null" : "a command",
+                        wanted ? "a command" : "null");
+                }
+                String wrong = wanted ? codec.readCommand(in, player) : null;
+                if (wrong != null) {
+                    return new Difference(turn.number(), "commands[" + player + "]", wrong, "a command");
+                }
+                player++;
+            }
+        } catch (JacksonException problem) {
+            return new Difference(turn.number(), "commands", problem.getOriginalMessage(), "JSON");
+        }
+        return player == game.players() ? null
+            : new Difference(turn.number(), "commands", player + " entries", game.players() + " entries");
+    }
+}

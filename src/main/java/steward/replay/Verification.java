@@ -1,0 +1,111 @@
+package steward.replay;
+
+import java.io.ByteArrayOutputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.function.Consumer;
+import steward.game.Game;
+import steward.game.GameTypes;
+import steward.game.JsonNumbers;
+import tools.jackson.core.JsonGenerator;
+import tools.jackson.core.ObjectWriteContext;
+
+/**
+ * What came of playing a recorded match again and comparing every turn.
+ *
+ * @param turns      how many turns agreed
+ * @param difference the first difference, or {@code null} if there is none
+ * @param warning    where the file was cut off, or {@code null}
+ */
+public record Verification(int turns, Difference difference, String warning) {
+
+    /** Whether everything that was recorded agrees. */
+    public boolean verified() {
+        return difference == null;
+    }
+
+    /**
+     * Verifies a replay from its first turn to its end or cut.
+     *
+     * @param replay just opened
+     * @throws ReplayException              if the file is damaged before its end
+     * @throws steward.scene.SceneException if its scene cannot be played
+     */
+    public static Verification of(ReplayReader replay, GameTypes types) {
+        if (replay.header() == null) {
+            return new Verification(0, null, replay.warning());
+        }
+        Resimulation again = new Resimulation(replay.header(), types, replay.source());
+        byte[] start = json(out -> ReplayWriter.writeOpening(out, again.game(), again.codec()));
+        byte[] recorded = opening(replay);
+        Difference difference = compare(0, recorded, start);
+        int turns = 0;
+        while (difference == null) {
+            RecordedTurn turn = replay.next();
+            if (turn == null) {
+                difference = replay.result() == null ? null : compareResult(replay.result(), again.game());
+                break;
+            }
+            difference = again.play(turn);
+            if (difference == null) {
+                byte[] outcome = outcome(again);
+                difference = compare(turn.number(), turn.outcome(), outcome);
+            }
+            turns += difference == null ? 1 : 0;
+        }
+        return new Verification(turns, difference, replay.warning());
+    }
+
+    private static byte[] opening(ReplayReader replay) {
+        byte[] drawing = replay.drawing();
+        byte[] start = replay.start();
+        return json(out -> {
+            out.writeName("drawing");
+            out.writeRawValue(new String(drawing, StandardCharsets.UTF_8));
+            out.writeName("start");
+            out.writeRawValue(new String(start, StandardCharsets.UTF_8));
+        });
+    }
+
+    private static byte[] outcome(Resimulation again) {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream(4096);
+        try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), bytes)) {
+            OutcomeJson.write(out, again.game(), again.codec());
+        }
+        return bytes.toByteArray();
+    }
+
+    private static byte[] json(Consumer<JsonGenerator> fields) {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream(4096);
+        try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), bytes)) {
+            out.writeStartObject();
+            fields.accept(out);
+            out.writeEndObject();
+        }
+        return bytes.toByteArray();
+    }
+
+    /** Bytes decide nearly always; only where they differ are both read. */
+    private static Difference compare(int turn, byte[] recorded, byte[] found) {
+        return Arrays.equals(recorded, found) ? null : Difference.between(turn, recorded, found);
+    }
+
+    private static Difference compareResult(JsonLine result, Game game) {
+        if (!game.isOver()) {
+            return new Difference(game.turn(), "result", "an end of the match", "the match goes on");
+        }
+        if (result.integer("turns") != game.turn()) {
+            return new Difference(game.turn(), "turns", Integer.toString(result.integer("turns")),
+                Integer.toString(game.turn()));
+        }
+        if (!result.text("ending").equals(game.ending())) {
+            return new Difference(game.turn(), "ending", result.text("ending"), game.ending());
+        }
+        byte[] standing = json(out -> ReplayWriter.writeStanding(out, game));
+        byte[] recorded = json(out -> {
+            out.writeName("standing");
+            out.writeRawValue(new String(result.array("standing"), StandardCharsets.UTF_8));
+        });
+        return compare(game.turn(), recorded, standing);
+    }
+}

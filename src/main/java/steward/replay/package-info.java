@@ -1,0 +1,9 @@
+/**
+ * The replay format: writing a match as it is played, reading it back also when it was cut off, playing it again and
+ * verifying every turn. It stores what the game described and knows no particular game.
+ *
+ * <p>A replay is JSON Lines, UTF-8: one {@code steward-replay} header, one {@code turn} line per turn, one
+ * {@code result}. Everything measured stands in the last field of a line, {@code times}; without it two plays of the
+ * same game are equal byte for byte.
+ */
+package steward.replay;
