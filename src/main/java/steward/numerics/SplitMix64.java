@@ -51,7 +51,11 @@ public final class SplitMix64 {
      * @throws IllegalArgumentException if {@code high < low} or the range holds more than 2^31 - 1 numbers
      */
     public int nextInt(int low, int high) {
-        return low + nextInt(Math.addExact(Math.subtractExact(high, low), 1));
+        long count = (long) high - low + 1;
+        if (count < 1 || count > Integer.MAX_VALUE) {
+            throw new IllegalArgumentException("range " + low + ".." + high + ", expected 1 to 2^31 - 1 numbers");
+        }
+        return low + nextInt((int) count);
     }
 
     /** A uniform multiple of 2^-53 in {@code [0, 1)}. */

@@ -66,7 +66,8 @@ public final class Bodies {
      *
      * @param mass above 0; {@code POSITIVE_INFINITY} for a body that no impulse moves
      * @return its index, always {@code size() - 1}
-     * @throws IllegalArgumentException if a value is NaN, infinite (but for the mass) or out of range
+     * @throws IllegalArgumentException if a value is NaN, infinite (but for the mass) or out of range, or the mass so
+     *                                  small (below 5.6e-309) that its inverse is infinite
      * @throws IllegalStateException    if the capacity is used up
      */
     public int add(double x, double y, double radius, double mass) {
@@ -216,7 +217,7 @@ public final class Bodies {
     }
 
     private void requireMass(int body, double value) {
-        if (!(value > 0)) {
+        if (!(value > 0) || 1 / value == Double.POSITIVE_INFINITY) {
             throw new IllegalArgumentException(name(body) + ": mass " + value + ", expected above 0 (or infinite)");
         }
     }
