@@ -1,6 +1,5 @@
 package steward.match;
 
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
@@ -13,9 +12,9 @@ import steward.game.Game;
 import steward.game.GameSetup;
 
 /**
- * The referee loop: each turn it sends every player a frame, takes the commands one player after another, eliminates who
- * failed, has the game play the turn and tells the listener. All players who are in are asked every turn, also after
- * another has failed.
+ * The referee loop: each turn it sends every player a frame, takes the commands one player after another, eliminates
+ * who failed, has the game play the turn and tells the listener. All players who are in are asked every turn, also
+ * after another has failed.
  *
  * <p>The loop runs on a daemon thread of its own. When a player can neither be read nor killed, that thread is stuck;
  * the player then hands the fault to a fresh thread, which goes on with the next player, and the stuck one, should it
@@ -23,9 +22,6 @@ import steward.game.GameSetup;
  * player with a happens-before edge.
  */
 public final class Referee {
-
-    /** How much of a wrong answer is quoted in a fault, in characters. */
-    private static final int QUOTED = 120;
 
     private final Game game;
     private final FrameCodec codec;
@@ -115,6 +111,9 @@ public final class Referee {
     /** On a fresh thread: the last one is stuck with this player, whose fault is known by now. */
     private void goOnAfter(int player, Answer answer) {
         guarded(() -> {
+            if (result.isDone()) {
+                return;
+            }
             take(player, Player.Ending.FAULT, answer);
             next = player + 1;
             askRest();
@@ -153,8 +152,8 @@ public final class Referee {
         Frames.LineBuffer frame = frames.turn(player);
         long limit = time.limit(watches[player].answers());
         Player.Ending ending = players.get(player).ask(frame.bytes(), frame.size(), 1, limit, answers[player]);
-        if (ending == Player.Ending.ABANDONED) {
-            return false;
+        if (ending == Player.Ending.ABANDONED || result.isDone()) {
+            return false;                           // done: the players were closed under our feet, that is no fault
         }
         take(player, ending, answers[player]);
         return true;
@@ -165,25 +164,20 @@ public final class Referee {
         extraLines[player] = Math.max(extraLines[player], answer.extraLines());
         turn.asked[player] = true;
         turn.nanos[player] = answer.nanos();
-        turn.stderr[player] = answer.stderr();
+        turn.stderr[player] = Quote.wellFormed(answer.stderr());
         String fault = answer.fault();
         if (ending == Player.Ending.ANSWERED) {
             String wrong = codec.readAnswer(player, answer.bytes(), answer.length());
-            fault = wrong == null ? null : wrong + "; received: " + quote(answer);
+            fault = wrong == null ? null : wrong + "; received: " + Quote.line(answer.bytes(), answer.length());
         }
         if (fault == null) {
             turn.answered[player] = true;
-            turn.messages[player] = codec.message(player);
+            turn.messages[player] = Quote.wellFormed(codec.message(player));
         } else {
-            turn.faults[player] = fault;
-            faults[player] = fault;
+            faults[player] = Quote.wellFormed(fault);
+            turn.faults[player] = faults[player];
             players.get(player).close();
         }
-    }
-
-    private static String quote(Answer answer) {
-        String line = new String(answer.bytes(), 0, Math.min(answer.length(), 4 * QUOTED), StandardCharsets.UTF_8);
-        return line.length() <= QUOTED ? line : line.substring(0, QUOTED) + "...";
     }
 
     private void playTurn() {

@@ -1,0 +1,80 @@
+package steward.match;
+
+import java.util.Collections;
+import java.util.Map;
+import java.util.TreeMap;
+
+/**
+ * Collects data that bots report on stderr, as rating tools know it: {@code [TDATA] key = value} about the match,
+ * {@code [PDATA] key = value} about the player (the last value counts), {@code [PDATA+] key = value} summed up. Anything
+ * else is passed over.
+ */
+final class DataLines {
+
+    private static final String MATCH = "[TDATA]";
+    private static final String PLAYER = "[PDATA]";
+    private static final String PLAYER_SUM = "[PDATA+]";
+
+    private final Map<String, String> match = new TreeMap<>();
+    private final Map<String, String>[] players;
+
+    @SuppressWarnings({"unchecked", "rawtypes"})
+    DataLines(int count) {
+        players = new Map[count];
+        for (int player = 0; player < count; player++) {
+            players[player] = new TreeMap<>();
+        }
+    }
+
+    /** Takes what a player wrote. */
+    void read(int player, String stderr) {
+        if (stderr == null || stderr.indexOf("DATA") < 0) {
+            return;
+        }
+        for (String line : stderr.split("\\R")) {
+            if (line.startsWith(MATCH)) {
+                put(match, line.substring(MATCH.length()), false);
+            } else if (line.startsWith(PLAYER_SUM)) {
+                put(players[player], line.substring(PLAYER_SUM.length()), true);
+            } else if (line.startsWith(PLAYER)) {
+                put(players[player], line.substring(PLAYER.length()), false);
+            }
+        }
+    }
+
+    private static void put(Map<String, String> data, String assignment, boolean sum) {
+        int equals = assignment.indexOf('=');
+        if (equals < 0) {
+            return;
+        }
+        String key = assignment.substring(0, equals).strip();
+        String value = assignment.substring(equals + 1).strip();
+        if (key.isEmpty()) {
+            return;
+        }
+        data.merge(key, value, (before, now) -> sum ? add(before, now) : now);
+    }
+
+    /** The sum of two numbers, whole if both are; what is no number counts as 0. */
+    private static String add(String one, String other) {
+        double sum = number(one) + number(other);
+        return sum == Math.rint(sum) && Math.abs(sum) < 0x1p53 ? Long.toString((long) sum) : Double.toString(sum);
+    }
+
+    private static double number(String text) {
+        try {
+            double value = Double.parseDouble(text);
+            return Double.isFinite(value) ? value : 0;
+        } catch (NumberFormatException problem) {
+            return 0;
+        }
+    }
+
+    Map<String, String> match() {
+        return Collections.unmodifiableMap(match);
+    }
+
+    Map<String, String> player(int player) {
+        return Collections.unmodifiableMap(players[player]);
+    }
+}

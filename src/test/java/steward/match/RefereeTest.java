@@ -1,0 +1,239 @@
+package steward.match;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.IntFunction;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import steward.bot.Player;
+import steward.game.FrameCodec;
+import steward.game.Game;
+import steward.game.podrace.PodRace;
+import steward.game.podrace.PodState;
+import steward.scene.Time;
+
+/** The loop: who is asked when, who is told what at the end, and what becomes of a match in which players fail. */
+@Timeout(20)
+class RefereeTest {
+
+    private static final String LATE = ScriptedPlayer.FAULT + "no answer";
+
+    private final List<String> log = new ArrayList<>();
+
+    private ScriptedPlayer player(String name, IntFunction<String> script) {
+        return new ScriptedPlayer(name, log, script);
+    }
+
+    private static MatchResult play(int players, MatchListener listener, Player... all) throws InterruptedException {
+        return new Referee(TestScenes.duel(players), 1, List.of(all), TimeControl.UNLIMITED, listener).play();
+    }
+
+    private static final MatchListener NOBODY = new MatchListener() { };
+
+    /** In the duel the players' pods are the bodies 0, 1, ...; a finished race is 3 checkpoints passed. */
+    private static MatchListener startingWith(int pod, PodState state) {
+        return new MatchListener() {
+            @Override
+            public void start(Game game, FrameCodec codec) {
+                ((PodRace) game).setPod(pod, state);
+            }
+        };
+    }
+
+    private static PodState aboutToFinish() {
+        return new PodState(5500, 3000, 0, 0, 0, 0, true, 2);
+    }
+
+    @Test
+    void setupsFirstThenEveryTurnInTheOrderOfPlayers() throws InterruptedException {
+        play(3, NOBODY, player("A", k -> k < 2 ? ScriptedPlayer.idle(k) : LATE), player("B", ScriptedPlayer::idle),
+            player("C", k -> k < 3 ? ScriptedPlayer.idle(k) : LATE));
+
+        assertEquals(List.of("A setup", "B setup", "C setup", "A ask 1", "B ask 1", "C ask 1",
+            "A ask 2", "A close", "B ask 2", "C ask 2",
+            "B ask 3", "C ask 3", "C close", "B end"), log);
+    }
+
+    @Test
+    void everybodyIsAskedAlsoWhenTheFirstHasJustFailed() throws InterruptedException {
+        MatchResult result = play(2, NOBODY, player("A", k -> LATE), player("B", k -> LATE));
+
+        assertEquals(List.of("A setup", "B setup", "A ask 1", "A close", "B ask 1", "B close"), log);
+        assertEquals(1, result.turns());
+        assertEquals("all are out", result.ending());
+        assertEquals(-1, result.winner());
+        assertEquals(List.of(0, 0), result.players().stream().map(MatchResult.PlayerResult::rank).toList());
+        assertTrue(result.anyFault());
+    }
+
+    @Test
+    void theOtherWinsAndTheTurnOfTheFaultIsPlayed() throws InterruptedException {
+        MatchResult result = play(2, NOBODY, player("A", ScriptedPlayer::idle),
+            player("B", k -> k < 5 ? ScriptedPlayer.idle(k) : LATE));
+
+        assertEquals(5, result.turns());
+        assertEquals(0, result.winner());
+        assertEquals("all others are out", result.ending());
+        assertEquals("no answer", result.players().get(1).fault());
+        assertEquals("no answer", result.players().get(1).out());
+        assertNull(result.players().get(0).fault());
+        assertNull(result.players().get(0).out());
+    }
+
+    @Test
+    void aPlayerThatFailsInTheTurnInWhichTheOtherFinishesLoses() throws InterruptedException {
+        MatchResult result = play(2, startingWith(1, aboutToFinish()), player("A", k -> LATE),
+            player("B", ScriptedPlayer::idle));
+
+        assertEquals(1, result.winner());
+        assertEquals("finished after 1 laps", result.ending());
+        assertEquals(1, result.players().get(0).rank());
+    }
+
+    @Test
+    void aPlayerThatFailsInTheTurnInWhichItWouldFinishLosesToo() throws InterruptedException {
+        MatchResult result = play(2, startingWith(0, aboutToFinish()), player("A", k -> LATE),
+            player("B", ScriptedPlayer::idle));
+
+        assertEquals(1, result.winner());
+        assertEquals("all others are out", result.ending());
+    }
+
+    @Test
+    void whoIsOutByTheRulesIsAskedNoMoreButHearsTheEnd() throws InterruptedException {
+        // 50 turns without a checkpoint put A and C out; B stands on its next one and passes it in the first turn.
+        PodState atGoal = new PodState(10500, 3500, 0, 0, 0, 0, true, 0);
+        play(3, startingWith(1, atGoal), player("A", ScriptedPlayer::idle),
+            player("B", k -> k < 60 ? ScriptedPlayer.idle(k) : LATE), player("C", ScriptedPlayer::idle));
+
+        assertTrue(log.contains("A ask 50"));
+        assertFalse(log.contains("A ask 51"));
+        assertTrue(log.contains("A end"));
+        assertTrue(log.contains("C end"));
+    }
+
+    @Test
+    void oneLineEndsTheMatchForEverybodyWhoDidNotFail() throws InterruptedException {
+        play(3, NOBODY, player("A", k -> k < 3 ? ScriptedPlayer.idle(k) : LATE),
+            player("B", k -> k < 2 ? ScriptedPlayer.idle(k) : LATE), player("C", ScriptedPlayer::idle));
+
+        assertEquals(List.of("B close", "A close", "C end"),
+            log.stream().filter(line -> line.endsWith("close") || line.endsWith("end")).toList());
+    }
+
+    @Test
+    void threePlayersAreRankedByTheTurnInWhichTheyFailed() throws InterruptedException {
+        MatchResult result = play(3, NOBODY, player("A", k -> k < 3 ? ScriptedPlayer.idle(k) : LATE),
+            player("B", k -> k < 2 ? ScriptedPlayer.idle(k) : LATE), player("C", ScriptedPlayer::idle));
+
+        assertEquals(List.of(1, 2, 0), result.players().stream().map(MatchResult.PlayerResult::rank).toList());
+        assertEquals(2, result.winner());
+    }
+
+    @Test
+    void onePlayerPlaysUntilItIsOut() throws InterruptedException {
+        MatchResult result = play(1, NOBODY, player("A", ScriptedPlayer::idle));
+
+        assertEquals(50, result.turns());
+        assertEquals("all are out", result.ending());
+        assertEquals("no checkpoint in 50 turns", result.players().get(0).out());
+        assertNull(result.players().get(0).fault());
+        assertEquals("A end", log.get(log.size() - 1));
+    }
+
+    @Test
+    void onePlayerThatFailsEndsItsMatch() throws InterruptedException {
+        MatchResult result = play(1, NOBODY, player("A", k -> LATE));
+
+        assertEquals(1, result.turns());
+        assertEquals("no answer", result.players().get(0).fault());
+    }
+
+    @Test
+    void asManyPlayersAsTheSceneHas() {
+        for (int count = 0; count <= 3; count++) {
+            List<Player> players = new ArrayList<>();
+            for (int k = 0; k < count; k++) {
+                players.add(player("P" + k, ScriptedPlayer::idle));
+            }
+            if (count == 2) {
+                continue;
+            }
+            IllegalArgumentException refusal = assertThrows(IllegalArgumentException.class,
+                () -> new Referee(TestScenes.open("duel"), 1, players, TimeControl.UNLIMITED, NOBODY));
+            assertEquals(count + " bots, expected 2: the scene \"duel\" is for 2 players", refusal.getMessage());
+        }
+        assertEquals(List.of(), log);
+    }
+
+    @Test
+    void theFirstAnswerHasALimitOfItsOwn() throws InterruptedException {
+        ScriptedPlayer first = player("A", k -> k < 3 ? ScriptedPlayer.idle(k) : LATE);
+        ScriptedPlayer second = player("B", ScriptedPlayer::idle);
+        new Referee(TestScenes.open("duel"), 1, List.of(first, second), TimeControl.of(new Time(1000, 75), 2), NOBODY)
+            .play();
+
+        assertEquals(List.of(2_000_000_000L, 150_000_000L, 150_000_000L), first.limits());
+        assertEquals(first.limits(), second.limits());
+    }
+
+    @Test
+    void answerTimesAreSummedUpWithTheFirstApart() throws InterruptedException {
+        // The k-th answer takes k thousand nanoseconds, and beyond the second one three more lines were waiting.
+        MatchResult result = play(2, NOBODY, player("A", k -> k < 4 ? ScriptedPlayer.idle(k) : LATE),
+            player("B", ScriptedPlayer::idle));
+
+        MatchResult.PlayerResult a = result.players().get(0);
+        assertEquals(4, a.answers());
+        assertEquals(1000, a.firstNanos());
+        assertEquals(3000, a.averageNanos());
+        assertEquals(4000, a.worstNanos());
+        assertEquals(3, a.extraLines());
+    }
+
+    @Test
+    void aSingleAnswerIsFirstAverageAndWorst() throws InterruptedException {
+        MatchResult.PlayerResult a = play(2, NOBODY, player("A", k -> LATE), player("B", ScriptedPlayer::idle))
+            .players().get(0);
+
+        assertEquals(List.of(1000L, 1000L, 1000L), List.of(a.firstNanos(), a.averageNanos(), a.worstNanos()));
+    }
+
+    @Test
+    void aListenerHearsStartThenCommandsAndPlayedPerTurnThenTheEnd() throws InterruptedException {
+        List<String> heard = new ArrayList<>();
+        MatchListener listener = new MatchListener() {
+            @Override
+            public void start(Game game, FrameCodec codec) {
+                heard.add("start");
+            }
+
+            @Override
+            public void commands(Turn turn) {
+                heard.add("commands " + turn.number() + " " + turn.asked(0) + turn.answered(0) + turn.asked(1)
+                    + turn.answered(1) + " " + turn.fault(0) + " " + turn.nanos(0));
+            }
+
+            @Override
+            public void played(Turn turn) {
+                heard.add("played " + turn.number());
+            }
+
+            @Override
+            public void end(MatchResult result) {
+                heard.add("end " + result.turns());
+            }
+        };
+        play(2, listener, player("A", k -> k < 2 ? ScriptedPlayer.idle(k) : LATE), player("B", ScriptedPlayer::idle));
+
+        assertEquals(List.of("start", "commands 1 truetruetruetrue null 1000", "played 1",
+            "commands 2 truefalsetruetrue no answer 2000", "played 2", "end 2"), heard);
+        assertEquals("B end", log.get(log.size() - 1), "the listener hears of the end before the players do");
+    }
+}

@@ -1,0 +1,43 @@
+package steward.match;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import steward.scene.Time;
+
+/** Limits: the scene's milliseconds times a factor. */
+class TimeControlTest {
+
+    @Test
+    void theFirstAnswerAndTheOthers() {
+        TimeControl time = TimeControl.of(new Time(1000, 75), 1);
+
+        assertEquals(1_000_000_000L, time.limit(0));
+        assertEquals(75_000_000L, time.limit(1));
+        assertEquals(75_000_000L, time.limit(499));
+    }
+
+    @Test
+    void aFactorScalesBoth() {
+        assertEquals(new TimeControl(500_000_000L, 37_500_000L), TimeControl.of(new Time(1000, 75), 0.5));
+    }
+
+    @Test
+    void aHugeFactorIsNoDeadlineInsteadOfAnOverflow() {
+        assertEquals(TimeControl.UNLIMITED, TimeControl.of(new Time(1000, 75), 1e300));
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0, -0.0, -1, Double.NaN, Double.POSITIVE_INFINITY})
+    void otherFactorsAreRefused(double factor) {
+        Time time = new Time(1000, 75);
+
+        IllegalArgumentException refusal =
+            assertThrows(IllegalArgumentException.class, () -> TimeControl.of(time, factor));
+
+        assertEquals("time factor " + factor + ", expected above 0", refusal.getMessage());
+    }
+}
