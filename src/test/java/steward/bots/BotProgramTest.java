@@ -1,0 +1,90 @@
+package steward.bots;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.Properties;
+import org.junit.jupiter.api.Test;
+
+/** The bundled bots as programs: lines in, lines out, and when they end. */
+class BotProgramTest {
+
+    private static final String SETUP = "{\"type\":\"setup\",\"game\":\"pod-race\",\"player\":1,\"players\":2,"
+        + "\"news\":{\"deep\":[1,{\"x\":2}]},\"podsPerPlayer\":1,\"laps\":1,"
+        + "\"checkpoints\":[{\"x\":5500,\"y\":3000,\"z\":1},{\"x\":10500,\"y\":3500},{\"x\":7500,\"y\":6300}],"
+        + "\"checkpointRadius\":600,\"podRadius\":400,\"podMass\":1,\"minimumImpulse\":120,\"drag\":0.15,"
+        + "\"maximumThrust\":200,\"boostThrust\":650,\"field\":{\"width\":16000,\"height\":9000,\"walls\":true,"
+        + "\"colour\":\"blue\",\"bumpers\":[{\"x\":8000,\"y\":5000,\"radius\":400,\"soft\":null}]}}\n";
+    private static final String TURN = "{\"type\":\"turn\",\"turn\":1,\"turnsLeft\":50,\"wind\":[[1],[2]],\"pods\":["
+        + "{\"id\":0,\"player\":0,\"x\":5550,\"y\":2502,\"vx\":0,\"vy\":0,\"heading\":null,\"nextCheckpoint\":1,"
+        + "\"lap\":0},{\"id\":1,\"player\":1,\"x\":5450,\"y\":3498,\"vx\":0,\"vy\":0,\"heading\":12.5,"
+        + "\"nextCheckpoint\":1,\"lap\":0,\"shieldTimer\":0,\"boostLeft\":true,\"paint\":{\"x\":7}}]}\n";
+    private static final String END = "{\"type\":\"end\",\"player\":1,\"turns\":1,\"ranks\":[0,1]}\n";
+
+    @Test
+    void everyTurnLineGetsOneAnswerLineAndUnknownFieldsAreSkipped() throws IOException {
+        for (PodBot bot : new PodBot[] {new Racer(), new Veteran()}) {
+            String[] answers = run(bot, SETUP + TURN + TURN + END).split("\n");
+            assertEquals(2, answers.length);
+            assertTrue(answers[0].startsWith("{\"pods\":[{\"x\":"), answers[0]);
+        }
+    }
+
+    @Test
+    void thePlainBotSteersAtItsNextCheckpoint() throws IOException {
+        // Heading 12.5 degrees, checkpoint 1 at atan2(2, 5050) = 0.02 degrees: cos 12.48 = 0.976, thrust 195.
+        assertEquals("{\"pods\":[{\"x\":10500,\"y\":3500,\"thrust\":195}]}\n", run(new Racer(), SETUP + TURN));
+    }
+
+    @Test
+    void nothingIsReadBehindTheEndLine() throws IOException {
+        InputStream in = new ByteArrayInputStream((SETUP + END + TURN).getBytes(StandardCharsets.UTF_8));
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        new Veteran().run(in, out);
+        assertEquals(0, out.size());
+    }
+
+    @Test
+    void linesMayArriveInPieces() throws IOException {
+        byte[] bytes = (SETUP + TURN + TURN + END).getBytes(StandardCharsets.UTF_8);
+        InputStream pieces = new ByteArrayInputStream(bytes) {
+            @Override
+            public synchronized int read(byte[] into, int offset, int length) {
+                return super.read(into, offset, Math.min(length, 7));
+            }
+        };
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        new Veteran().run(pieces, out);
+        assertEquals(run(new Veteran(), SETUP + TURN + TURN + END), out.toString(StandardCharsets.UTF_8));
+    }
+
+    @Test
+    void calledWithLinesABotAnswersAsItDoesAsAProgram() throws IOException {
+        Veteran bot = new Veteran();
+        bot.setup(SETUP.strip());
+        assertEquals(run(new Veteran(), SETUP + TURN), bot.turn(TURN.strip()) + "\n");
+    }
+
+    @Test
+    void theListOfBuiltinBotsNamesMainClasses() throws Exception {
+        Properties list = new Properties();
+        try (InputStream in = Racer.class.getResourceAsStream("builtin.properties")) {
+            list.load(in);
+        }
+        assertEquals(2, list.size());
+        for (String name : list.stringPropertyNames()) {
+            Class.forName(list.getProperty(name)).getMethod("main", String[].class);
+        }
+    }
+
+    private static String run(PodBot bot, String lines) throws IOException {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        bot.run(new ByteArrayInputStream(lines.getBytes(StandardCharsets.UTF_8)), out);
+        return out.toString(StandardCharsets.UTF_8);
+    }
+}

@@ -1,0 +1,102 @@
+package steward.bots;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.UnaryOperator;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import steward.game.FrameCodec;
+import steward.game.Game;
+import steward.game.GameSetup;
+import steward.match.MatchListener;
+import steward.match.MatchResult;
+import steward.match.Turn;
+
+/** The bundled bots over whole matches: no fault, a finish, and the veteran in front. */
+class BotsInMatchesTest {
+
+    @ParameterizedTest
+    @ValueSource(strings = {"mad-pod-racing", "walled-race", "duel"})
+    void plainBotsFinishEveryRaceWithoutAFault(String name) {
+        GameSetup scene = Matches.scene(name);
+        for (long seed = 1; seed <= 30; seed++) {
+            MatchResult result = Matches.play(scene, seed, new Racer(), new Racer());
+            assertFalse(result.anyFault(), result.toString());
+            assertTrue(result.ending().startsWith("finished"), result.toString());
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"mad-pod-racing", "walled-race", "duel"})
+    void veteransPlayEachOtherWithoutAFault(String name) {
+        GameSetup scene = Matches.scene(name);
+        for (long seed = 1; seed <= 10; seed++) {
+            MatchResult result = Matches.play(scene, seed, new Veteran(), new Veteran());
+            assertFalse(result.anyFault(), result.toString());
+        }
+    }
+
+    /** Measured over seeds 1..200, both sides: see the figure in the class doc of {@link Veteran}. */
+    @ParameterizedTest
+    @ValueSource(strings = {"mad-pod-racing", "walled-race", "duel"})
+    void theVeteranBeatsThePlainBotFromBothSides(String name) {
+        GameSetup scene = Matches.scene(name);
+        int won = 0;
+        for (long seed = 1; seed <= 20; seed++) {
+            won += Matches.play(scene, seed, new Veteran(), new Racer()).winner() == 0 ? 1 : 0;
+            won += Matches.play(scene, seed, new Racer(), new Veteran()).winner() == 1 ? 1 : 0;
+        }
+        assertTrue(won >= 36, "won " + won + " of 40 on " + name);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1, 2", "3, 2", "8, 2", "2, 4", "8, 8"})
+    void anyNumberOfPodsAndPlayersIsPlayed(int pods, int players) {
+        UnaryOperator<String> change = text -> text
+            .replace("\"players\": 2", "\"players\": " + players)
+            .replace("\"perPlayer\": 2", "\"perPlayer\": " + pods)
+            .replace("\"maximumTurns\": 500", "\"maximumTurns\": 60");
+        GameSetup scene = Matches.scene("mad-pod-racing", change);
+        PodBot[] bots = new PodBot[players];
+        for (int player = 0; player < players; player++) {
+            bots[player] = player % 2 == 0 ? new Veteran() : new Racer();
+        }
+        MatchResult result = Matches.play(scene, 5, bots);
+        assertFalse(result.anyFault(), result.toString());
+        assertEquals(players, result.players().size());
+    }
+
+    @Test
+    void aMatchPlayedTwiceIsTheSameInEveryTurn() {
+        GameSetup scene = Matches.scene("mad-pod-racing");
+        Hashes once = new Hashes();
+        Hashes again = new Hashes();
+        MatchResult result = Matches.play(scene, 77, once, new Veteran(), new Racer());
+        Matches.play(scene, 77, again, new Veteran(), new Racer());
+        assertEquals(result.turns(), once.values.size());
+        assertEquals(once.values, again.values);
+    }
+
+    /** The state after every turn. */
+    private static final class Hashes implements MatchListener {
+
+        private final List<Long> values = new ArrayList<>();
+        private Game game;
+
+        @Override
+        public void start(Game started, FrameCodec codec) {
+            game = started;
+        }
+
+        @Override
+        public void played(Turn turn) {
+            values.add(game.hash());
+        }
+    }
+}
