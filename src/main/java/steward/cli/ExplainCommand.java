@@ -1,0 +1,77 @@
+package steward.cli;
+
+import java.io.PrintStream;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Help.Ansi;
+import picocli.CommandLine.Parameters;
+import steward.game.GameSetup;
+import steward.scene.PlanTable;
+import steward.scene.Scene;
+
+/** {@code steward explain}: what a scene says, and which parts of the engine it needs. */
+@Command(name = "explain", description = "Prints what a scene says and which parts of the engine it needs, and why.",
+    footer = {"", "Example:", "  steward explain walled-race"})
+final class ExplainCommand implements Callable<Integer> {
+
+    private static final int WIDTH = 100;
+
+    private final Streams streams;
+
+    @Parameters(index = "0", paramLabel = "SCENE", completionCandidates = ShippedScenes.class,
+        description = "A file or one of ${COMPLETION-CANDIDATES}.")
+    private String scene;
+
+    ExplainCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() {
+        GameSetup setup = Contest.openScene(scene);
+        PrintStream out = streams.out();
+        out.println("Parts of the engine that " + setup.scene().name() + " needs, and those left out:");
+        out.println();
+        boolean colours = streams.outTerminal() && Ansi.AUTO.enabled();
+        out.print(PlanTable.of(setup.plan(), (part, line) ->
+            colours && !part.in() ? Ansi.ON.string("@|faint " + line + "|@") : line));
+        out.println();
+        settings(out, setup.scene());
+        return ExitStatus.DONE;
+    }
+
+    private static void settings(PrintStream out, Scene read) {
+        out.println("What the scene says:");
+        out.println();
+        out.println("  game " + read.gameId() + " for " + Words.count(read.players(), "player"));
+        out.println("  first answer within " + read.time().firstAnswerMs() + " ms, the others within "
+            + read.time().answerMs() + " ms");
+        for (Map.Entry<String, Object> block : Json.object(read.json()).entrySet()) {
+            if (block.getValue() instanceof Map<?, ?> fields && !block.getKey().equals("time")) {
+                StringBuilder line = new StringBuilder("  " + block.getKey() + ":");
+                fields.forEach((name, value) -> append(line, name + " " + word(value)));
+                out.println(line);
+            }
+        }
+    }
+
+    /** Adds to the last line, or begins a new one. */
+    private static void append(StringBuilder lines, String item) {
+        int used = lines.length() - lines.lastIndexOf("\n") - 1;
+        boolean first = lines.charAt(lines.length() - 1) == ':';
+        if (used + item.length() + 2 > WIDTH) {
+            lines.append(",\n     ").append(item);
+        } else {
+            lines.append(first ? " " : ", ").append(item);
+        }
+    }
+
+    private static String word(Object value) {
+        if (value instanceof List<?> list) {
+            return "(" + list.size() + " of them)";
+        }
+        return value instanceof Map<?, ?> ? "(more)" : Json.word(value, 9);
+    }
+}

@@ -1,0 +1,103 @@
+package steward.cli;
+
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+
+/** The program. See {@link ExitStatus} for how it ends. */
+@Command(name = "steward", synopsisSubcommandLabel = "COMMAND",
+    description = "Referees matches between bot programs in games with exact physics.",
+    footer = {"", "Examples:",
+        "  steward demo",
+        "  steward match --bot builtin:veteran --bot 'python3 bot.py' --out match.jsonl",
+        "  steward replay match.jsonl --verify"})
+public final class Main {
+
+    /** Hands over a whole command line in one word. */
+    private static final String WHOLE = "--cli";
+
+    private static final int WIDTH = 100;
+
+    private static final Map<String, Function<Streams, Object>> COMMANDS = new LinkedHashMap<>();
+
+    static {
+        COMMANDS.put("match", MatchCommand::new);
+        COMMANDS.put("replay", ReplayCommand::new);
+        COMMANDS.put("explain", ExplainCommand::new);
+        COMMANDS.put("demo", DemoCommand::new);
+        COMMANDS.put("completion", CompletionCommand::new);
+    }
+
+    private Main() {
+    }
+
+    /** Runs the program and exits with its status. */
+    public static void main(String[] arguments) {
+        System.exit(run(Streams.standard(), arguments));
+    }
+
+    /**
+     * Runs the program.
+     *
+     * @return the exit status
+     */
+    static int run(Streams streams, String... arguments) {
+        List<String> words = List.of(arguments);
+        if (words.size() == 2 && words.get(0).equals(WHOLE)) {
+            try {
+                words = steward.bot.CommandLine.split(words.get(1));
+            } catch (IllegalArgumentException problem) {
+                streams.err().println("steward: " + WHOLE + ", " + problem.getMessage());
+                return ExitStatus.UNUSABLE;
+            }
+        }
+        CommandLine program = program(streams, words.isEmpty() ? null : words.get(0));
+        int status = ExitStatus.DONE;
+        if (words.isEmpty()) {
+            program.usage(streams.out());
+        } else {
+            status = program.execute(words.toArray(new String[0]));
+        }
+        String problem = streams.outProblem();
+        if (problem != null) {
+            streams.err().println("steward: cannot write the output: " + problem);
+            return status == ExitStatus.DONE ? ExitStatus.FAILED : status;
+        }
+        return status;
+    }
+
+    /** With the one command that is called, or with all of them if it is none. */
+    private static CommandLine program(Streams streams, String called) {
+        CommandLine program = new CommandLine(new Main());
+        dress(program);
+        COMMANDS.forEach((name, command) -> {
+            if (!COMMANDS.containsKey(called) || name.equals(called)
+                || called.equals(CompletionCommand.NAME)) {
+                CommandLine line = new CommandLine(command.apply(streams));
+                dress(line);
+                program.addSubcommand(name, line);
+            }
+        });
+        Problems problems = new Problems(streams);
+        program.setExpandAtFiles(false);
+        program.setUsageHelpWidth(WIDTH);
+        program.setOut(new PrintWriter(streams.out(), true, StandardCharsets.UTF_8));
+        program.setErr(new PrintWriter(streams.err(), true, StandardCharsets.UTF_8));
+        program.setParameterExceptionHandler(problems);
+        program.setExecutionExceptionHandler(problems);
+        return program;
+    }
+
+    private static void dress(CommandLine line) {
+        CommandSpec spec = line.getCommandSpec();
+        spec.mixinStandardHelpOptions(true);
+        spec.versionProvider(new Version());
+        spec.usageMessage().sortOptions(false);
+    }
+}

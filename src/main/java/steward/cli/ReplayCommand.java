@@ -1,0 +1,142 @@
+package steward.cli;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import steward.replay.ReplayReader;
+import steward.replay.Verification;
+
+/** {@code steward replay}: looks at a recorded match, or plays it again and compares. */
+@Command(name = "replay", description = "Prints a recorded match turn by turn, or plays it again and compares.",
+    footer = {"", "A file that was cut off is read up to the cut.",
+        "", "Examples:",
+        "  steward replay match.jsonl --from 10 --to 20",
+        "  steward replay match.jsonl --turn 57",
+        "  steward replay match.jsonl --impacts",
+        "  steward replay match.jsonl --verify",
+        "  steward replay match.jsonl --frames --player 1 | ./mybot",
+        "", "Exit status: 0 done; 1 a turn differs from what the rules give; 2 the file or the call is wrong."})
+final class ReplayCommand implements Callable<Integer> {
+
+    private final Streams streams;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(index = "0", paramLabel = "FILE", description = "The replay.")
+    private String file;
+
+    @Option(names = "--turn", paramLabel = "N", description = "Print everything about this turn.")
+    private Integer turn;
+
+    @Option(names = "--from", paramLabel = "A", description = "Begin with this turn.")
+    private Integer from;
+
+    @Option(names = "--to", paramLabel = "B", description = "End with this turn.")
+    private Integer to;
+
+    @Option(names = "--impacts", description = "Print the impacts instead of the states.")
+    private boolean impacts;
+
+    @Option(names = "--verify", description = "Play the match again and compare every turn.")
+    private boolean verify;
+
+    @Option(names = "--frames", description = "Print the lines that one bot was sent, byte for byte; with --player.")
+    private boolean frames;
+
+    @Option(names = "--player", paramLabel = "P", description = "Which bot, counted from 0.")
+    private Integer player;
+
+    @Option(names = "--quiet", description = "Print only the summary; with --verify, only a difference.")
+    private boolean quiet;
+
+    ReplayCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() {
+        check();
+        Path path = OutputFiles.path(file);
+        try (ReplayReader replay = open(path)) {
+            if (verify) {
+                return verify(replay);
+            }
+            if (replay.header() == null) {
+                streams.warn(replay.warning());
+                return ExitStatus.DONE;
+            }
+            if (frames) {
+                FramePrinter.print(streams, replay, player);
+            } else if (turn != null && !impacts) {
+                TurnDetail.print(streams, replay, turn);
+            } else {
+                int first = turn != null ? turn : from != null ? from : 0;
+                int last = turn != null ? turn : to != null ? to : Integer.MAX_VALUE;
+                if (impacts) {
+                    ImpactList.print(streams, replay, first, last);
+                } else {
+                    new TurnTable(streams, replay).print(first, last, quiet);
+                }
+            }
+            if (replay.warning() != null) {
+                streams.warn(replay.warning());
+            }
+            return ExitStatus.DONE;
+        }
+    }
+
+    private void check() {
+        boolean range = from != null || to != null;
+        check(turn == null || !range, "--turn and --from or --to exclude each other");
+        check(from == null || from >= 0, "--from: found " + from + ", expected 0 or more");
+        check(to == null || to >= (from == null ? 0 : from), "--to: found " + to + ", expected "
+            + (from == null ? "0 or more" : "at least --from, which is " + from));
+        check(turn == null || turn >= 1, "--turn: found " + turn + ", expected 1 or more");
+        check(!verify || !frames && !impacts && !range && turn == null,
+            "--verify takes the whole match, expected no --turn, --from, --to, --impacts or --frames with it");
+        check(!frames || !impacts && !range && turn == null,
+            "--frames prints the whole match, expected no --turn, --from, --to or --impacts with it");
+        check(!frames || player != null, "--frames: expected --player P with it");
+        check(frames || player == null, "--player is for --frames, expected both");
+        check(!quiet || !frames && !impacts && turn == null, "--quiet is for the summary and --verify");
+    }
+
+    private void check(boolean right, String problem) {
+        if (!right) {
+            throw new ParameterException(spec.commandLine(), problem);
+        }
+    }
+
+    /** Opens a replay. */
+    static ReplayReader open(Path path) {
+        try {
+            return ReplayReader.open(path);
+        } catch (IOException problem) {
+            throw new InputException(path + (Files.exists(path) ? ": cannot be read: no permission"
+                : ": found no such file, expected a replay"));
+        }
+    }
+
+    private int verify(ReplayReader replay) {
+        Verification verification = Verification.of(replay, Games.types());
+        if (verification.warning() != null) {
+            streams.warn(verification.warning());
+        }
+        if (!verification.verified()) {
+            streams.out().println("differs: " + Words.plain(verification.difference().toString()));
+            return ExitStatus.FAILED;
+        }
+        if (!quiet) {
+            streams.out().println("verified: " + Words.count(verification.turns(), "turn"));
+        }
+        return ExitStatus.DONE;
+    }
+}
