@@ -1,7 +1,8 @@
 package steward.physics;
 
 /**
- * A straight wall without end.
+ * A straight wall without end. The vector is made of length 1 as nearly as doubles allow, so that one written with 12
+ * digits does not change the speed of who bounces.
  *
  * @param x           a point on its edge
  * @param y           a point on its edge
@@ -21,6 +22,8 @@ public record HalfPlane(double x, double y, double insideX, double insideY, doub
         double length = Math.hypot(insideX, insideY);
         Wall.require(Math.abs(length - 1) <= 1e-12, "length of the inside vector", length, "1");
         Wall.requireRestitution(restitution);
+        insideX /= length;
+        insideY /= length;
     }
 
     @Override

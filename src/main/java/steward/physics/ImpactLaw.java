@@ -12,8 +12,8 @@ package steward.physics;
  *                              this, at least 0
  * @param separatingPairsReact  whether two bodies that touch while they separate react (the official games; needs a
  *                              minimum impulse). Walls react only to approach
- * @param batchWindow           impacts up to this long after the earliest react together, in turns; 0 for one at a time,
- *                              ties going to the lowest pair of ids
+ * @param batchWindow           impacts up to this long after the earliest react together, in turns; 0 for one at a
+ *                              time, ties going to the lowest pair of ids
  * @param scanOrder             the order in which pairs are looked at; decides ties within a batch
  * @param pushOut               {@code NaN} for none. Otherwise bodies that touch after an impact are moved apart, half
  *                              of the overlap plus this much each (all of it the movable one against infinite mass)
@@ -47,7 +47,7 @@ public record ImpactLaw(Restitution restitution, double minimumImpulse, boolean 
     public static final ImpactLaw OFFICIAL_POD_RACE = new ImpactLaw(Restitution.ELASTIC, 120, false, Double.NaN, true,
         1e-5, ScanOrder.DESCENDING, 1e-5, 0);
 
-    /** @throws IllegalArgumentException if a value is out of range, or separating pairs react without a minimum impulse */
+    /** @throws IllegalArgumentException if a value is out of range, or values do not go together */
     public ImpactLaw {
         require(minimumImpulse >= 0 && minimumImpulse < Double.POSITIVE_INFINITY, "minimumImpulse", minimumImpulse,
             "finite and at least 0");

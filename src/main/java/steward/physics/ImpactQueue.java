@@ -40,12 +40,15 @@ abstract sealed class ImpactQueue {
             }
         }
 
-        /** As unsigned numbers, walls (negative) come behind all bodies; of two walls the lower index has the higher. */
         private boolean isLower(int candidateA, int candidateB) {
-            if (candidateA != a) {
-                return candidateA < a;
-            }
-            return candidateB < 0 && b < 0 ? candidateB > b : Integer.compareUnsigned(candidateB, b) < 0;
+            return rank(candidateA, candidateB) < rank(a, b);
+        }
+
+        /** Orders pairs by their lower body, then by the other; walls come behind all bodies, in their own order. */
+        private static long rank(int a, int b) {
+            int low = b < 0 ? a : Math.min(a, b);
+            long other = b < 0 ? (1L << 31) + ~b : Math.max(a, b);
+            return (long) low << 32 | other;
         }
 
         @Override

@@ -1,12 +1,13 @@
 package steward.physics;
 
 /*
- * Two bodies a, b with unit normal n from a to b, w = 1 / mass and approach speed u = (va - vb).n. An impulse j along n,
+ * Two bodies a, b with unit normal n from a to b, w = 1 / mass and approach speed u = (va - vb).n. An impulse j
+ * along n,
  *
  *     va' = va - j wa n,    vb' = vb + j wb n,    changes the approach speed to u' = u - j (wa + wb).
  *
- * The first step j1 = u / (wa + wb) makes u' = 0; a second step j2 sends them apart at (wa + wb) j2, which for j2 = e j1
- * is e u: Newton's law of restitution. The kinetic energy changes by
+ * The first step j1 = u / (wa + wb) makes u' = 0; a second step j2 sends them apart at (wa + wb) j2, which for
+ * j2 = e j1 is e u: Newton's law of restitution. The kinetic energy changes by
  *
  *     dE = -j u + j^2 (wa + wb) / 2    with j = j1 + j2, u = j1 (wa + wb)
  *        = (wa + wb) / 2 * (j^2 - 2 j j1) = (wa + wb) (j2^2 - j1^2) / 2,

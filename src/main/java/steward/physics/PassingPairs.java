@@ -19,7 +19,7 @@ public final class PassingPairs {
         return size;
     }
 
-    /** Whether the body with id {@code a} passes the body with id {@code b}, or the wall {@code ~b} if b is negative. */
+    /** Whether the body with id {@code a} passes that with id {@code b}, or the wall {@code ~b} if b is negative. */
     public boolean contains(int a, int b) {
         long pair = pack(a, b);
         for (int k = 0; k < size; k++) {

@@ -11,7 +11,7 @@ package steward.physics;
  */
 public record Segment(double ax, double ay, double bx, double by, double restitution) implements Wall {
 
-    /** @throws IllegalArgumentException if a number is not finite, the ends coincide or the restitution is not in 0..1 */
+    /** @throws IllegalArgumentException if a number is not finite, the ends coincide or the restitution not in 0..1 */
     public Segment {
         double length = Math.hypot(bx - ax, by - ay);
         Wall.require(length > 0 && length < Double.POSITIVE_INFINITY, "length of a segment", length,
@@ -32,13 +32,13 @@ public record Segment(double ax, double ay, double bx, double by, double restitu
     @Override
     public double normalX(double x, double y) {
         double distance = distance(x, y);
-        return distance == 0 ? -(by - ay) / length() : (nearestX(x, y) - x) / distance;
+        return distance == 0 ? (by - ay) / length() : (nearestX(x, y) - x) / distance;
     }
 
     @Override
     public double normalY(double x, double y) {
         double distance = distance(x, y);
-        return distance == 0 ? (bx - ax) / length() : (nearestY(x, y) - y) / distance;
+        return distance == 0 ? -(bx - ax) / length() : (nearestY(x, y) - y) / distance;
     }
 
     private double length() {

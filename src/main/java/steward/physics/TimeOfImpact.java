@@ -96,6 +96,9 @@ public final class TimeOfImpact {
      *       (  A---B  )   round ends
      *        ---------
      *
+     * The distance to a segment along a straight flight is convex: who recedes from the nearest point never comes back,
+     * not even to an end of it.
+     *
      * @param x      centre of the circle
      * @param ax     one end of the segment
      * @param bx     the other end
@@ -108,6 +111,12 @@ public final class TimeOfImpact {
         double side = alongX * (y - ay) - alongY * (x - ax);              // signed distance to the line
         double rise = alongX * vy - alongY * vx;
         double closing = side < 0 ? rise : -rise;
+        double beside = alongX * (x - ax) + alongY * (y - ay);
+        double approach = beside < 0 ? (ax - x) * vx + (ay - y) * vy
+            : beside > length ? (bx - x) * vx + (by - y) * vy : closing;
+        if (!(approach > 0)) {
+            return NEVER;
+        }
         double first = halfPlane(Math.abs(side) - radius, closing);
         if (first < NEVER) {
             double foot = alongX * (x + vx * first - ax) + alongY * (y + vy * first - ay);
@@ -144,7 +153,7 @@ public final class TimeOfImpact {
         double offset = Math.abs(dx * vy - dy * vx);
         double discriminant = (speed * room - offset) * (speed * room + offset);
         if (!(discriminant > 0)) {
-            return -b / (speed * speed);              // outside all along: from the nearest point on it flies outward
+            return Math.max(0, -b / (speed * speed));  // never inside: from the nearest point on it flies outward
         }
         double squareRoot = Math.sqrt(discriminant);
         return b <= 0 ? (squareRoot - b) / (speed * speed) : -c / (b + squareRoot);
