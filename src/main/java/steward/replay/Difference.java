@@ -1,7 +1,13 @@
 package steward.replay;
 
-import tools.jackson.databind.JsonNode;
-import tools.jackson.databind.json.JsonMapper;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import steward.game.JsonNumbers;
+import tools.jackson.core.JsonParser;
+import tools.jackson.core.JsonToken;
+import tools.jackson.core.ObjectReadContext;
 
 /**
  * Where a recorded match and its re-simulation first differ.
@@ -26,50 +32,80 @@ public record Difference(int turn, String field, String recorded, String found) 
     }
 
     /**
-     * The first difference between two JSON values, in the order of fields, or {@code null} if they say the same (only
-     * their spelling differs).
+     * The first difference between two JSON values whose bytes differ, in the order of fields. Numbers are compared as
+     * they are written: two texts can mean the same double, but only one of them was recorded.
      */
     static Difference between(int turn, byte[] recorded, byte[] found) {
-        JsonMapper mapper = JsonMapper.shared();
-        return between(turn, "", mapper.readTree(recorded), mapper.readTree(found));
+        Difference difference = between(turn, "", read(recorded), read(found));
+        return difference != null ? difference
+            : new Difference(turn, "spelling", "other blanks, escapes or order", "the spelling of a fresh recording");
     }
 
-    private static Difference between(int turn, String path, JsonNode recorded, JsonNode found) {
-        if (recorded.isObject() && found.isObject()) {
-            for (String name : found.propertyNames()) {
-                String field = path.isEmpty() ? name : path + "." + name;
-                Difference inside = betweenFields(turn, field, recorded.get(name), found.get(name));
-                if (inside != null) {
-                    return inside;
-                }
-            }
-            for (String name : recorded.propertyNames()) {
-                if (found.get(name) == null) {
-                    return betweenFields(turn, path.isEmpty() ? name : path + "." + name, recorded.get(name), null);
-                }
-            }
-            return null;
-        }
-        if (recorded.isArray() && found.isArray()) {
-            for (int k = 0; k < Math.max(recorded.size(), found.size()); k++) {
-                Difference inside = betweenFields(turn, path + "[" + k + "]", recorded.get(k), found.get(k));
+    private static Difference between(int turn, String path, Object recorded, Object found) {
+        if (recorded instanceof Map<?, ?> recordedFields && found instanceof Map<?, ?> foundFields) {
+            Map<Object, Object> all = new LinkedHashMap<>(foundFields);
+            recordedFields.forEach(all::putIfAbsent);
+            for (Object name : all.keySet()) {
+                Difference inside = between(turn, path.isEmpty() ? name.toString() : path + "." + name,
+                    recordedFields.get(name), foundFields.get(name));
                 if (inside != null) {
                     return inside;
                 }
             }
             return null;
         }
-        boolean same = recorded.isNumber() && found.isNumber()
-            ? Double.doubleToLongBits(recorded.doubleValue()) == Double.doubleToLongBits(found.doubleValue())
-            : recorded.equals(found);
-        return same ? null : new Difference(turn, path, recorded.toString(), found.toString());
+        if (recorded instanceof List<?> recordedValues && found instanceof List<?> foundValues) {
+            for (int k = 0; k < Math.max(recordedValues.size(), foundValues.size()); k++) {
+                Difference inside = between(turn, path + "[" + k + "]",
+                    k < recordedValues.size() ? recordedValues.get(k) : null,
+                    k < foundValues.size() ? foundValues.get(k) : null);
+                if (inside != null) {
+                    return inside;
+                }
+            }
+            return null;
+        }
+        return recorded != null && recorded.equals(found) ? null
+            : new Difference(turn, path, shown(recorded), shown(found));
     }
 
-    private static Difference betweenFields(int turn, String field, JsonNode recorded, JsonNode found) {
-        if (recorded == null || found == null) {
-            return new Difference(turn, field, recorded == null ? "nothing" : recorded.toString(),
-                found == null ? "nothing" : found.toString());
+    private static String shown(Object value) {
+        if (value instanceof List<?> values) {
+            return "an array of " + values.size();
         }
-        return between(turn, field, recorded, found);
+        return value == null ? "nothing" : value instanceof Map ? "an object" : value.toString();
+    }
+
+    /** A map, a list, or the text of a scalar, strings in quotes. */
+    private static Object read(byte[] json) {
+        try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), json, 0, json.length)) {
+            return read(in, in.nextToken());
+        }
+    }
+
+    private static Object read(JsonParser in, JsonToken first) {
+        switch (first) {
+            case START_OBJECT -> {
+                Map<String, Object> fields = new LinkedHashMap<>();
+                while (in.nextToken() == JsonToken.PROPERTY_NAME) {
+                    String name = in.currentName();
+                    fields.put(name, read(in, in.nextToken()));
+                }
+                return fields;
+            }
+            case START_ARRAY -> {
+                List<Object> values = new ArrayList<>();
+                for (JsonToken token = in.nextToken(); token != JsonToken.END_ARRAY; token = in.nextToken()) {
+                    values.add(read(in, token));
+                }
+                return values;
+            }
+            case VALUE_STRING -> {
+                return '"' + in.getString() + '"';
+            }
+            default -> {
+                return in.getString();
+            }
+        }
     }
 }

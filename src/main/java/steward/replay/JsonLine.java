@@ -30,7 +30,7 @@ final class JsonLine {
 
     /**
      * @param where file and line, for errors
-     * @throws ReplayException  if it is JSON but not an object
+     * @throws ReplayException  if it is JSON but not one object, or a field is there twice
      * @throws JacksonException if it is not JSON
      */
     JsonLine(String where, byte[] bytes) {
@@ -42,7 +42,9 @@ final class JsonLine {
             }
             while (in.nextToken() == JsonToken.PROPERTY_NAME) {
                 String name = in.currentName();
-                values.put(name, value(in, in.nextToken()));
+                if (values.put(name, value(in, in.nextToken())) != null) {
+                    throw new ReplayException(where + ": " + name + ": found twice, expected once");
+                }
             }
             if (in.nextToken() != null) {
                 throw new ReplayException(where + ": found more behind the object, expected one object a line");
@@ -123,8 +125,37 @@ final class JsonLine {
         return texts.toArray(new String[0]);
     }
 
+    /** One string field, or null, of each object in an array. */
+    String[] textsOf(String name, String field) {
+        byte[] array = array(name);
+        List<String> texts = new ArrayList<>();
+        try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), array, 0, array.length)) {
+            in.nextToken();
+            while (in.nextToken() == JsonToken.START_OBJECT) {
+                String text = null;
+                while (in.nextToken() == JsonToken.PROPERTY_NAME) {
+                    String found = in.currentName();
+                    JsonToken token = in.nextToken();
+                    text = found.equals(field) && token == JsonToken.VALUE_STRING ? in.getString() : text;
+                    in.skipChildren();
+                }
+                texts.add(text);
+            }
+            if (in.currentToken() != JsonToken.END_ARRAY) {
+                throw new ReplayException(where + ": " + name + "[" + texts.size() + "]: found " + in.currentToken()
+                    + ", expected an object");
+            }
+        }
+        return texts.toArray(new String[0]);
+    }
+
     String where() {
         return where;
+    }
+
+    /** The whole line. */
+    byte[] json() {
+        return bytes;
     }
 
     private byte[] slice(Value value) {

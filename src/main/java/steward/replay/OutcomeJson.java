@@ -17,7 +17,7 @@ import tools.jackson.core.JsonGenerator;
  */
 final class OutcomeJson {
 
-    /** A turn that ends by the impact limit has over ten thousand impacts: so many of them, and of corners, are kept. */
+    /** A turn can have over ten thousand impacts; the first so many of them are kept, and so many corners of paths. */
     private static final int MOST = 2000;
 
     private OutcomeJson() {

@@ -7,14 +7,9 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import steward.game.JsonNumbers;
 import tools.jackson.core.JacksonException;
-import tools.jackson.core.JsonParser;
-import tools.jackson.core.JsonToken;
-import tools.jackson.core.ObjectReadContext;
 
 /**
  * Reads a replay line by line. A file that was cut off anywhere is read up to the cut: its last line, if it has no line
@@ -84,28 +79,17 @@ public final class ReplayReader implements AutoCloseable {
     private static ReplayHeader header(JsonLine line) {
         int format = line.integer("format");
         if (format > ReplayHeader.FORMAT || format < 1) {
-            throw new ReplayException(line.where() + ": format: found " + format + ", expected at most "
-                + ReplayHeader.FORMAT + (format < 1 ? " and at least 1" : ": a newer version of Steward wrote this replay"));
+            throw new ReplayException(line.where() + ": format: found " + format + ", expected "
+                + (format < 1 ? "at least 1" : "at most " + ReplayHeader.FORMAT
+                + ": a newer version of Steward wrote this replay"));
         }
-        List<String> names = new ArrayList<>();
-        List<String> bots = new ArrayList<>();
-        byte[] players = line.array("players");
-        try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), players, 0, players.length)) {
-            in.nextToken();
-            while (in.nextToken() == JsonToken.START_OBJECT) {
-                while (in.nextToken() == JsonToken.PROPERTY_NAME) {
-                    String name = in.currentName();
-                    String value = in.nextStringValue();
-                    if (name.equals("name")) {
-                        names.add(value);
-                    } else if (name.equals("bot")) {
-                        bots.add(value);
-                    }
-                }
+        String[] names = line.textsOf("players", "name");
+        String[] bots = line.textsOf("players", "bot");
+        for (int player = 0; player < Math.max(1, names.length); player++) {
+            if (player == names.length || names[player] == null || bots[player] == null) {
+                throw new ReplayException(line.where() + ": players[" + player + "]: found nothing of the kind, "
+                    + "expected an object with name and bot");
             }
-        }
-        if (names.isEmpty() || names.size() != bots.size() || names.contains(null) || bots.contains(null)) {
-            throw new ReplayException(line.where() + ": players: expected objects with name and bot");
         }
         long seed;
         try {
@@ -115,7 +99,7 @@ public final class ReplayReader implements AutoCloseable {
                 + "\", expected a whole number of 64 bits");
         }
         return new ReplayHeader(line.text("game"), new String(line.object("scene"), StandardCharsets.UTF_8), seed,
-            names, bots, line.number("timeFactor", Double.POSITIVE_INFINITY));
+            List.of(names), List.of(bots), line.number("timeFactor", Double.POSITIVE_INFINITY));
     }
 
     /** The header, or {@code null} if the file was cut off within it ({@link #warning} says so). */
@@ -123,12 +107,13 @@ public final class ReplayReader implements AutoCloseable {
         return header;
     }
 
-    /** The header's fields that follow from scene and seed: drawing and start, as JSON. */
-    byte[] drawing() {
+    /** What to draw, as JSON, see {@link steward.game.FrameCodec#writeDrawing}; only with a header. */
+    public byte[] drawing() {
         return headerLine.object("drawing");
     }
 
-    byte[] start() {
+    /** State and hash before the first turn, as JSON; only with a header. */
+    public byte[] start() {
         return headerLine.object("start");
     }
 
@@ -173,9 +158,14 @@ public final class ReplayReader implements AutoCloseable {
         return result;
     }
 
-    /** The result as one line of JSON, or {@code null} if the replay has none; known at the end. */
+    /** The sentence that says how the match ended, or {@code null} if the replay has no result; known at the end. */
     public String ending() {
         return result == null ? null : result.text("ending");
+    }
+
+    /** The result line as JSON, or {@code null} if the replay has none; known at the end. */
+    public byte[] resultJson() {
+        return result == null ? null : result.json();
     }
 
     /** Says where the file was cut off, or {@code null} if it was not; known at the end. */
@@ -189,11 +179,11 @@ public final class ReplayReader implements AutoCloseable {
             return new JsonLine(where(), line);
         } catch (JacksonException problem) {
             if (lineEnded) {
-                throw new ReplayException(where() + ":" + problem.getLocation().getColumnNr() + ": not JSON: "
-                    + problem.getOriginalMessage());
+                String column = problem.getLocation() == null ? "" : ":" + problem.getLocation().getColumnNr();
+                throw new ReplayException(where() + column + ": not JSON: " + problem.getOriginalMessage());
             }
             warning = lineNumber == 1 ? source + ": cut off within the header: there is no turn to look at"
-                : source + ": cut off within the line of turn " + (lastTurn + 1);
+                : source + ": cut off within the line after turn " + lastTurn;
             return null;
         }
     }

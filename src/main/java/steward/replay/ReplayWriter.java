@@ -75,8 +75,13 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
     public void commands(Turn turn) {
         turnLine = open("turn");
         turnLine.writeNumberProperty("turn", turn.number());
-        turnLine.writeArrayPropertyStart("commands");
+        turnLine.writeName("commands");
+        turnLine.flush();
+        int from = line.size();
+        turnLine.writeStartArray();
+        String[] faults = new String[turn.players()];
         for (int player = 0; player < turn.players(); player++) {
+            faults[player] = turn.fault(player);
             if (turn.answered(player)) {
                 codec.writeCommand(turnLine, player);
             } else {
@@ -84,7 +89,10 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
             }
         }
         turnLine.writeEndArray();
+        turnLine.flush();
+        String inputHash = line.inputHash(from, faults);
         writeTexts(turnLine, "faults", turn, Turn::fault);
+        turnLine.writeStringProperty("inputHash", inputHash);
     }
 
     @Override
@@ -217,6 +225,11 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
     private static final class Line extends ByteArrayOutputStream {
         Line() {
             super(8192);
+        }
+
+        /** The hash of the array that is the last value so far; {@code from} may be a colon before it. */
+        String inputHash(int from, String[] faults) {
+            return InputHash.of(buf, buf[from] == ':' ? from + 1 : from, count, faults);
         }
     }
 }

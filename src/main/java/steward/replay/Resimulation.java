@@ -19,10 +19,15 @@ public final class Resimulation {
 
     /**
      * @param source name of the replay, for errors about its scene
+     * @throws ReplayException              if the header says another game or number of players than its scene
      * @throws steward.scene.SceneException if the scene in the header is not one that the known games can play
      */
     public Resimulation(ReplayHeader header, GameTypes types, String source) {
         setup = types.open(header.scene(), source + " (scene)");
+        if (!header.game().equals(setup.scene().gameId())) {
+            throw new ReplayException(source + ":1: game: found " + header.game() + ", expected "
+                + setup.scene().gameId() + " as in the scene");
+        }
         game = setup.create(header.seed());
         codec = setup.codec(game);
         if (game.players() != header.names().size()) {

@@ -3,6 +3,8 @@ package steward.replay;
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import java.util.List;
+import java.util.Objects;
 import java.util.function.Consumer;
 import steward.game.Game;
 import steward.game.GameTypes;
@@ -39,19 +41,20 @@ public record Verification(int turns, Difference difference, String warning) {
         byte[] start = json(out -> ReplayWriter.writeOpening(out, again.game(), again.codec()));
         byte[] recorded = opening(replay);
         Difference difference = compare(0, recorded, start);
+        String[] faults = new String[again.game().players()];
         int turns = 0;
         while (difference == null) {
             RecordedTurn turn = replay.next();
             if (turn == null) {
-                difference = replay.result() == null ? null : compareResult(replay.result(), again.game());
+                difference = replay.result() == null ? null
+                    : compareResult(replay.result(), again.game(), replay.header().names(), faults);
                 break;
             }
-            difference = again.play(turn);
-            if (difference == null) {
-                byte[] outcome = outcome(again);
-                difference = compare(turn.number(), turn.outcome(), outcome);
-            }
+            difference = compareTurn(again, turn);
             turns += difference == null ? 1 : 0;
+            for (int player = 0; player < faults.length; player++) {
+                faults[player] = faults[player] == null ? turn.faults()[player] : faults[player];
+            }
         }
         return new Verification(turns, difference, replay.warning());
     }
@@ -65,6 +68,16 @@ public record Verification(int turns, Difference difference, String warning) {
             out.writeName("start");
             out.writeRawValue(new String(start, StandardCharsets.UTF_8));
         });
+    }
+
+    private static Difference compareTurn(Resimulation again, RecordedTurn turn) {
+        Difference difference = again.play(turn);
+        if (difference != null) {
+            return difference;
+        }
+        String inputHash = InputHash.of(turn.commands(), 0, turn.commands().length, turn.faults());
+        return inputHash.equals(turn.inputHash()) ? compare(turn.number(), turn.outcome(), outcome(again))
+            : new Difference(turn.number(), "inputHash", turn.inputHash(), inputHash + " of the commands and faults");
     }
 
     private static byte[] outcome(Resimulation again) {
@@ -90,7 +103,7 @@ public record Verification(int turns, Difference difference, String warning) {
         return Arrays.equals(recorded, found) ? null : Difference.between(turn, recorded, found);
     }
 
-    private static Difference compareResult(JsonLine result, Game game) {
+    private static Difference compareResult(JsonLine result, Game game, List<String> names, String[] faults) {
         if (!game.isOver()) {
             return new Difference(game.turn(), "result", "an end of the match", "the match goes on");
         }
@@ -106,6 +119,27 @@ public record Verification(int turns, Difference difference, String warning) {
             out.writeName("standing");
             out.writeRawValue(new String(result.array("standing"), StandardCharsets.UTF_8));
         });
-        return compare(game.turn(), recorded, standing);
+        Difference difference = compare(game.turn(), recorded, standing);
+        return difference != null ? difference : comparePlayers(result, game.turn(), names, faults);
+    }
+
+    /** Names and faults of the result are those of the header and the turns. */
+    private static Difference comparePlayers(JsonLine result, int turn, List<String> names, String[] faults) {
+        String[] recordedNames = result.textsOf("players", "name");
+        String[] recordedFaults = result.textsOf("players", "fault");
+        if (recordedNames.length != names.size()) {
+            return new Difference(turn, "players", recordedNames.length + " entries", names.size() + " entries");
+        }
+        for (int player = 0; player < faults.length; player++) {
+            String field = "players[" + player + "].";
+            if (!names.get(player).equals(recordedNames[player])) {
+                return new Difference(turn, field + "name", String.valueOf(recordedNames[player]), names.get(player));
+            }
+            if (!Objects.equals(faults[player], recordedFaults[player])) {
+                return new Difference(turn, field + "fault", recordedFaults[player] == null ? "nothing"
+                    : recordedFaults[player], faults[player] == null ? "nothing" : faults[player]);
+            }
+        }
+        return null;
     }
 }
