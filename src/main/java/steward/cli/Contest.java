@@ -39,7 +39,7 @@ record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double
     /**
      * Reads the scene and finds the bots; nothing is started.
      *
-     * @throws InputException                if the bots are not as many as the scene's players, or one cannot be started
+     * @throws InputException                if the bots are not as many as the players, or one cannot be started
      * @throws steward.scene.SceneException if the scene cannot be used
      */
     static Contest of(String scene, List<String> bots, double timeFactor) {

@@ -1,7 +1,8 @@
 package steward.cli;
 
 import java.util.Map;
-import steward.match.Frames;
+import steward.match.Dialogue;
+import steward.match.LineBuffer;
 import steward.numerics.StateHash;
 import steward.replay.Difference;
 import steward.replay.RecordedTurn;
@@ -31,7 +32,8 @@ final class FramePrinter {
             throw new InputException("--player: found " + player + ", expected 0 to " + (players - 1) + " in "
                 + replay.source());
         }
-        Frames frames = new Frames(again.setup(), again.game(), again.codec());
+        Dialogue frames = Dialogue.of(replay.header().players().get(player).protocol(), again.setup(), again.game(),
+            again.codec());
         print(streams, frames.setup(player));
         boolean failed = false;
         for (RecordedTurn turn = replay.next(); turn != null && !streams.outEnded(); turn = replay.next()) {
@@ -59,7 +61,7 @@ final class FramePrinter {
         }
     }
 
-    private static void print(Streams streams, Frames.LineBuffer frame) {
+    private static void print(Streams streams, LineBuffer frame) {
         streams.out().write(frame.bytes(), 0, frame.size());
     }
 }

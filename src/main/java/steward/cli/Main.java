@@ -2,10 +2,7 @@ package steward.cli;
 
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.function.Function;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -24,15 +21,7 @@ public final class Main {
 
     private static final int WIDTH = 100;
 
-    private static final Map<String, Function<Streams, Object>> COMMANDS = new LinkedHashMap<>();
-
-    static {
-        COMMANDS.put("match", MatchCommand::new);
-        COMMANDS.put("replay", ReplayCommand::new);
-        COMMANDS.put("explain", ExplainCommand::new);
-        COMMANDS.put("demo", DemoCommand::new);
-        COMMANDS.put("completion", CompletionCommand::new);
-    }
+    private static final List<String> COMMANDS = List.of("match", "replay", "explain", "demo", CompletionCommand.NAME);
 
     private Main() {
     }
@@ -76,14 +65,13 @@ public final class Main {
     private static CommandLine program(Streams streams, String called) {
         CommandLine program = new CommandLine(new Main());
         dress(program);
-        COMMANDS.forEach((name, command) -> {
-            if (!COMMANDS.containsKey(called) || name.equals(called)
-                || called.equals(CompletionCommand.NAME)) {
-                CommandLine line = new CommandLine(command.apply(streams));
-                dress(line);
-                program.addSubcommand(name, line);
-            }
-        });
+        boolean one = called != null && !called.equals(CompletionCommand.NAME) && COMMANDS.contains(called);
+        for (String name : one ? List.of(called) : COMMANDS) {
+            CommandLine line = new CommandLine(command(name, streams));
+            dress(line);
+            program.addSubcommand(name, line);
+        }
+        Numbers.register(program);
         Problems problems = new Problems(streams);
         program.setExpandAtFiles(false);
         program.setUsageHelpWidth(WIDTH);
@@ -92,6 +80,16 @@ public final class Main {
         program.setParameterExceptionHandler(problems);
         program.setExecutionExceptionHandler(problems);
         return program;
+    }
+
+    private static Object command(String name, Streams streams) {
+        return switch (name) {
+            case "match" -> new MatchCommand(streams);
+            case "replay" -> new ReplayCommand(streams);
+            case "explain" -> new ExplainCommand(streams);
+            case "demo" -> new DemoCommand(streams);
+            default -> new CompletionCommand(streams);
+        };
     }
 
     private static void dress(CommandLine line) {

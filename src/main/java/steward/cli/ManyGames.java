@@ -12,11 +12,6 @@ record ManyGames(Streams streams, Series series, Report report, boolean strict) 
 
     /** @return the exit status: not 0 if a game has no result */
     int play(int threads, boolean overwrite) throws InterruptedException {
-        try {
-            series.games();
-        } catch (ArithmeticException tooMany) {
-            throw new InputException("--games " + series.seeds() + " --swap are too many games");
-        }
         series.prepare(overwrite);
         List<Series.Played> games;
         if (report == Report.LINE || !streams.errTerminal()) {

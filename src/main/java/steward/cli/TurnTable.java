@@ -25,6 +25,7 @@ final class TurnTable {
     private final List<String> columns = new ArrayList<>();
     private final List<String> leftOut = new ArrayList<>();
     private long impacts;
+    private boolean opened;
 
     /** @param replay just opened, with a header */
     TurnTable(Streams streams, ReplayReader replay) {
@@ -39,11 +40,9 @@ final class TurnTable {
      * @param summary whether to leave out the turns
      */
     void print(int from, int to, boolean summary) {
-        opening();
         Map<String, Object> start = Json.object(replay.start());
         if (!summary) {
             chooseColumns(start);
-            head();
             if (from == 0) {
                 rows(0, start);
             }
@@ -62,14 +61,19 @@ final class TurnTable {
         if (last < from) {
             throw TurnDetail.noSuchTurn(replay, from, last);
         }
-        closing(last);
+        close(last);
     }
 
     private String scene() {
         return Json.word(Json.object(replay.header().scene()).get("name"), 0);
     }
 
-    private void opening() {
+    /** Before the first row or the result; not at all if there is no such turn. */
+    private void open() {
+        if (opened) {
+            return;
+        }
+        opened = true;
         ReplayHeader header = replay.header();
         out.println(scene() + " (" + header.game() + "), seed " + header.seed() + timeFactor(header.timeFactor()));
         for (int player = 0; player < header.names().size(); player++) {
@@ -77,6 +81,9 @@ final class TurnTable {
                 + header.bots().get(player)));
         }
         out.println();
+        if (!columns.isEmpty()) {
+            out.println(head());
+        }
     }
 
     private static String timeFactor(double factor) {
@@ -102,12 +109,12 @@ final class TurnTable {
         return Math.max(COLUMN, column.length());
     }
 
-    private void head() {
+    private String head() {
         StringBuilder line = new StringBuilder("turn  body");
         for (String column : columns) {
             line.append(' ').append(Words.right(column, width(column)));
         }
-        out.println(line);
+        return line.toString();
     }
 
     private static List<Map<?, ?>> bodies(Map<String, Object> outcome) {
@@ -115,6 +122,7 @@ final class TurnTable {
     }
 
     private void rows(int turn, Map<String, Object> outcome) {
+        open();
         for (Map<?, ?> body : bodies(outcome)) {
             StringBuilder line = new StringBuilder(Words.right(Integer.toString(turn), 4));
             line.append(Words.right(Json.word(body.get("id"), 0), 6));
@@ -142,7 +150,8 @@ final class TurnTable {
         }
     }
 
-    private void closing(int turns) {
+    private void close(int turns) {
+        open();
         if (!columns.isEmpty()) {
             out.println();
         }

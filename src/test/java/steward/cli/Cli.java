@@ -1,0 +1,37 @@
+package steward.cli;
+
+import java.io.ByteArrayOutputStream;
+import java.nio.charset.StandardCharsets;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/**
+ * One call of the program within this JVM.
+ *
+ * @param status its exit status
+ * @param out    what it wrote to its standard output
+ * @param err    what it wrote to its standard error
+ */
+record Cli(int status, String out, String err) {
+
+    /** Calls the program as if neither output were a terminal. */
+    static Cli run(String... arguments) {
+        return run(false, arguments);
+    }
+
+    /** @param terminal whether both outputs are to be taken for terminals */
+    static Cli run(boolean terminal, String... arguments) {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        ByteArrayOutputStream err = new ByteArrayOutputStream();
+        int status = Main.run(new Streams(out, err, terminal, terminal), arguments);
+        return new Cli(status, out.toString(StandardCharsets.UTF_8), err.toString(StandardCharsets.UTF_8));
+    }
+
+    /** The output, which must be one JSON value on one line. */
+    JsonNode json() {
+        if (out.indexOf('\n') != out.length() - 1) {
+            throw new AssertionError("not one line: " + out + err);
+        }
+        return JsonMapper.shared().readTree(out);
+    }
+}

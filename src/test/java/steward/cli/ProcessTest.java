@@ -1,0 +1,101 @@
+package steward.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import steward.bot.CommandLine;
+
+/** The program as a process of its own: what its streams and signals do. */
+class ProcessTest {
+
+    @TempDir
+    private Path folder;
+
+    @BeforeEach
+    void shell() {
+        assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
+    }
+
+    private static String steward(String... arguments) {
+        String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
+        return CommandLine.quote(List.of(java, "-XX:TieredStopAtLevel=1", "-cp",
+            System.getProperty("java.class.path"), Main.class.getName())) + " " + CommandLine.quote(List.of(arguments));
+    }
+
+    /** Runs a line of shell; what it writes to either stream, then its status. */
+    private static String shell(String line) throws IOException, InterruptedException {
+        Process process = new ProcessBuilder("sh", "-c", "( " + line + "\n) 2>&1; echo status $?").start();
+        process.getOutputStream().close();
+        String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertTrue(process.waitFor(30, TimeUnit.SECONDS));
+        return said;
+    }
+
+    @Test
+    void aReaderThatGoesAwayIsNoProblem() throws IOException, InterruptedException {
+        Path file = Files.write(folder.resolve("x.jsonl"), Recorded.duel(3).bytes());
+        assertEquals("duel (pod-race), seed 3, no deadlines\nstatus 0\n",
+            shell(steward("replay", file.toString()) + " | head -n 1"));
+        assertEquals("status 0\n", shell(steward("replay", file.toString(), "--frames", "--player", "0") + " | :"));
+    }
+
+    @Test
+    void anOutputThatCannotBeWrittenIsTold() throws IOException, InterruptedException {
+        assumeTrue(Files.isWritable(Path.of("/dev/full")), "there is no /dev/full");
+        String said = shell(steward("explain", "duel") + " >/dev/full");
+        assertTrue(said.startsWith("steward: cannot write the output: ") && said.endsWith("status 1\n"), said);
+    }
+
+    @Test
+    void namesKeepTheirLettersInEveryLocale() throws IOException, InterruptedException {
+        byte[] renamed = new String(Recorded.duel(3).bytes(), StandardCharsets.UTF_8).replace("pilot-0", "pilöt")
+            .getBytes(StandardCharsets.UTF_8);
+        Path file = Files.write(folder.resolve("x.jsonl"), renamed);
+        assertTrue(shell("LC_ALL=C " + steward("replay", file.toString(), "--quiet")).contains("player 0  pilöt"));
+    }
+
+    @Test
+    void anInterruptedMatchLeavesItsTurnsAndNoBots() throws IOException, InterruptedException {
+        Path file = folder.resolve("x.jsonl");
+        Path pids = folder.resolve("pids");
+        ShellBots bots = new ShellBots(folder);
+        String stuck = "stuck=sh -c 'echo $$ >>" + pids + "; read -r setup; read -r turn; "
+            + "echo \"{\\\"pods\\\":[{\\\"x\\\":1,\\\"y\\\":1,\\\"thrust\\\":0}]}\"; sleep 60'";
+        Process match = new ProcessBuilder("sh", "-c", "exec " + steward("match", "--scene", "duel", "--no-deadline",
+            "--out", file.toString(), "--bot", bots.driver("a", ShellBots.CHECKPOINT), "--bot", stuck))
+            .redirectErrorStream(true).start();
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(20);
+        try {
+            while (!(Files.exists(file) && Files.readString(file).lines().count() >= 2) && System.nanoTime() < end) {
+                Thread.sleep(20);
+            }
+            match.toHandle().destroy();
+            String said = new String(match.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+            assertEquals("steward: interrupted; the turns so far are in " + file + "\n", said);
+        } finally {
+            match.destroyForcibly();
+        }
+        Cli verified = Cli.run("replay", file.toString(), "--verify");
+        assertEquals("verified: 1 turn\n", verified.out());
+        long pid = Long.parseLong(Files.readString(pids).strip());
+        while (isRunning(pid) && System.nanoTime() < end) {
+            Thread.sleep(20);
+        }
+        assertTrue(!isRunning(pid), "the bot is still there");
+    }
+
+    /** A process that has ended may stay in the table, without a command line, until its parent asks for it. */
+    private static boolean isRunning(long pid) {
+        return ProcessHandle.of(pid).flatMap(handle -> handle.info().commandLine()).isPresent();
+    }
+}

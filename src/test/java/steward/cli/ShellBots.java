@@ -1,0 +1,61 @@
+package steward.cli;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import steward.bot.CommandLine;
+
+/** Bot programs for tests: shell scripts, which start at once. They play with one pod. */
+final class ShellBots {
+
+    private static final String ANSWER = """
+        #!/bin/sh
+        # arguments: x y, the turn from which on it answers nonsense (0: never), a file for what it was sent
+        x=$1 y=$2 turns=0
+        while IFS= read -r line; do
+          [ -z "$4" ] || printf '%s\\n' "$line" >>"$4"
+          case $line in *'"type":"turn"'*) ;; *) continue ;; esac
+          turns=$((turns + 1))
+          if [ $turns = "$3" ]; then echo nonsense; else echo "{\\"pods\\":[{\\"x\\":$x,\\"y\\":$y,\\"thrust\\":100}]}"; fi
+        done
+        """;
+
+    /** A place that no pod of the scene {@code duel} passes a checkpoint on the way to, from the start. */
+    static final String NOWHERE = "5000 99000";
+    /** The first checkpoint of the scene {@code duel} to be passed. */
+    static final String CHECKPOINT = "10500 3500";
+
+    private final Path script;
+
+    /** @param folder the scripts go there */
+    ShellBots(Path folder) {
+        script = folder.resolve("pod.sh");
+        try {
+            Files.writeString(script, ANSWER);
+        } catch (IOException problem) {
+            throw new UncheckedIOException(problem);
+        }
+    }
+
+    /** A bot that drives to a place and stays there. */
+    String driver(String name, String place) {
+        return name + "=sh " + CommandLine.quote(List.of(script.toString())) + " " + place + " 0";
+    }
+
+    /**
+     * As {@link #driver}, but writes down what it is sent.
+     *
+     * @param nonsense the turn in which it fails, or 0
+     */
+    String witness(String name, String place, int nonsense, Path file) {
+        return name + "=sh " + CommandLine.quote(List.of(script.toString())) + " " + place + " " + nonsense + " "
+            + CommandLine.quote(List.of(file.toString()));
+    }
+
+    /** Whether the scripts can run here. */
+    static boolean runnable() {
+        return Files.isExecutable(Path.of("/bin/sh"));
+    }
+}
