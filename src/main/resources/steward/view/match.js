@@ -1,0 +1,223 @@
+// The recorded match: what the lines of a replay say, and where every body is at any time.
+//
+// Time is counted in turns: turn n fills the time from n - 1 to n, and time 0 is the start. Whatever is shown "at turn
+// n" belongs to line n of the replay: its commands, what the players said, and the state it ended with.
+
+/** A moment of the match: its time, the turn it belongs to, how far into it, and the last turn that is complete. */
+function momentAt(time) {
+  const turn = Math.ceil(time);
+  return { time, turn, fraction: turn === 0 ? 1 : time - (turn - 1), settled: Math.floor(time) };
+}
+
+class Match {
+  header = null;
+  result = null;
+  turns = [];
+  impacts = [];
+  events = [];
+  faults = [];
+  largestImpulse = 0;
+  start = null;
+  descriptions = new Map();
+
+  get lastTurn() {
+    return this.turns.length;
+  }
+
+  get players() {
+    return this.header ? this.header.players : [];
+  }
+
+  /** Takes the next line of a replay: header, turn or result. Returns whether it brought something new. */
+  addLine(line) {
+    const record = JSON.parse(line);
+    if (record.type === 'steward-replay') return this.#setHeader(record);
+    if (record.type === 'turn') return this.#addTurn(record);
+    if (record.type === 'result') return this.#setResult(record);
+    return false;
+  }
+
+  #setHeader(header) {
+    if (this.header) return false;
+    this.header = header;
+    for (const description of header.drawing.bodies ?? []) {
+      this.descriptions.set(description.id, description);
+    }
+    this.start = { number: 0, state: header.start.state, hash: header.start.hash,
+      bodies: byId(header.start.state.bodies) };
+    return true;
+  }
+
+  /** Turns come in order; one that is already there, as after a reconnection, is left out. */
+  #addTurn(record) {
+    if (!this.header || record.turn !== this.turns.length + 1) return false;
+    const outcome = record.outcome;
+    const turn = {
+      number: record.turn,
+      commands: record.commands,
+      faults: record.faults ?? [],
+      messages: record.messages ?? [],
+      stderr: record.stderr ?? [],
+      answerNanos: record.times?.answerNanos ?? [],
+      impacts: outcome.impacts ?? [],
+      impactsInAll: outcome.impactsInAll ?? (outcome.impacts ?? []).length,
+      impactLimit: outcome.impactLimit ?? null,
+      events: outcome.events ?? [],
+      knots: new Map((outcome.paths ?? []).map(path => [path.id, path.knots])),
+      bodies: byId(outcome.state.bodies),
+      paths: new Map(),
+      state: outcome.state,
+      hash: outcome.hash,
+    };
+    this.turns.push(turn);
+    this.#collect(turn);
+    return true;
+  }
+
+  #collect(turn) {
+    for (const impact of turn.impacts) {
+      this.impacts.push({ time: turn.number - 1 + impact.time, impact });
+      this.largestImpulse = Math.max(this.largestImpulse, Math.abs(impact.impulse));
+    }
+    for (const event of turn.events) {
+      this.events.push({ time: turn.number - 1 + event.time, event });
+    }
+    turn.faults.forEach((fault, player) => {
+      if (fault !== null) this.faults.push({ time: turn.number, player, fault });
+    });
+  }
+
+  #setResult(result) {
+    if (this.result) return false;
+    this.result = result;
+    return true;
+  }
+
+  /** Turn 0 is the start; null for a turn that is not there. */
+  turn(number) {
+    return number === 0 ? this.start : this.turns[number - 1] ?? null;
+  }
+
+  /** What the game said of a body: from the drawing, or from its state if it came later. */
+  describe(id, state) {
+    const description = this.descriptions.get(id) ?? {};
+    return {
+      id,
+      kind: state?.kind ?? description.kind ?? 'body',
+      owner: state?.owner ?? description.owner ?? state?.player ?? null,
+      label: state?.label ?? description.label ?? '',
+      radius: state?.radius ?? description.radius ?? 0,
+    };
+  }
+
+  /** Owner of a body, or null if nobody owns it. */
+  ownerOf(id) {
+    return this.describe(id, this.start?.bodies.get(id)).owner;
+  }
+
+  /** Whether the player was still asked for a command in that turn. */
+  isIn(player, number) {
+    if (number === 0 || !this.turns.length) return true;
+    const turn = this.turn(Math.min(number, this.lastTurn));
+    return turn.commands[player] !== null;
+  }
+
+  /** Bodies that never move and are in no state, such as bumpers. */
+  fixedBodies() {
+    const fixed = [];
+    for (const description of this.descriptions.values()) {
+      if (description.x !== undefined && !this.start.bodies.has(description.id)) {
+        fixed.push({ ...this.describe(description.id), x: description.x, y: description.y });
+      }
+    }
+    return fixed;
+  }
+
+  /** All moving bodies that exist at a moment, with place, radius, and their states before and after the turn. */
+  bodiesAt(moment) {
+    const now = this.turn(moment.turn);
+    const earlier = moment.turn === 0 ? now : this.turn(moment.turn - 1);
+    if (!now || !earlier) return [];
+    const ids = new Set([...earlier.bodies.keys(), ...now.bodies.keys(),
+      ...(now.knots ? now.knots.keys() : [])]);
+    const bodies = [];
+    for (const id of ids) {
+      const place = this.placeAt(id, moment);
+      if (place) bodies.push(this.#bodyAt(id, place, moment, earlier.bodies.get(id), now.bodies.get(id)));
+    }
+    return bodies;
+  }
+
+  #bodyAt(id, place, moment, before, after) {
+    const description = this.describe(id, after ?? before);
+    const radiusBefore = before?.radius ?? description.radius;
+    const radiusAfter = after?.radius ?? radiusBefore;
+    return { ...description, x: place.x, y: place.y, before: before ?? after, after: after ?? before,
+      radius: radiusBefore + (radiusAfter - radiusBefore) * moment.fraction };
+  }
+
+  /** Where a body is, or null where it is not. */
+  placeAt(id, moment) {
+    if (moment.turn === 0) {
+      const body = this.start.bodies.get(id);
+      return body ? { x: body.x, y: body.y } : null;
+    }
+    return placeOn(this.path(id, moment.turn), moment.fraction);
+  }
+
+  /**
+   * The corners [t, x, y] of a body's way through a turn, in the order of time: from where it was (or came into
+   * being), through its impacts, to where it is at the end (or ceased to be). Between corners it flies straight.
+   */
+  path(id, number) {
+    const turn = this.turn(number);
+    if (!turn || number === 0) return [];
+    let path = turn.paths.get(id);
+    if (!path) {
+      path = this.#makePath(id, turn);
+      turn.paths.set(id, path);
+    }
+    return path;
+  }
+
+  #makePath(id, turn) {
+    const before = this.turn(turn.number - 1).bodies.get(id);
+    const after = turn.bodies.get(id);
+    const eventOf = kind => turn.events.find(event => event.kind === kind && event.body === id);
+    const corner = event => event && [event.time, event.x, event.y];
+    const first = before ? [0, before.x, before.y] : corner(eventOf('birth'));
+    const last = after ? [1, after.x, after.y] : corner(eventOf('death'));
+    return [first, ...(turn.knots.get(id) ?? []), last].filter(Boolean);
+  }
+
+  /** The box around everything that moves, over all turns: left, top, right, bottom. */
+  extent() {
+    const box = { left: Infinity, top: Infinity, right: -Infinity, bottom: -Infinity };
+    for (const turn of [this.start, ...this.turns]) {
+      for (const body of turn.bodies.values()) {
+        const radius = this.describe(body.id, body).radius;
+        box.left = Math.min(box.left, body.x - radius);
+        box.right = Math.max(box.right, body.x + radius);
+        box.top = Math.min(box.top, body.y - radius);
+        box.bottom = Math.max(box.bottom, body.y + radius);
+      }
+    }
+    return box;
+  }
+}
+
+function byId(bodies) {
+  return new Map(bodies.map(body => [body.id, body]));
+}
+
+/** The point of a path at a time 0..1; of several corners at that time the last counts. Null before and after it. */
+function placeOn(path, t) {
+  if (!path.length || t < path[0][0]) return null;
+  let k = path.length - 1;
+  while (k > 0 && path[k][0] > t) k--;
+  const from = path[k];
+  const to = path[k + 1];
+  if (!to) return t <= from[0] ? { x: from[1], y: from[2] } : null;
+  const share = (t - from[0]) / (to[0] - from[0]);
+  return { x: from[1] + (to[1] - from[1]) * share, y: from[2] + (to[2] - from[2]) * share };
+}
