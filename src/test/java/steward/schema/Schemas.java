@@ -1,0 +1,39 @@
+package steward.schema;
+
+import com.networknt.schema.Error;
+import com.networknt.schema.InputFormat;
+import com.networknt.schema.Schema;
+import com.networknt.schema.SchemaRegistry;
+import com.networknt.schema.SpecificationVersion;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+
+/** The JSON Schemas that come with the program. */
+final class Schemas {
+
+    static final List<String> POD_RACE = List.of("setup", "turn", "end", "answer", "replay");
+
+    private Schemas() {
+    }
+
+    static String text(String name) {
+        try (InputStream in = Schemas.class.getResourceAsStream("/steward/schemas/pod-race/" + name + ".json")) {
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+        } catch (IOException problem) {
+            throw new UncheckedIOException(problem);
+        }
+    }
+
+    static Schema open(String name) {
+        return SchemaRegistry.withDefaultDialect(SpecificationVersion.DRAFT_2020_12)
+            .getSchema(text(name), InputFormat.JSON);
+    }
+
+    /** What a schema has against a text; nothing if it is valid. */
+    static List<String> problems(Schema schema, String json) {
+        return schema.validate(json, InputFormat.JSON).stream().map(Error::toString).toList();
+    }
+}

@@ -1,0 +1,104 @@
+package steward.schema;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.networknt.schema.Schema;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import steward.bot.Bot;
+import steward.game.GameSetup;
+import steward.match.SeededBot;
+import steward.match.TestScenes;
+import steward.replay.Recorded;
+
+/** Real traffic: every frame, every answer and every line of the replay of whole matches is valid. */
+class TrafficTest {
+
+    private static final Schema SETUP = Schemas.open("setup");
+    private static final Schema TURN = Schemas.open("turn");
+    private static final Schema END = Schemas.open("end");
+    private static final Schema ANSWER = Schemas.open("answer");
+    private static final Schema REPLAY = Schemas.open("replay");
+
+    /** Passes everything on and notes what is not valid. */
+    private static final class Checked implements Bot {
+
+        private final Bot bot;
+        private final int last;
+        private final List<String> problems;
+        private int frames;
+
+        /** @param last the turn in which it says something unusable instead */
+        Checked(Bot bot, int last, List<String> problems) {
+            this.bot = bot;
+            this.last = last;
+            this.problems = problems;
+        }
+
+        private void check(Schema schema, String line) {
+            frames++;
+            for (String problem : Schemas.problems(schema, line)) {
+                problems.add(problem + " in " + line);
+            }
+        }
+
+        @Override
+        public void setup(String line) {
+            check(SETUP, line);
+            bot.setup(line);
+        }
+
+        @Override
+        public String turn(String line) {
+            check(TURN, line);
+            if (frames > last) {
+                return "thrust!";
+            }
+            String answer = bot.turn(line);
+            check(ANSWER, answer);
+            frames--;
+            return answer;
+        }
+
+        @Override
+        public void end(String line) {
+            check(END, line);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"mad-pod-racing", "walled-race", "duel"})
+    void wholeMatchesOfTheShippedScenes(String scene) {
+        check(TestScenes.open(scene), Integer.MAX_VALUE);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"mad-pod-racing", "walled-race"})
+    void aCrowdOfThreeInWhichOneFails(String scene) {
+        check(TestScenes.changed(scene, "\"players\": 2", "\"players\": 3"), 12);
+    }
+
+    private static void check(GameSetup setup, int last) {
+        List<String> problems = new ArrayList<>();
+        List<Bot> bots = new ArrayList<>();
+        for (int player = 0; player < setup.scene().players(); player++) {
+            bots.add(new Checked(new SeededBot(player, 0.4), player == 0 ? last : Integer.MAX_VALUE, problems));
+        }
+        Recorded match = Recorded.of(setup, 9, bots);
+
+        assertEquals(List.of(), problems);
+        for (int player = 0; player < bots.size(); player++) {
+            Checked bot = (Checked) bots.get(player);
+            boolean wasAskedToTheEnd = match.result().players().get(player).out() == null;
+            assertTrue(!wasAskedToTheEnd || bot.frames == match.result().turns() + 2, "frames seen: " + bot.frames);
+        }
+        for (String line : match.lines()) {
+            assertEquals(List.of(), Schemas.problems(REPLAY, line), line);
+        }
+        assertEquals(last < Integer.MAX_VALUE, match.text().contains("\"faults\""));
+        assertTrue(match.text().contains("\"impacts\"") && match.text().contains("\"messages\""));
+    }
+}
