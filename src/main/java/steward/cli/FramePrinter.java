@@ -32,8 +32,8 @@ final class FramePrinter {
             throw new InputException("--player: found " + player + ", expected 0 to " + (players - 1) + " in "
                 + replay.source());
         }
-        Dialogue frames = Dialogue.of(replay.header().players().get(player).protocol(), again.setup(), again.game(),
-            again.codec());
+        Dialogue frames = Dialogue.of(replay.header().protocols().get(player), again.setup(),
+            again.game(), again.codec());
         print(streams, frames.setup(player));
         boolean failed = false;
         for (RecordedTurn turn = replay.next(); turn != null && !streams.outEnded(); turn = replay.next()) {

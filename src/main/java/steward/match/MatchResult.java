@@ -1,6 +1,7 @@
 package steward.match;
 
 import java.util.List;
+import java.util.Map;
 
 /**
  * How a match ended.
@@ -8,12 +9,18 @@ import java.util.List;
  * @param turns   turns played
  * @param ending  one sentence without its full stop
  * @param players per player, in order
+ * @param data    what bots reported about the match: {@code [TDATA] key = value} on stderr, the last value
  */
-public record MatchResult(int turns, String ending, List<PlayerResult> players) {
+public record MatchResult(int turns, String ending, List<PlayerResult> players, Map<String, String> data) {
 
     /** Copies the list. */
     public MatchResult {
         players = List.copyOf(players);
+    }
+
+    /** Without data. */
+    public MatchResult(int turns, String ending, List<PlayerResult> players) {
+        this(turns, ending, players, Map.of());
     }
 
     /**
@@ -29,9 +36,18 @@ public record MatchResult(int turns, String ending, List<PlayerResult> players) 
      * @param worstNanos   longest answer time, likewise
      * @param firstNanos   time of the first answer, which includes a process's start
      * @param extraLines   most lines that were found waiting beyond an answer
+     * @param data         what the bot reported about itself: {@code [PDATA] key = value} on stderr, the last value, and
+     *                     {@code [PDATA+] key = value}, the sum
      */
     public record PlayerResult(String name, int rank, double score, String fault, String out, int answers,
-                               long averageNanos, long worstNanos, long firstNanos, int extraLines) {
+                               long averageNanos, long worstNanos, long firstNanos, int extraLines,
+                               Map<String, String> data) {
+
+        /** Without data. */
+        public PlayerResult(String name, int rank, double score, String fault, String out, int answers,
+                            long averageNanos, long worstNanos, long firstNanos, int extraLines) {
+            this(name, rank, score, fault, out, answers, averageNanos, worstNanos, firstNanos, extraLines, Map.of());
+        }
     }
 
     /** The only player of rank 0, or -1 for a draw. */

@@ -25,8 +25,9 @@ public final class Referee {
 
     private final Game game;
     private final FrameCodec codec;
-    private final Frames frames;
     private final List<Player> players;
+    private final Dialogue[] dialogues;
+    private final DataLines data;
     private final TimeControl time;
     private final MatchListener listener;
     private final CompletableFuture<MatchResult> result = new CompletableFuture<>();
@@ -39,22 +40,40 @@ public final class Referee {
     private int next;
 
     /**
+     * A match between players who all speak JSON.
+     *
      * @param players as many as the scene has, in order; they are finished when the match is over
      * @throws IllegalArgumentException if their number is not the scene's
      */
     public Referee(GameSetup setup, long seed, List<? extends Player> players, TimeControl time,
                    MatchListener listener) {
+        this(players.stream().map(player -> new Seat(player, Protocol.JSON)).toList(), setup, seed, time, listener);
+    }
+
+    /**
+     * A match between players who speak each their own protocol.
+     *
+     * @param seats as many as the scene has players, in order; the players are finished when the match is over
+     * @throws IllegalArgumentException if their number is not the scene's, or its game does not speak a protocol
+     */
+    public static Referee of(GameSetup setup, long seed, List<Seat> seats, TimeControl time, MatchListener listener) {
+        return new Referee(List.copyOf(seats), setup, seed, time, listener);
+    }
+
+    private Referee(List<Seat> seats, GameSetup setup, long seed, TimeControl time, MatchListener listener) {
         game = setup.create(seed);
-        if (players.size() != game.players()) {
-            throw new IllegalArgumentException(players.size() + " bots, expected " + game.players()
+        if (seats.size() != game.players()) {
+            throw new IllegalArgumentException(seats.size() + " bots, expected " + game.players()
                 + ": the scene \"" + setup.scene().name() + "\" is for " + game.players() + " players");
         }
         codec = setup.codec(game);
-        frames = new Frames(setup, game, codec);
-        this.players = List.copyOf(players);
+        players = seats.stream().map(Seat::player).toList();
+        dialogues = seats.stream().map(seat -> Dialogue.of(seat.protocol(), setup, game, codec))
+            .toArray(Dialogue[]::new);
         this.time = time;
         this.listener = listener;
         int count = players.size();
+        data = new DataLines(count);
         turn = new Turn(count);
         answers = new Answer[count];
         watches = new Stopwatch[count];
@@ -64,7 +83,7 @@ public final class Referee {
             int number = player;
             answers[player] = new Answer();
             watches[player] = new Stopwatch();
-            this.players.get(player).onAbandoned(answer -> goOnAfter(number, answer));
+            players.get(player).onAbandoned(answer -> goOnAfter(number, answer));
         }
     }
 
@@ -100,7 +119,7 @@ public final class Referee {
         guarded(() -> {
             listener.start(game, codec);
             for (int player = 0; player < players.size(); player++) {
-                Frames.LineBuffer frame = frames.setup(player);
+                LineBuffer frame = dialogues[player].setup(player);
                 players.get(player).tell(frame.bytes(), frame.size());
             }
             turn.begin(1);
@@ -149,9 +168,10 @@ public final class Referee {
 
     /** @return false if this thread must leave */
     private boolean ask(int player) {
-        Frames.LineBuffer frame = frames.turn(player);
+        LineBuffer frame = dialogues[player].turn(player);
         long limit = time.limit(watches[player].answers());
-        Player.Ending ending = players.get(player).ask(frame.bytes(), frame.size(), 1, limit, answers[player]);
+        Player.Ending ending = players.get(player).ask(frame.bytes(), frame.size(),
+            dialogues[player].answerLines(player), limit, answers[player]);
         if (ending == Player.Ending.ABANDONED || result.isDone()) {
             return false;                           // done: the players were closed under our feet, that is no fault
         }
@@ -165,14 +185,15 @@ public final class Referee {
         turn.asked[player] = true;
         turn.nanos[player] = answer.nanos();
         turn.stderr[player] = Quote.wellFormed(answer.stderr());
+        data.read(player, turn.stderr[player]);
         String fault = answer.fault();
         if (ending == Player.Ending.ANSWERED) {
-            String wrong = codec.readAnswer(player, answer.bytes(), answer.length());
+            String wrong = dialogues[player].readAnswer(player, answer.bytes(), answer.length());
             fault = wrong == null ? null : wrong + "; received: " + Quote.line(answer.bytes(), answer.length());
         }
         if (fault == null) {
             turn.answered[player] = true;
-            turn.messages[player] = Quote.wellFormed(codec.message(player));
+            turn.messages[player] = Quote.wellFormed(dialogues[player].message(player));
         } else {
             faults[player] = Quote.wellFormed(fault);
             turn.faults[player] = faults[player];
@@ -199,12 +220,12 @@ public final class Referee {
             Stopwatch watch = watches[player];
             results.add(new MatchResult.PlayerResult(players.get(player).name(), ranks[player], scores[player],
                 faults[player], game.eliminationReason(player), watch.answers(), watch.averageNanos(),
-                watch.worstNanos(), watch.firstNanos(), extraLines[player]));
+                watch.worstNanos(), watch.firstNanos(), extraLines[player], data.player(player)));
         }
-        MatchResult matchResult = new MatchResult(game.turn(), game.ending(), results);
+        MatchResult matchResult = new MatchResult(game.turn(), game.ending(), results, data.match());
         listener.end(matchResult);
         for (int player = 0; player < players.size(); player++) {
-            Frames.LineBuffer frame = frames.end(player);
+            LineBuffer frame = dialogues[player].end(player);
             players.get(player).finish(frame.bytes(), frame.size());
         }
         result.complete(matchResult);

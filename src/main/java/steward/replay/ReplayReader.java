@@ -7,8 +7,10 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import steward.match.Protocol;
 import tools.jackson.core.JacksonException;
 
 /**
@@ -99,7 +101,21 @@ public final class ReplayReader implements AutoCloseable {
                 + "\", expected a whole number of 64 bits");
         }
         return new ReplayHeader(line.text("game"), new String(line.object("scene"), StandardCharsets.UTF_8), seed,
-            List.of(names), List.of(bots), line.number("timeFactor", Double.POSITIVE_INFINITY));
+            List.of(names), List.of(bots), protocols(line, names.length),
+            line.number("timeFactor", Double.POSITIVE_INFINITY));
+    }
+
+    private static List<Protocol> protocols(JsonLine line, int players) {
+        String[] words = line.textsOf("players", "protocol");
+        List<Protocol> protocols = new ArrayList<>();
+        for (int player = 0; player < players; player++) {
+            protocols.add(Protocol.of(words[player]).orElse(null));
+            if (protocols.get(player) == null) {
+                throw new ReplayException(line.where() + ": players[" + player + "].protocol: found " + words[player]
+                    + ", expected json or codingame");
+            }
+        }
+        return protocols;
     }
 
     /** The header, or {@code null} if the file was cut off within it ({@link #warning} says so). */

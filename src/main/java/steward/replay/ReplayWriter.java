@@ -46,6 +46,7 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
             out.writeStartObject();
             out.writeStringProperty("name", header.names().get(player));
             out.writeStringProperty("bot", header.bots().get(player));
+            out.writeStringProperty("protocol", header.protocols().get(player).word());
             out.writeEndObject();
         }
         out.writeEndArray();

@@ -1,6 +1,5 @@
 package steward.match;
 
-import java.io.ByteArrayOutputStream;
 import java.util.function.Consumer;
 import steward.game.FrameCodec;
 import steward.game.Game;
@@ -10,23 +9,23 @@ import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.ObjectWriteContext;
 
 /**
- * Makes the lines that a player is sent: one setup frame, a turn frame per turn, one end frame; each a JSON object and
- * a line feed, UTF-8. The referee sends them, and a replay can show them again, because they follow from the game.
+ * The JSON protocol: one setup frame, a turn frame per turn, one end frame, each a JSON object and a line feed, UTF-8; an
+ * answer is one line.
  */
-public final class Frames {
+final class JsonDialogue implements Dialogue {
 
     private final GameSetup setup;
     private final Game game;
     private final FrameCodec codec;
     private final LineBuffer buffer = new LineBuffer();
 
-    public Frames(GameSetup setup, Game game, FrameCodec codec) {
+    JsonDialogue(GameSetup setup, Game game, FrameCodec codec) {
         this.setup = setup;
         this.game = game;
         this.codec = codec;
     }
 
-    /** The setup frame of a player; valid until the next frame is made. */
+    @Override
     public LineBuffer setup(int player) {
         return line("setup", out -> {
             out.writeStringProperty("game", setup.scene().gameId());
@@ -40,7 +39,7 @@ public final class Frames {
         });
     }
 
-    /** The frame of the turn about to be played, for a player; valid until the next frame is made. */
+    @Override
     public LineBuffer turn(int player) {
         return line("turn", out -> {
             out.writeNumberProperty("turn", game.turn() + 1);
@@ -48,7 +47,7 @@ public final class Frames {
         });
     }
 
-    /** The end frame, for every player alike but for the number; valid until the next frame is made. */
+    @Override
     public LineBuffer end(int player) {
         return line("end", out -> {
             out.writeNumberProperty("player", player);
@@ -67,6 +66,21 @@ public final class Frames {
         });
     }
 
+    @Override
+    public int answerLines(int player) {
+        return 1;
+    }
+
+    @Override
+    public String readAnswer(int player, byte[] answer, int length) {
+        return codec.readAnswer(player, answer, length);
+    }
+
+    @Override
+    public String message(int player) {
+        return codec.message(player);
+    }
+
     private LineBuffer line(String type, Consumer<JsonGenerator> fields) {
         buffer.reset();
         try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), buffer)) {
@@ -77,18 +91,5 @@ public final class Frames {
         }
         buffer.write('\n');
         return buffer;
-    }
-
-    /** Bytes that can be read in place. */
-    public static final class LineBuffer extends ByteArrayOutputStream {
-
-        private LineBuffer() {
-            super(4096);
-        }
-
-        /** The bytes themselves, valid up to {@code size()}. */
-        public byte[] bytes() {
-            return buf;
-        }
     }
 }

@@ -1,0 +1,57 @@
+package steward.match;
+
+import java.nio.charset.StandardCharsets;
+import steward.game.TextCodec;
+
+/** A game's line protocol; there is nothing to say at the end. */
+final class TextDialogue implements Dialogue {
+
+    private final TextCodec codec;
+    private final StringBuilder text = new StringBuilder();
+    private final LineBuffer buffer = new LineBuffer();
+
+    TextDialogue(TextCodec codec) {
+        this.codec = codec;
+    }
+
+    @Override
+    public LineBuffer setup(int player) {
+        text.setLength(0);
+        codec.writeSetup(text, player);
+        return bytes();
+    }
+
+    @Override
+    public LineBuffer turn(int player) {
+        text.setLength(0);
+        codec.writeTurn(text, player);
+        return bytes();
+    }
+
+    @Override
+    public LineBuffer end(int player) {
+        text.setLength(0);
+        return bytes();
+    }
+
+    private LineBuffer bytes() {
+        buffer.reset();
+        buffer.writeBytes(text.toString().getBytes(StandardCharsets.UTF_8));
+        return buffer;
+    }
+
+    @Override
+    public int answerLines(int player) {
+        return codec.answerLines(player);
+    }
+
+    @Override
+    public String readAnswer(int player, byte[] answer, int length) {
+        return codec.readAnswer(player, answer, length);
+    }
+
+    @Override
+    public String message(int player) {
+        return codec.message(player);
+    }
+}
