@@ -1,0 +1,145 @@
+package steward.architecture;
+
+import static com.tngtech.archunit.base.DescribedPredicate.describe;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.fields;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+
+import com.tngtech.archunit.base.DescribedPredicate;
+import com.tngtech.archunit.core.domain.Dependency;
+import com.tngtech.archunit.core.domain.JavaAccess;
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.lang.ArchCondition;
+import com.tngtech.archunit.lang.ArchRule;
+import com.tngtech.archunit.lang.ConditionEvents;
+import com.tngtech.archunit.lang.SimpleConditionEvent;
+import java.util.List;
+import java.util.Set;
+
+/**
+ * The rules of the architecture, for a house with a given root package: the rooms, lowest first, which may only look
+ * downward, and what each must not know.
+ */
+final class House {
+
+    /** Lowest first. */
+    static final List<String> ROOMS = List.of("numerics", "physics", "scene", "game", "game.podrace", "bot", "match",
+        "replay", "codingame", "lab", "bench", "league", "cli");
+
+    /** Functions whose last bit is up to the machine; sqrt, fma, floor and the like are exact everywhere. */
+    private static final Set<String> INEXACT = Set.of("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp",
+        "expm1", "log", "log10", "log1p", "pow", "cbrt", "sinh", "cosh", "tanh");
+
+    private static final Set<String> CLOCKS = Set.of("nanoTime", "currentTimeMillis");
+    private static final Set<String> PARALLEL = Set.of("parallel", "parallelStream", "parallelPrefix", "parallelSort",
+        "parallelSetAll");
+
+    private final String root;
+
+    House(String root) {
+        this.root = root;
+    }
+
+    private String in(String room) {
+        return root + "." + room + "..";
+    }
+
+    /** The rooms that a turn is computed in. */
+    private DescribedPredicate<JavaClass> deterministicRooms() {
+        return resideInAnyPackage(in("numerics"), in("physics"), in("scene"), in("game"));
+    }
+
+    /** Imports point only downward. */
+    ArchRule arrows() {
+        return classes().that().resideInAPackage(root + "..").should(new ArchCondition<>("only look downward") {
+            @Override
+            public void check(JavaClass origin, ConditionEvents events) {
+                int level = level(origin);
+                if (level < 0) {
+                    events.add(SimpleConditionEvent.violated(origin, origin.getName() + " is in no known room"));
+                }
+                for (Dependency dependency : origin.getDirectDependenciesFromSelf()) {
+                    JavaClass target = dependency.getTargetClass().getBaseComponentType();
+                    if (target.getPackageName().startsWith(root + ".") && level(target) > level) {
+                        events.add(SimpleConditionEvent.violated(origin, dependency.getDescription()));
+                    }
+                }
+            }
+        });
+    }
+
+    private int level(JavaClass type) {
+        String name = type.getPackageName();
+        return name.length() <= root.length() ? -1 : ROOMS.indexOf(name.substring(root.length() + 1));
+    }
+
+    /** The command line lists the games; CodinGame's own file formats are those of the pod race. */
+    ArchRule hardlyAnybodyKnowsParticularGames() {
+        return noClasses().that().resideOutsideOfPackages(in("cli"), in("codingame"), in("game.podrace"))
+            .should().dependOnClassesThat().resideInAPackage(in("game.podrace"));
+    }
+
+    ArchRule botsKnowNoRules() {
+        return noClasses().that().resideInAPackage(in("bot"))
+            .should().dependOnClassesThat(resideInAnyPackage(in("game"), in("scene"), in("physics")));
+    }
+
+    ArchRule matchesKnowNoReplays() {
+        return noClasses().that().resideInAPackage(in("match"))
+            .should().dependOnClassesThat(resideInAPackage(in("replay")));
+    }
+
+    ArchRule onlyBotsAreProcesses() {
+        return noClasses().that().resideOutsideOfPackage(in("bot"))
+            .should().dependOnClassesThat().haveFullyQualifiedName(ProcessBuilder.class.getName())
+            .orShould().dependOnClassesThat().haveFullyQualifiedName(Process.class.getName());
+    }
+
+    ArchRule physicsKnowsNoFilesAndNoJson() {
+        return noClasses().that().resideInAnyPackage(in("numerics"), in("physics"))
+            .should().dependOnClassesThat().resideInAnyPackage("java.io..", "java.nio..", "java.net..", "java.time..",
+                "tools.jackson..", "com.fasterxml..");
+    }
+
+    ArchRule noClockInAGame() {
+        return noClasses().that(deterministicRooms())
+            .should().accessTargetWhere(calls(System.class, CLOCKS))
+            .orShould().dependOnClassesThat().resideInAPackage("java.time..");
+    }
+
+    ArchRule noRandomNumbersOfTheJdk() {
+        return noClasses().that(deterministicRooms())
+            .should().dependOnClassesThat().haveNameMatching("java\\.util\\.(Random|SplittableRandom|UUID)"
+                + "|java\\.util\\.concurrent\\.ThreadLocalRandom|java\\.util\\.random\\..*|java\\.security\\..*")
+            .orShould().accessTargetWhere(calls(Math.class, Set.of("random")));
+    }
+
+    ArchRule anglesAreStrict() {
+        return noClasses().that(deterministicRooms()).should().accessTargetWhere(calls(Math.class, INEXACT));
+    }
+
+    ArchRule noHashOrder() {
+        return noClasses().that().resideInAnyPackage(in("numerics"), in("physics"), in("game"))
+            .should().dependOnClassesThat()
+            .haveNameMatching("java\\.util\\.(HashMap|HashSet|IdentityHashMap|WeakHashMap|Hashtable)"
+                + "|java\\.util\\.concurrent\\.Concurrent(HashMap|SkipList.*)");
+    }
+
+    ArchRule noParallelSums() {
+        return noClasses().that(deterministicRooms()).should().accessTargetWhere(describe("calls something parallel",
+            access -> PARALLEL.contains(access.getTarget().getName())
+                && access.getTargetOwner().getPackageName().startsWith("java.util")));
+    }
+
+    ArchRule staticsDoNotChange() {
+        return fields().that().areStatic().and().areDeclaredInClassesThat().resideInAPackage(root + "..")
+            .should().beFinal();
+    }
+
+    private static DescribedPredicate<JavaAccess<?>> calls(Class<?> owner, Set<String> names) {
+        return describe("calls " + owner.getSimpleName() + "." + names, access ->
+            access.getTargetOwner().isEquivalentTo(owner) && names.contains(access.getTarget().getName()));
+    }
+}
