@@ -1,0 +1,93 @@
+package steward.bot;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+
+/**
+ * What came back from one {@link Player#ask}: reused from turn to turn, so that asking allocates nothing.
+ */
+public final class Answer {
+
+    private byte[] bytes = new byte[1024];
+    private int length;
+    private long nanos;
+    private String fault;
+    private String stderr;
+    private int extraLines;
+
+    /** Forgets the previous answer. */
+    public void clear() {
+        length = 0;
+        nanos = 0;
+        fault = null;
+        stderr = null;
+        extraLines = 0;
+    }
+
+    /**
+     * The answer's bytes, UTF-8, valid up to {@link #length()}; lines are separated by {@code '\n'}, the last has none.
+     * The array is replaced when an answer outgrows it.
+     */
+    public byte[] bytes() {
+        return bytes;
+    }
+
+    /** How many bytes of {@link #bytes()} count; with a fault, what had come by then (shortened or empty). */
+    public int length() {
+        return length;
+    }
+
+    /** The answer as text, for messages and tests: this allocates. Bytes that are no UTF-8 become U+FFFD. */
+    public String text() {
+        return new String(bytes, 0, length, StandardCharsets.UTF_8);
+    }
+
+    /** Time from the flushed frame to the end of the answer or to the fault, in nanoseconds. */
+    public long nanos() {
+        return nanos;
+    }
+
+    /** Why the player failed (limit and time waited, exit status, ...), or {@code null}. */
+    public String fault() {
+        return fault;
+    }
+
+    /** What the player wrote to its stderr up to this answer, bounded; {@code null} when nothing. */
+    public String stderr() {
+        return stderr;
+    }
+
+    /** Complete lines that had come beyond the answer and wait for the next turn. */
+    public int extraLines() {
+        return extraLines;
+    }
+
+    /** Adds bytes to the answer. */
+    public void append(byte[] source, int from, int count) {
+        if (length + count > bytes.length) {
+            bytes = Arrays.copyOf(bytes, Math.max(2 * bytes.length, length + count));
+        }
+        System.arraycopy(source, from, bytes, length, count);
+        length += count;
+    }
+
+    /** Sets {@link #nanos()}. */
+    public void setNanos(long value) {
+        nanos = value;
+    }
+
+    /** Sets {@link #fault()}. */
+    public void setFault(String reason) {
+        fault = reason;
+    }
+
+    /** Sets {@link #stderr()}. */
+    public void setStderr(String text) {
+        stderr = text;
+    }
+
+    /** Sets {@link #extraLines()}. */
+    public void setExtraLines(int count) {
+        extraLines = count;
+    }
+}

@@ -1,0 +1,65 @@
+package steward.bot;
+
+import java.util.function.Consumer;
+
+/**
+ * A player of one match, as the referee sees it: it is sent lines and asked for lines. Not thread-safe: one
+ * thread at a time talks to a player, handing over with a happens-before edge.
+ */
+public interface Player extends AutoCloseable {
+
+    /** How a call to {@link #ask} ended. */
+    enum Ending {
+        /** The answer is complete; {@link Answer#length()} bytes are there. */
+        ANSWERED,
+        /** The player failed; {@link Answer#fault()} says how. The player must not be asked again. */
+        FAULT,
+        /**
+         * The call was abandoned because it could not be unblocked: another thread has already been given the
+         * fault (see {@link #onAbandoned}) and owns the match now. The caller must return at once and touch nothing.
+         */
+        ABANDONED
+    }
+
+    /** The name shown to people and kept in the replay. */
+    String name();
+
+    /**
+     * Queues lines that want no answer (the setup frame). They reach the player at the latest with the next
+     * {@link #ask}; the bytes are copied.
+     */
+    void tell(byte[] lines, int length);
+
+    /**
+     * Sends the lines and waits for the answer. The clock runs from the flushed frame to the end of the last answer
+     * line; the first call includes the start of a process.
+     *
+     * @param frame       the lines to send, each with its line end
+     * @param length      how many bytes of {@code frame} count
+     * @param answerLines how many lines make an answer, at least 1
+     * @param limitNanos  the deadline, in nanoseconds after the flush; {@code Long.MAX_VALUE} is no deadline
+     * @param answer      receives the answer, the time it took and what the player wrote to its stderr meanwhile
+     */
+    Ending ask(byte[] frame, int length, int answerLines, long limitNanos, Answer answer);
+
+    /**
+     * Registers who goes on when an {@link #ask} has to be abandoned together with the thread that is stuck in it.
+     * The consumer is called on a fresh daemon thread with a filled-in fault; it is called at most once per ask.
+     */
+    void onAbandoned(Consumer<Answer> continuation);
+
+    /**
+     * Ends the match for this player: sends the last lines if they can be sent without waiting, closes its input and
+     * leaves it a short time to go by itself; then everything that is left of it is killed. Does nothing the second
+     * time. Never blocks for long, never throws.
+     *
+     * @param lines the end frame, or {@code null} when there is nothing to say
+     */
+    void finish(byte[] lines, int length);
+
+    /** The same as {@code finish(null, 0)}. */
+    @Override
+    default void close() {
+        finish(null, 0);
+    }
+}
