@@ -1,0 +1,133 @@
+package steward.bot;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.function.Consumer;
+
+/**
+ * A player whose {@link Bot} runs on the asking thread: for tests, and for bots that one trusts. Time is measured as
+ * for a bot program and the limit holds, but nothing can stop a bot that never returns.
+ *
+ * <p>What is told before a question is one call of {@link Bot#setup}, the question itself one call of
+ * {@link Bot#turn}; a frame of several lines arrives as one text, without the last line end. The answer must have as
+ * many lines as were asked for, each at most 64 KiB long.
+ */
+public final class InProcessPlayer implements Player {
+
+    private final String name;
+    private final Bot bot;
+    private byte[] told = new byte[256];
+    private int toldLength;
+    private boolean over;
+    private boolean finished;
+
+    /** A player called {@code name} for whom {@code bot} answers. */
+    public InProcessPlayer(String name, Bot bot) {
+        this.name = name;
+        this.bot = bot;
+    }
+
+    @Override
+    public String name() {
+        return name;
+    }
+
+    /** Never used: the call of {@link #ask} is the bot's own, and comes back or does not. */
+    @Override
+    public void onAbandoned(Consumer<Answer> continuation) {
+        return;
+    }
+
+    @Override
+    public void tell(byte[] lines, int length) {
+        if (toldLength + length > told.length) {
+            told = Arrays.copyOf(told, Math.max(2 * told.length, toldLength + length));
+        }
+        System.arraycopy(lines, 0, told, toldLength, length);
+        toldLength += length;
+    }
+
+    @Override
+    public Ending ask(byte[] frame, int length, int answerLines, long limitNanos, Answer answer) {
+        answer.clear();
+        if (over) {
+            return fault(answer, "asked again after its end");
+        }
+        long limit = Math.max(1, limitNanos);
+        long start = System.nanoTime();
+        String said;
+        try {
+            if (toldLength > 0) {
+                bot.setup(text(told, toldLength));
+                toldLength = 0;
+            }
+            said = bot.turn(text(frame, length));
+        } catch (Throwable thrown) {
+            // Whatever a bot throws, also an error, is its own failure and not the referee's.
+            answer.setNanos(System.nanoTime() - start);
+            return fault(answer, "threw " + thrown);
+        }
+        answer.setNanos(System.nanoTime() - start);
+        String problem = said == null ? "answered null" : take(said, answerLines, answer);
+        if (answer.nanos() > limit) {
+            problem = Faults.late(limit, answer.nanos());
+        }
+        return problem == null ? Ending.ANSWERED : fault(answer, problem);
+    }
+
+    /** Puts the answer's lines, without carriage returns at their ends, into {@code answer}; returns what is wrong. */
+    private static String take(String said, int expected, Answer answer) {
+        byte[] bytes = said.getBytes(StandardCharsets.UTF_8);
+        int end = bytes.length > 0 && bytes[bytes.length - 1] == '\n' ? bytes.length - 1 : bytes.length;
+        int lines = 0;
+        for (int from = 0; from <= end; lines++) {
+            int to = from;
+            while (to < end && bytes[to] != '\n') {
+                to++;
+            }
+            int count = to > from && bytes[to - 1] == '\r' ? to - from - 1 : to - from;
+            if (count > AnswerLines.LINE_LIMIT) {
+                return Faults.tooLong(AnswerLines.LINE_LIMIT);
+            }
+            answer.append(bytes, from, count);
+            if (to < end) {
+                answer.append(bytes, to, 1);
+            }
+            from = to + 1;
+        }
+        if (lines < expected) {
+            return "answered " + lines + " of " + expected + " lines";
+        }
+        return lines == expected ? null : "answered " + lines + " lines instead of " + expected;
+    }
+
+    private Ending fault(Answer answer, String reason) {
+        over = true;
+        answer.setFault(reason);
+        return Ending.FAULT;
+    }
+
+    private static String text(byte[] bytes, int length) {
+        int count = length > 0 && bytes[length - 1] == '\n' ? length - 1 : length;
+        return new String(bytes, 0, count, StandardCharsets.UTF_8);
+    }
+
+    @Override
+    public void finish(byte[] lines, int length) {
+        if (finished) {
+            return;
+        }
+        finished = true;
+        boolean polite = !over && lines != null;
+        over = true;
+        if (!polite) {
+            return;
+        }
+        try {
+            bot.end(text(lines, length));
+        } catch (Throwable thrown) {
+            // The match is over; what a bot says to that does not matter.
+            return;
+        }
+    }
+}
