@@ -1,0 +1,210 @@
+package steward.bot;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.lang.management.ManagementFactory;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** Bots that do as they should: what they are sent, and what comes back. */
+class BotProcessTest {
+
+    private static final String ECHO = "while read -r line; do echo \"got $line\"; done";
+
+    @BeforeEach
+    void shell() {
+        ScriptedBots.assumeShell();
+    }
+
+    @Test
+    void anEchoBotAnswersEveryTurn() {
+        try (BotProcess bot = ScriptedBots.bot(ECHO)) {
+            assertEquals("bot", bot.name());
+            for (int turn = 0; turn < 100; turn++) {
+                Answer answer = ScriptedBots.answer(bot, "turn " + turn + "\n", 1);
+                assertEquals("got turn " + turn, answer.text());
+                assertEquals(0, answer.extraLines());
+                assertNull(answer.stderr());
+                assertTrue(answer.nanos() > 0);
+            }
+        }
+    }
+
+    @Test
+    void anAnswerWithinItsLimitIsAnAnswer() {
+        try (BotProcess bot = ScriptedBots.bot(ECHO)) {
+            for (int turn = 0; turn < 20; turn++) {
+                Answer answer = new Answer();
+                assertEquals(Player.Ending.ANSWERED, ScriptedBots.ask(bot, "x\n", 1, 60_000_000_000L, answer));
+                assertEquals("got x", answer.text());
+            }
+        }
+    }
+
+    @Test
+    void whatItIsToldArrivesBeforeTheTurn() {
+        try (BotProcess bot = ScriptedBots.bot("read -r a; read -r b; read -r c; echo \"$a,$b,$c\"; " + ECHO)) {
+            ScriptedBots.tell(bot, "setup one\n");
+            ScriptedBots.tell(bot, "setup " + "two".repeat(200) + "\n");
+            assertEquals("setup one,setup " + "two".repeat(200) + ",turn", ScriptedBots.reply(bot, "turn\n"));
+            assertEquals("got next", ScriptedBots.reply(bot, "next\n"));
+        }
+    }
+
+    @Test
+    void theEndLineArrivesAndTheBotMayUseItsGrace() {
+        ScriptedBots.assumeGroups();
+        String script = "read -r a; echo $$; read -r end; [ \"$end\" = over ] && exec sleep 0.01; exec sleep 1000";
+        BotProcess bot = new BotProcess("bot", List.of("sh", "-c", script), 60_000);
+        long pid = Long.parseLong(ScriptedBots.reply(bot, "x\n"));
+        long before = System.nanoTime();
+        ScriptedBots.finish(bot, "over\n");
+        assertTrue(System.nanoTime() - before < 60_000_000_000L, "it was not told to end");
+        ScriptedBots.assertGone(pid);
+        ScriptedBots.finish(bot, "over\n");
+    }
+
+    @Test
+    void anAnswerMayHaveSeveralLines() {
+        try (BotProcess bot = ScriptedBots.bot("while read -r l; do echo \"$l 1\"; echo \"$l 2\"; done")) {
+            assertEquals("a 1\na 2", ScriptedBots.answer(bot, "a\n", 2).text());
+            assertEquals("b 1\nb 2", ScriptedBots.answer(bot, "b\n", 2).text());
+        }
+    }
+
+    @Test
+    void carriageReturnsAtLineEndsAreNotPartOfTheAnswer() {
+        try (BotProcess bot = ScriptedBots.bot("read -r l; printf 'one\\r\\nt\\rwo\\r\\r\\n\\r\\n'")) {
+            assertEquals("one\nt\rwo\r\n", ScriptedBots.answer(bot, "a\n", 3).text());
+        }
+    }
+
+    @Test
+    void furtherLinesAreKeptForTheNextTurnAndCounted() {
+        String script = "read -r l; printf 'one\\ntwo\\nthree\\nfo'; read -r l; echo ur; read -r l";
+        try (BotProcess bot = ScriptedBots.bot(script)) {
+            Answer first = ScriptedBots.answer(bot, "a\n", 1);
+            assertEquals("one", first.text());
+            assertEquals(2, first.extraLines());
+            Answer second = ScriptedBots.answer(bot, "b\n", 2);
+            assertEquals("two\nthree", second.text());
+            assertEquals(0, second.extraLines());
+            assertEquals("four", ScriptedBots.reply(bot, "c\n"));
+        }
+    }
+
+    @Test
+    void answersMayBeThereBeforeTheQuestions() {
+        try (BotProcess bot = ScriptedBots.bot("exec <&-; printf 'one\\ntwo\\n'; exec sleep 1000")) {
+            assertEquals("one", ScriptedBots.reply(bot, "a\n"));
+            assertEquals("two", ScriptedBots.reply(bot, "b\n"));
+        }
+    }
+
+    /** The process has often exited, and its pipe been put away, before its answer is read. */
+    @Test
+    void anAnswerBeforeTheExitCountsAndTheExitIsTheNextTurns() {
+        for (int round = 0; round < 40; round++) {
+            try (BotProcess bot = ScriptedBots.bot("read -r l; echo answer; exit 3")) {
+                assertEquals("answer", ScriptedBots.reply(bot, "a\n"));
+                assertEquals("exited with status 3 before answering",
+                    ScriptedBots.fault(bot, "b\n", ScriptedBots.FOREVER).fault());
+            }
+        }
+    }
+
+    @Test
+    void anAnswerLeftInThePipeByAProcessThatHasExitedIsRead() {
+        ScriptedBots.assumeGroups();
+        String lines = "line ".repeat(60).trim();
+        String script = "echo $$; i=0; while [ $i -lt 100 ]; do echo \"$i " + lines + "\"; i=$((i+1)); done; exit 4";
+        try (BotProcess bot = ScriptedBots.bot(script)) {
+            ScriptedBots.assertGone(Long.parseLong(ScriptedBots.reply(bot, "a\n")));
+            for (int turn = 0; turn < 100; turn++) {
+                assertEquals(turn + " " + lines, ScriptedBots.reply(bot, "b\n"));
+            }
+            assertEquals("exited with status 4 before answering",
+                ScriptedBots.fault(bot, "c\n", ScriptedBots.FOREVER).fault());
+        }
+    }
+
+    @Test
+    void aMegabyteOfLinesIsAnsweredLineByLine() {
+        try (BotProcess bot = ScriptedBots.bot("read -r l; yes 0123456789 | head -n 100000; exec sleep 1000")) {
+            for (int turn = 0; turn < 100; turn++) {
+                assertEquals("0123456789\n".repeat(999) + "0123456789",
+                    ScriptedBots.answer(bot, turn == 0 ? "a\n" : "", 1000).text());
+            }
+        }
+    }
+
+    @Test
+    void theLongestLineIsAllowed() {
+        String x = "x".repeat(65535);
+        try (BotProcess bot = ScriptedBots.bot(ECHO.replace("got ", "x"))) {
+            assertEquals("x" + x, ScriptedBots.reply(bot, x + "\n"));
+            assertEquals("x" + x, ScriptedBots.reply(bot, x + "\r\n"));
+        }
+    }
+
+    @Test
+    void bytesArePassedAsTheyAre() {
+        try (BotProcess bot = ScriptedBots.bot("exec cat")) {
+            assertEquals("{\"\u00e9\":\"\u4e16\ud83d\ude80\"}",
+                ScriptedBots.reply(bot, "{\"\u00e9\":\"\u4e16\ud83d\ude80\"}\n"));
+        }
+    }
+
+    @Test
+    void aBotInPythonAnswers() {
+        assumeTrue(Programs.find("python3") != null, "there is no python3 on the PATH");
+        String script = "import sys\nfor line in sys.stdin:\n  print(line.strip().upper(), flush=True)";
+        try (BotProcess bot = new BotProcess("py", List.of("python3", "-c", script))) {
+            assertEquals("HELLO", ScriptedBots.reply(bot, "hello\n"));
+            assertEquals("AGAIN", ScriptedBots.reply(bot, "again\n"));
+        }
+    }
+
+    @Test
+    void askingAllocatesNothing() {
+        assumeTrue(ManagementFactory.getThreadMXBean() instanceof com.sun.management.ThreadMXBean,
+            "this JVM does not count allocations");
+        var threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
+        byte[] frame = "x".repeat(300).concat("\n").getBytes(StandardCharsets.US_ASCII);
+        Answer answer = new Answer();
+        int turns = 2000;
+        try (BotProcess bot = ScriptedBots.bot("exec cat")) {
+            for (int turn = 0; turn < 100; turn++) {
+                bot.ask(frame, frame.length, 1, 60_000_000_000L, answer);
+            }
+            long before = threads.getCurrentThreadAllocatedBytes();
+            for (int turn = 0; turn < turns; turn++) {
+                bot.ask(frame, frame.length, 1, 60_000_000_000L, answer);
+            }
+            long bytes = threads.getCurrentThreadAllocatedBytes() - before;
+            assertTrue(bytes < turns, bytes + " bytes in " + turns + " turns");
+        }
+        assertEquals(300, answer.length());
+    }
+
+    @Test
+    void aBotThatWasNeverAskedIsNeverStarted() {
+        BotProcess bot = new BotProcess("bot", List.of("/no/such/bot"));
+        ScriptedBots.tell(bot, "setup\n");
+        bot.close();
+        bot.close();
+        assertEquals("asked again after its end", ScriptedBots.fault(bot, "a\n", ScriptedBots.FOREVER).fault());
+    }
+
+    @Test
+    void argumentsAreChecked() {
+        assertThrows(IllegalArgumentException.class, () -> new BotProcess("bot", List.of()));
+        assertThrows(IllegalArgumentException.class, () -> new BotProcess("bot", List.of("sh"), -1));
+    }
+}
