@@ -1,0 +1,24 @@
+package steward.replay;
+
+import tools.jackson.core.JsonGenerator;
+
+/**
+ * What another referee saw of a match. A replay that keeps it in place of our own outcomes is marked as imported: its
+ * verification compares everything that was observed, and passes over what was not. Each method adds fields to an object
+ * that the caller opens and closes.
+ */
+public interface Observations {
+
+    /** Fields of the state before the first turn, in the form of {@link steward.game.FrameCodec#writeState}. */
+    void writeStart(JsonGenerator out);
+
+    /**
+     * Fields of a turn's outcome, in the form of a recorded outcome.
+     *
+     * @param turn counted from 1
+     */
+    void writeOutcome(JsonGenerator out, int turn);
+
+    /** A player's rank as observed, or -1. */
+    int rank(int player);
+}
