@@ -36,18 +36,26 @@ public record Difference(int turn, String field, String recorded, String found) 
      * they are written: two texts can mean the same double, but only one of them was recorded.
      */
     static Difference between(int turn, byte[] recorded, byte[] found) {
-        Difference difference = between(turn, "", read(recorded), read(found));
+        Difference difference = between(turn, "", read(recorded), read(found), false);
         return difference != null ? difference
             : new Difference(turn, "spelling", "other blanks, escapes or order", "the spelling of a fresh recording");
     }
 
-    private static Difference between(int turn, String path, Object recorded, Object found) {
+    /**
+     * The same for a record of what another referee saw: fields that it does not have are passed over, and an array
+     * that it says is empty may be left out. {@code null} if all that was recorded agrees.
+     */
+    static Difference fromObserved(int turn, byte[] recorded, byte[] found) {
+        return between(turn, "", read(recorded), read(found), true);
+    }
+
+    private static Difference between(int turn, String path, Object recorded, Object found, boolean observed) {
         if (recorded instanceof Map<?, ?> recordedFields && found instanceof Map<?, ?> foundFields) {
-            Map<Object, Object> all = new LinkedHashMap<>(foundFields);
+            Map<Object, Object> all = new LinkedHashMap<>(observed ? recordedFields : foundFields);
             recordedFields.forEach(all::putIfAbsent);
             for (Object name : all.keySet()) {
                 Difference inside = between(turn, path.isEmpty() ? name.toString() : path + "." + name,
-                    recordedFields.get(name), foundFields.get(name));
+                    recordedFields.get(name), foundFields.get(name), observed);
                 if (inside != null) {
                     return inside;
                 }
@@ -58,11 +66,14 @@ public record Difference(int turn, String field, String recorded, String found) 
             for (int k = 0; k < Math.max(recordedValues.size(), foundValues.size()); k++) {
                 Difference inside = between(turn, path + "[" + k + "]",
                     k < recordedValues.size() ? recordedValues.get(k) : null,
-                    k < foundValues.size() ? foundValues.get(k) : null);
+                    k < foundValues.size() ? foundValues.get(k) : null, observed);
                 if (inside != null) {
                     return inside;
                 }
             }
+            return null;
+        }
+        if (observed && found == null && recorded instanceof List<?> none && none.isEmpty()) {
             return null;
         }
         return recorded != null && recorded.equals(found) ? null

@@ -70,6 +70,11 @@ final class JsonLine {
         return require(name, JsonToken.VALUE_STRING, "a string").text();
     }
 
+    /** Whether the field is there and true. */
+    boolean flag(String name) {
+        return has(name) && values.get(name).token() == JsonToken.VALUE_TRUE;
+    }
+
     /** A whole number. */
     int integer(String name) {
         String text = require(name, JsonToken.VALUE_NUMBER_INT, "a whole number").text();

@@ -123,6 +123,11 @@ public final class ReplayReader implements AutoCloseable {
         return header;
     }
 
+    /** Whether another referee played the match, and only what was observed of it is recorded; only with a header. */
+    public boolean imported() {
+        return headerLine.flag("imported");
+    }
+
     /** What to draw, as JSON, see {@link steward.game.FrameCodec#writeDrawing}; only with a header. */
     public byte[] drawing() {
         return headerLine.object("drawing");

@@ -22,6 +22,7 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
 
     private final OutputStream file;
     private final ReplayHeader header;
+    private final Observations observations;
     private final Line line = new Line();
     private Game game;
     private FrameCodec codec;
@@ -29,8 +30,14 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
 
     /** @param file unbuffered is best: it is written once per line; closed by {@link #close} */
     public ReplayWriter(OutputStream file, ReplayHeader header) {
+        this(file, header, null);
+    }
+
+    /** Of a match that another referee has played: keeps what was observed in place of what we would record. */
+    public ReplayWriter(OutputStream file, ReplayHeader header, Observations observations) {
         this.file = file;
         this.header = header;
+        this.observations = observations;
     }
 
     @Override
@@ -56,19 +63,39 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
         } else {
             out.writeNull();
         }
+        if (observations != null) {
+            out.writeBooleanProperty("imported", true);
+        }
         out.writeName("scene");
         out.writeRawValue(header.scene());
-        writeOpening(out, game, codec);
+        if (observations == null) {
+            writeOpening(out, game, codec);
+        } else {
+            writeObservedOpening(out);
+        }
         close(out);
+    }
+
+    private void writeObservedOpening(JsonGenerator out) {
+        writeDrawing(out, codec);
+        out.writeObjectPropertyStart("start");
+        out.writeObjectPropertyStart("state");
+        observations.writeStart(out);
+        out.writeEndObject();
+        out.writeEndObject();
     }
 
     /** The fields {@code drawing} and {@code start}: what follows from scene and seed alone. */
     static void writeOpening(JsonGenerator out, Game game, FrameCodec codec) {
-        out.writeObjectPropertyStart("drawing");
-        codec.writeDrawing(out);
-        out.writeEndObject();
+        writeDrawing(out, codec);
         out.writeObjectPropertyStart("start");
         OutcomeJson.writeState(out, game, codec);
+        out.writeEndObject();
+    }
+
+    private static void writeDrawing(JsonGenerator out, FrameCodec codec) {
+        out.writeObjectPropertyStart("drawing");
+        codec.writeDrawing(out);
         out.writeEndObject();
     }
 
@@ -99,7 +126,13 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
     @Override
     public void played(Turn turn) {
         turnLine.writeName("outcome");
-        OutcomeJson.write(turnLine, game, codec);
+        if (observations == null) {
+            OutcomeJson.write(turnLine, game, codec);
+        } else {
+            turnLine.writeStartObject();
+            observations.writeOutcome(turnLine, turn.number());
+            turnLine.writeEndObject();
+        }
         writeTexts(turnLine, "messages", turn, Turn::message);
         writeTexts(turnLine, "stderr", turn, Turn::stderr);
         turnLine.writeObjectPropertyStart("times");
@@ -121,7 +154,11 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
         JsonGenerator out = open("result");
         out.writeNumberProperty("turns", result.turns());
         out.writeStringProperty("ending", result.ending());
-        writeStanding(out, game);
+        if (observations == null) {
+            writeStanding(out, game);
+        } else {
+            writeObservedStanding(out);
+        }
         out.writeArrayPropertyStart("players");
         for (MatchResult.PlayerResult player : result.players()) {
             out.writeStartObject();
@@ -141,6 +178,18 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
         writeNanos(out, "firstNanos", result, MatchResult.PlayerResult::firstNanos);
         out.writeEndObject();
         close(out);
+    }
+
+    private void writeObservedStanding(JsonGenerator out) {
+        out.writeArrayPropertyStart("standing");
+        for (int player = 0; player < game.players(); player++) {
+            out.writeStartObject();
+            if (observations.rank(player) >= 0) {
+                out.writeNumberProperty("rank", observations.rank(player));
+            }
+            out.writeEndObject();
+        }
+        out.writeEndArray();
     }
 
     /** The field {@code standing}: what the game itself says of each player at the end. */

@@ -40,17 +40,18 @@ public record Verification(int turns, Difference difference, String warning) {
         Resimulation again = new Resimulation(replay.header(), types, replay.source());
         byte[] start = json(out -> ReplayWriter.writeOpening(out, again.game(), again.codec()));
         byte[] recorded = opening(replay);
-        Difference difference = compare(0, recorded, start);
+        boolean observed = replay.imported();
+        Difference difference = compare(0, recorded, start, observed);
         String[] faults = new String[again.game().players()];
         int turns = 0;
         while (difference == null) {
             RecordedTurn turn = replay.next();
             if (turn == null) {
                 difference = replay.result() == null ? null
-                    : compareResult(replay.result(), again.game(), replay.header().names(), faults);
+                    : compareResult(replay.result(), again.game(), replay.header().names(), faults, observed);
                 break;
             }
-            difference = compareTurn(again, turn);
+            difference = compareTurn(again, turn, observed);
             turns += difference == null ? 1 : 0;
             for (int player = 0; player < faults.length; player++) {
                 faults[player] = faults[player] == null ? turn.faults()[player] : faults[player];
@@ -70,13 +71,14 @@ public record Verification(int turns, Difference difference, String warning) {
         });
     }
 
-    private static Difference compareTurn(Resimulation again, RecordedTurn turn) {
+    private static Difference compareTurn(Resimulation again, RecordedTurn turn, boolean observed) {
         Difference difference = again.play(turn);
         if (difference != null) {
             return difference;
         }
         String inputHash = InputHash.of(turn.commands(), 0, turn.commands().length, turn.faults());
-        return inputHash.equals(turn.inputHash()) ? compare(turn.number(), turn.outcome(), outcome(again))
+        return inputHash.equals(turn.inputHash())
+            ? compare(turn.number(), turn.outcome(), outcome(again), observed)
             : new Difference(turn.number(), "inputHash", turn.inputHash(), inputHash + " of the commands and faults");
     }
 
@@ -99,11 +101,15 @@ public record Verification(int turns, Difference difference, String warning) {
     }
 
     /** Bytes decide nearly always; only where they differ are both read. */
-    private static Difference compare(int turn, byte[] recorded, byte[] found) {
-        return Arrays.equals(recorded, found) ? null : Difference.between(turn, recorded, found);
+    private static Difference compare(int turn, byte[] recorded, byte[] found, boolean observed) {
+        if (Arrays.equals(recorded, found)) {
+            return null;
+        }
+        return observed ? Difference.fromObserved(turn, recorded, found) : Difference.between(turn, recorded, found);
     }
 
-    private static Difference compareResult(JsonLine result, Game game, List<String> names, String[] faults) {
+    private static Difference compareResult(JsonLine result, Game game, List<String> names, String[] faults,
+                                            boolean observed) {
         if (!game.isOver()) {
             return new Difference(game.turn(), "result", "an end of the match", "the match goes on");
         }
@@ -119,7 +125,7 @@ public record Verification(int turns, Difference difference, String warning) {
             out.writeName("standing");
             out.writeRawValue(new String(result.array("standing"), StandardCharsets.UTF_8));
         });
-        Difference difference = compare(game.turn(), recorded, standing);
+        Difference difference = compare(game.turn(), recorded, standing, observed);
         return difference != null ? difference : comparePlayers(result, game.turn(), names, faults);
     }
 

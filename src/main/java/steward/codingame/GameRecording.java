@@ -1,0 +1,49 @@
+package steward.codingame;
+
+import java.util.List;
+
+/**
+ * An official game of the pod race, as CodinGame's server recorded it: two players with two pods each.
+ *
+ * @param checkpoints {@code [n][x, y]}
+ * @param start       the pods before the first turn, in order; empty if not recorded
+ * @param turns       in order
+ * @param ranks       per player, 0 for the best; empty if not recorded
+ */
+record GameRecording(double[][] checkpoints, List<Pod> start, List<Turn> turns, List<Integer> ranks) {
+
+    static final int PLAYERS = 2;
+    static final int PODS = 4;
+
+    /**
+     * One turn.
+     *
+     * @param frame    number of the key frame that ends it, for errors
+     * @param commands per player the lines it wrote; {@code null} for a player that did not answer
+     * @param after    the pods after the turn, in order; empty if not recorded
+     * @param impacts  in order; {@code null} if the recording tells nothing of impacts
+     */
+    record Turn(int frame, List<String> commands, List<Pod> after, List<Impact> impacts) {
+    }
+
+    /**
+     * A pod between two turns.
+     *
+     * @param heading        in radians, NaN while unset
+     * @param shield         whether it was raised in the turn that led here
+     * @param nextCheckpoint index of the next checkpoint
+     */
+    record Pod(double x, double y, double vx, double vy, double heading, boolean shield, int nextCheckpoint) {
+    }
+
+    /**
+     * An impact.
+     *
+     * @param time    within the turn
+     * @param a       the first pod
+     * @param b       the second pod
+     * @param impulse the whole impulse
+     */
+    record Impact(double time, int a, int b, double impulse) {
+    }
+}

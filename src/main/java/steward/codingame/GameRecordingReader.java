@@ -1,0 +1,214 @@
+package steward.codingame;
+
+import java.util.ArrayList;
+import java.util.List;
+import tools.jackson.core.JacksonException;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/**
+ * Reads CodinGame's own JSON of a pod-race game: {@code {"success":{"gameResult":{"frames":[...],...}}}} or any of the
+ * inner objects. All that is known of that format stands in this file.
+ *
+ * <p>Frame 0 is the start; from then on, each frame is one player's answer, player 0 and 1 in turn, and the key frame
+ * ends the turn. A view is text of several lines:
+ * <pre>
+ * frame 0, line 3      checkpoints: x y x y ...
+ * frame 0, line 5 on   the pods; in a later key frame: line 1 on
+ * a pod                x y vx vy power dead targetX targetY headingRadians|null shield nextCheckpoint rank
+ *                      "message"
+ * then per player      rank:turnsLeft
+ * then per impact      id time podA xA yA podB xB yB impulse vx vy
+ * </pre>
+ * Missing parts are left out where the rest makes sense without them. Errors name the frame and the line.
+ */
+final class GameRecordingReader {
+
+    private static final int CHECKPOINT_LINE = 3;
+    private static final int FIRST_POD_LINE_OF_START = 5;
+    private static final int FIRST_POD_LINE = 1;
+    private static final int POD_WORDS = 11;
+    private static final int IMPACT_WORDS = 9;
+
+    private final String source;
+
+    private GameRecordingReader(String source) {
+        this.source = source;
+    }
+
+    /**
+     * Reads a recording.
+     *
+     * @param json   the text of the file
+     * @param source its name, for errors
+     * @throws IllegalArgumentException if it is not a recording of a pod race
+     */
+    static GameRecording read(String json, String source) {
+        return new GameRecordingReader(source).read(json);
+    }
+
+    private GameRecording read(String json) {
+        JsonNode root;
+        try {
+            root = JsonMapper.shared().readTree(json);
+        } catch (JacksonException problem) {
+            throw new IllegalArgumentException(source + ":" + problem.getLocation().getLineNr() + ":"
+                + problem.getLocation().getColumnNr() + ": not JSON: " + problem.getOriginalMessage());
+        }
+        JsonNode result = root.has("success") ? root.get("success") : root;
+        result = result.has("gameResult") ? result.get("gameResult") : result;
+        JsonNode frames = result.get("frames");
+        if (frames == null || !frames.isArray() || frames.isEmpty()) {
+            throw new IllegalArgumentException(source + ": found no frames, expected CodinGame's game result with an"
+                + " array \"frames\"");
+        }
+        String[] view = view(frames.get(0), 0);
+        double[][] checkpoints = checkpoints(view);
+        List<GameRecording.Pod> start = pods(view, FIRST_POD_LINE_OF_START, 0);
+        return new GameRecording(checkpoints, start, turns(frames), ranks(result.get("ranks")));
+    }
+
+    /** The lines of a frame's view; none if it has no view. */
+    private String[] view(JsonNode frame, int number) {
+        JsonNode view = frame.get("view");
+        if (view == null || view.isNull()) {
+            return new String[0];
+        }
+        if (!view.isString()) {
+            throw wrong(number, "view", view.toString(), "a text");
+        }
+        return view.stringValue().split("\n", -1);
+    }
+
+    private double[][] checkpoints(String[] view) {
+        if (view.length <= CHECKPOINT_LINE) {
+            throw wrong(0, "view", view.length + " lines", "the checkpoints in line " + CHECKPOINT_LINE);
+        }
+        String[] words = words(view[CHECKPOINT_LINE]);
+        if (words.length < 4 || words.length % 2 != 0) {
+            throw wrong(0, "view line " + CHECKPOINT_LINE, quote(view[CHECKPOINT_LINE]), "x y of two or more checkpoints");
+        }
+        double[][] checkpoints = new double[words.length / 2][];
+        for (int k = 0; k < checkpoints.length; k++) {
+            checkpoints[k] = new double[] {number(words[2 * k], 0, CHECKPOINT_LINE),
+                number(words[2 * k + 1], 0, CHECKPOINT_LINE)};
+        }
+        return checkpoints;
+    }
+
+    /** The four pods from a line of a view on; none if the view ends before them. */
+    private List<GameRecording.Pod> pods(String[] view, int firstLine, int frame) {
+        if (view.length <= firstLine) {
+            return List.of();
+        }
+        List<GameRecording.Pod> pods = new ArrayList<>();
+        for (int pod = 0; pod < GameRecording.PODS; pod++) {
+            int line = firstLine + 2 * pod;
+            String[] words = line < view.length ? words(view[line]) : new String[0];
+            if (words.length < POD_WORDS) {
+                throw wrong(frame, "view line " + line, line < view.length ? quote(view[line]) : "the end of the view",
+                    "pod " + pod + ": x y vx vy power dead targetX targetY heading shield nextCheckpoint");
+            }
+            double heading = words[8].equals("null") ? Double.NaN : number(words[8], frame, line);
+            pods.add(new GameRecording.Pod(number(words[0], frame, line), number(words[1], frame, line),
+                number(words[2], frame, line), number(words[3], frame, line), heading,
+                number(words[9], frame, line) != 0, (int) number(words[10], frame, line)));
+        }
+        return pods;
+    }
+
+    private List<GameRecording.Turn> turns(JsonNode frames) {
+        List<GameRecording.Turn> turns = new ArrayList<>();
+        List<String> commands = new ArrayList<>();
+        for (int k = 1; k < frames.size(); k++) {
+            JsonNode frame = frames.get(k);
+            JsonNode stdout = frame.get("stdout");
+            if (stdout != null && !stdout.isNull() && !stdout.isString()) {
+                throw wrong(k, "stdout", stdout.toString(), "a text");
+            }
+            commands.add(stdout == null || stdout.isNull() || stdout.stringValue().isBlank()
+                ? null : stdout.stringValue().strip());
+            JsonNode key = frame.get("keyframe");
+            boolean ends = key == null ? commands.size() == GameRecording.PLAYERS : key.isBoolean() && key.booleanValue();
+            if (!ends && commands.size() == GameRecording.PLAYERS) {
+                throw wrong(k, "keyframe", String.valueOf(key), "true, because both players have answered");
+            }
+            if (ends || k == frames.size() - 1) {
+                while (commands.size() < GameRecording.PLAYERS) {
+                    commands.add(null);
+                }
+                turns.add(turn(frame, k, new ArrayList<>(commands)));
+                commands.clear();
+            }
+        }
+        return turns;
+    }
+
+    private GameRecording.Turn turn(JsonNode frame, int number, List<String> commands) {
+        String[] view = view(frame, number);
+        List<GameRecording.Pod> after = pods(view, FIRST_POD_LINE, number);
+        return new GameRecording.Turn(number, commands, after, after.isEmpty() ? null : impacts(view, number));
+    }
+
+    /** The impacts behind the players' lines, or {@code null} if there are no players' lines either. */
+    private List<GameRecording.Impact> impacts(String[] view, int frame) {
+        int line = FIRST_POD_LINE + 2 * GameRecording.PODS;
+        int players = 0;
+        while (line < view.length && words(view[line]).length == 1 && view[line].contains(":")) {
+            line++;
+            players++;
+        }
+        if (players == 0) {
+            return null;
+        }
+        List<GameRecording.Impact> impacts = new ArrayList<>();
+        for (; line < view.length; line++) {
+            String[] words = words(view[line]);
+            if (words.length == 0) {
+                continue;
+            }
+            if (words.length < IMPACT_WORDS) {
+                throw wrong(frame, "view line " + line, quote(view[line]),
+                    "an impact: id time podA xA yA podB xB yB impulse");
+            }
+            impacts.add(new GameRecording.Impact(number(words[1], frame, line), (int) number(words[2], frame, line),
+                (int) number(words[5], frame, line), number(words[8], frame, line)));
+        }
+        return impacts;
+    }
+
+    private static List<Integer> ranks(JsonNode node) {
+        List<Integer> ranks = new ArrayList<>();
+        if (node != null && node.isArray()) {
+            for (JsonNode rank : node) {
+                ranks.add(rank.intValue());
+            }
+        }
+        return ranks;
+    }
+
+    private double number(String word, int frame, int line) {
+        try {
+            double value = Double.parseDouble(word);
+            if (Double.isFinite(value)) {
+                return value;
+            }
+        } catch (NumberFormatException problem) {
+            // Told below.
+        }
+        throw wrong(frame, "view line " + line, quote(word), "a finite number");
+    }
+
+    private static String[] words(String line) {
+        return line.isBlank() ? new String[0] : line.strip().split("\\s+");
+    }
+
+    private static String quote(String text) {
+        return "\"" + (text.length() <= 60 ? text : text.substring(0, 60) + "...") + "\"";
+    }
+
+    private IllegalArgumentException wrong(int frame, String where, String found, String expected) {
+        return new IllegalArgumentException(source + ": frame " + frame + ", " + where + ": found " + found
+            + ", expected " + expected);
+    }
+}
