@@ -4,6 +4,8 @@ package steward.physics;
 final class Collision {
 
     private static final double ELASTIC = 1;
+    /** A body so far behind a wall, relative to its coordinates, is there by rounding: some units in the last place. */
+    private static final double ROUNDING = 0x1p-46;
 
     private final Impulse pairImpulse;
     private final Impulse wallImpulse;
@@ -104,6 +106,9 @@ final class Collision {
         sink.knot(bodies.id(a), time, ax, ay);
         if (pushes && gap <= 0) {
             pushApart(bodies, a, nx, ny, gap - 2 * pushOut, time, sink);
+        } else if (gap < 0 && -gap < ROUNDING * (Math.abs(ax) + Math.abs(ay) + bodies.radius[a])) {
+            bodies.x[a] += nx * gap;                  // or ten thousand impacts, all rounded outward, would add up
+            bodies.y[a] += ny * gap;
         }
     }
 

@@ -33,7 +33,11 @@ class AllocationTest {
         check(ImpactLaw.PHYSICS, Arithmetic.DOUBLE, WALLS, true);
     }
 
-    /** 6 pods, started anew every 10 turns; 2,000 turns to warm up, then 1,000 counted. */
+    /**
+     * 6 pods, started anew every 10 turns; 2,000 turns to warm up, then 1,000 counted. They are the same turns every
+     * time, so that whatever they allocate shows in every count; what the JVM itself once adds (resolving, compiling)
+     * does not, and one of five counts must be 0.
+     */
     private static void check(ImpactLaw law, Arithmetic arithmetic, Wall[] walls, boolean asks) {
         Contacts contacts = new Contacts(1);
         if (asks) {
@@ -52,10 +56,13 @@ class AllocationTest {
         Bodies bodies = new Bodies(6);
         TurnLog log = new TurnLog();
         ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-        long allocated = play(advance, start, bodies, log, 2000, threads);
-        assertTrue(allocated >= 0);
+        play(advance, start, bodies, log, 2000, threads);
+        long allocated = Long.MAX_VALUE;
         assertTrue(log.impacts() > 0, "nothing happened in the last turns");
-        assertEquals(0, play(advance, start, bodies, log, 1000, threads), "bytes in 1,000 turns");
+        for (int count = 0; count < 5 && allocated > 0; count++) {
+            allocated = play(advance, start, bodies, log, 1000, threads);
+        }
+        assertEquals(0, allocated, "bytes in 1,000 turns");
     }
 
     private static long play(EventAdvance advance, Bodies start, Bodies bodies, TurnLog log, int turns,

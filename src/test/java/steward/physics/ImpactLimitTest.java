@@ -132,6 +132,21 @@ class ImpactLimitTest {
         assertEquals(100, limited);
     }
 
+    /**
+     * Along a round wall each impact is weaker by e and the next one nearer by e: infinitely many in a finite time,
+     * after which nothing but the wall turns the flight. The bound ends this; the body stands where it is, inside.
+     */
+    @Test
+    void aBodyThatSlidesAlongARoundWallWithoutFullRestitutionStandsStill() {
+        for (double e : new double[] {0, 0.5, 0.9}) {
+            Wall[] walls = {new Arena(0, 0, 1000, e)};
+            Bodies bodies = new Bodies(1);
+            Scenes.add(bodies, 989, 0, 1, 50, 1);
+            int limited = play(bodies, Scenes.advance(Scenes.WITH_RESTITUTION, walls), 100, false, () -> { }, walls);
+            assertTrue(limited > 80, "e " + e + ": " + limited + " of 100 turns");
+        }
+    }
+
     /** With a bound of 3 the fourth impact of a chain does not happen: its two stand, the rest flies on. */
     @Test
     void theBoundIsTheLawsAndItsEndIsNamed() {

@@ -246,7 +246,7 @@ class ReactionTest {
         assertEquals(-10.5 - 0.2 * 100, bodies.y[3], 1e-9, "the lower one flies for what is left of the turn");
     }
 
-    /** Under the official law three touch at once; the first answer drops the rest of the batch, which is asked anew. */
+    /** Under the official law three touch at once; the first answer drops the rest of the batch, to be found anew. */
     @Test
     void aChangeDropsTheRestOfTheBatch() {
         Contacts contacts = new Contacts(1).set(0, 0, Meaning.ASK);
