@@ -51,7 +51,7 @@ abstract sealed class PairTime {
             if (Math.sqrt(dx * dx + dy * dy) <= touch) {
                 return 0;
             }
-            return arithmetic.circles(dx, dy, dvx, dvy, touch);
+            return arithmetic.approachingCircles(dx, dy, dvx, dvy, touch);
         }
     }
 }
