@@ -1,0 +1,144 @@
+package steward.game.podrace;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import steward.game.TurnEvent;
+
+/** When a checkpoint counts as passed. */
+class CheckpointsTest {
+
+    /**
+     * <pre>
+     *   start o=========> end        at height d above the checkpoint
+     *              ^
+     *              d
+     *              v
+     *              1
+     * </pre>
+     */
+    @ParameterizedTest
+    @CsvSource({"600, 1", "601, 0", "-600, 1", "-601, 0", "0, 1"})
+    void aPathThatTouchesTheCircleCounts(double height, int passed) {
+        PodRace race = Races.official(new double[][] {{0, 90_000}, {5000, 0}});
+        Races.put(race, 0, 4000, height, 2000, 0);
+        race.play();
+
+        assertEquals(6000, race.pod(0).x());
+        assertEquals(passed, race.pod(0).passed());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"4400, 1", "4399, 0", "5600, 1", "5601, 0"})
+    void aPodAtRestPassesWhenItStandsNearEnough(double x, int passed) {
+        PodRace race = Races.official(new double[][] {{0, 90_000}, {5000, 0}});
+        Races.put(race, 0, x, 0, 0, 0);
+        race.play();
+
+        assertEquals(passed, race.pod(0).passed());
+    }
+
+    /** The path ends at the rounded place: 600.4 before the checkpoint becomes 600, which counts, 600.6 becomes 601. */
+    @ParameterizedTest
+    @CsvSource({"99.6, 4400, 1", "99.4, 4399, 0"})
+    void theEndOfThePathIsRounded(double speed, double end, int passed) {
+        PodRace race = Races.official(new double[][] {{0, 90_000}, {5000, 0}});
+        Races.put(race, 0, 4300, 0, speed, 0);
+        race.play();
+
+        assertEquals(end, race.pod(0).x());
+        assertEquals(passed, race.pod(0).passed());
+    }
+
+    @Test
+    void severalInOneTurnInTheirOrder() {
+        PodRace race = Races.official(new double[][] {{0, 90_000}, {3000, 0}, {4500, 0}, {9000, 0}});
+        Races.put(race, 0, 2000, 0, 3000, 0);
+        race.play();
+
+        assertEquals(2, race.pod(0).passed());
+        assertEquals(3, race.nextCheckpoint(0));
+        assertEquals(List.of("pod 0, checkpoint 1", "pod 0, checkpoint 2"),
+            race.events().stream().map(TurnEvent::text).toList());
+    }
+
+    @Test
+    void onlyTheNextOneCounts() {
+        PodRace race = Races.official(new double[][] {{0, 90_000}, {3000, 0}, {4500, 0}, {9000, 0}});
+        Races.put(race, 0, 8000, 0, 3000, 0);
+        race.play();
+
+        assertEquals(0, race.pod(0).passed());
+    }
+
+    @Test
+    void aLapIsDoneAtCheckpointZero() {
+        PodRace race = Races.official(new double[][] {{0, 0}, {90_000, 0}});
+        Races.put(race, 0, 100, 0, 1);
+        race.play();
+
+        assertEquals(2, race.pod(0).passed());
+        assertEquals(1, race.lap(0));
+        assertEquals(1, race.nextCheckpoint(0));
+        assertEquals("pod 0, lap 1 of 3 done", race.events().get(0).text());
+        assertTrue(race.events().get(0).headline());
+    }
+
+    /**
+     * Pod 0 flies right, hits the shielded pod 2 (mass 10) at x = 1200 and t = 0.6. With f = 2000 / 1.1 it is given
+     * -2f and flies back at 1636, 654.5 in the rest of the turn, to 545. Its straight way from start to end stays 1155
+     * away from the checkpoint; its path came as near as 500.
+     * <pre>
+     *   0 ---------------> corner       (1)
+     *         end <-------- 1200        1700   2000: pod 2
+     * </pre>
+     */
+    @Test
+    void aCheckpointOnTheWayOfAPathThatAnImpactBent() {
+        PodRace race = Races.official(new double[][] {{0, 90_000}, {1700, 0}});
+        Races.put(race, 0, 0, 0, 2000, 0);
+        Races.put(race, 2, 2000, 0, 0, 0);
+        race.command(2, 90_000, 0, PodRace.SHIELD);
+        race.play();
+
+        assertEquals(1, race.log().impacts());
+        assertEquals(0.6, race.log().impact(0).time());
+        assertEquals(545, race.pod(0).x());
+        assertEquals(1155, CheckpointSweep.distance(1700, 0, 0, 0, 545, 0));
+        assertEquals(1, race.pod(0).passed());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, 3, 0, 0, 10, 0, 3", "-4, 3, 0, 0, 10, 0, 5", "14, 3, 0, 0, 10, 0, 5", "3, 4, 0, 0, 0, 0, 5",
+        "5, 5, 0, 0, 10, 10, 0"})
+    void distanceOfAPointFromASegment(double x, double y, double ax, double ay, double bx, double by, double expected) {
+        assertEquals(expected, CheckpointSweep.distance(x, y, ax, ay, bx, by));
+    }
+
+    @Test
+    void aPlayersTurnsStartAnewWhenEitherPodPasses() {
+        PodRace race = Races.official(new double[][] {{0, 90_000}, {5000, 0}});
+        Races.coast(race, 10);
+        assertEquals(90, race.turnsLeft(0));
+        Races.put(race, 1, 5000, 0, 0, 0);
+        race.play();
+
+        assertEquals(100, race.turnsLeft(0));
+        assertEquals(89, race.turnsLeft(1));
+    }
+
+    /** Pods of a player who is out pass nothing any more. */
+    @Test
+    void whoIsOutPassesNothing() {
+        PodRace race = Races.duel(3, new double[][] {{0, 90_000}, {5000, 0}});
+        Races.put(race, 0, 5000, 0, 0, 0);
+        race.eliminate(0, "for a test");
+        race.play();
+
+        assertEquals(0, race.pod(0).passed());
+    }
+}
