@@ -86,7 +86,8 @@ final class GameRecordingReader {
         }
         String[] words = words(view[CHECKPOINT_LINE]);
         if (words.length < 4 || words.length % 2 != 0) {
-            throw wrong(0, "view line " + CHECKPOINT_LINE, quote(view[CHECKPOINT_LINE]), "x y of two or more checkpoints");
+            throw wrong(0, "view line " + CHECKPOINT_LINE, quote(view[CHECKPOINT_LINE]),
+                "x y of two or more checkpoints");
         }
         double[][] checkpoints = new double[words.length / 2][];
         for (int k = 0; k < checkpoints.length; k++) {
@@ -129,7 +130,8 @@ final class GameRecordingReader {
             commands.add(stdout == null || stdout.isNull() || stdout.stringValue().isBlank()
                 ? null : stdout.stringValue().strip());
             JsonNode key = frame.get("keyframe");
-            boolean ends = key == null ? commands.size() == GameRecording.PLAYERS : key.isBoolean() && key.booleanValue();
+            boolean ends = key == null ? commands.size() == GameRecording.PLAYERS
+                : key.isBoolean() && key.booleanValue();
             if (!ends && commands.size() == GameRecording.PLAYERS) {
                 throw wrong(k, "keyframe", String.valueOf(key), "true, because both players have answered");
             }

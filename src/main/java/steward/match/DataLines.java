@@ -6,8 +6,8 @@ import java.util.TreeMap;
 
 /**
  * Collects data that bots report on stderr, as rating tools know it: {@code [TDATA] key = value} about the match,
- * {@code [PDATA] key = value} about the player (the last value counts), {@code [PDATA+] key = value} summed up. Anything
- * else is passed over.
+ * {@code [PDATA] key = value} about the player (the last value counts), {@code [PDATA+] key = value} summed up.
+ * Anything else is passed over.
  */
 final class DataLines {
 

@@ -38,7 +38,8 @@ public interface Dialogue {
         return switch (protocol) {
             case JSON -> new JsonDialogue(setup, game, codec);
             case CODINGAME -> new TextDialogue(setup.textCodec(game).orElseThrow(() -> new IllegalArgumentException(
-                "the scene \"" + setup.scene().name() + "\" has no codingame protocol, expected bots that speak json")));
+                "the scene \"" + setup.scene().name() + "\" has no codingame protocol, expected bots that speak"
+                    + " json")));
         };
     }
 }

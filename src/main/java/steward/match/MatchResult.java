@@ -36,7 +36,8 @@ public record MatchResult(int turns, String ending, List<PlayerResult> players, 
      * @param worstNanos   longest answer time, likewise
      * @param firstNanos   time of the first answer, which includes a process's start
      * @param extraLines   most lines that were found waiting beyond an answer
-     * @param data         what the bot reported about itself: {@code [PDATA] key = value} on stderr, the last value, and
+     * @param data         what the bot reported about itself: {@code [PDATA] key = value} on stderr, the last value,
+     *                     and
      *                     {@code [PDATA+] key = value}, the sum
      */
     public record PlayerResult(String name, int rank, double score, String fault, String out, int answers,

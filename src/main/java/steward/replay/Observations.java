@@ -4,8 +4,8 @@ import tools.jackson.core.JsonGenerator;
 
 /**
  * What another referee saw of a match. A replay that keeps it in place of our own outcomes is marked as imported: its
- * verification compares everything that was observed, and passes over what was not. Each method adds fields to an object
- * that the caller opens and closes.
+ * verification compares everything that was observed, and passes over what was not. Each method adds fields to an
+ * object that the caller opens and closes.
  */
 public interface Observations {
 

@@ -15,7 +15,7 @@ import java.util.List;
 public final class SceneFiles {
 
     /** The scenes that come with the program; a test holds the list against the folder they are kept in. */
-    static final List<String> SHIPPED = List.of("duel", "mad-pod-racing", "mad-pod-racing-silver", "walled-race");
+    static final List<String> SHIPPED = List.of("duel", "mad-pod-racing-silver", "mad-pod-racing", "walled-race");
 
     private static final String SUFFIX = ".json";
 

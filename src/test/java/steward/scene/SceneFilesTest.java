@@ -114,8 +114,8 @@ class SceneFilesTest {
         String message = refused("mad-pod-racign");
         assertTrue(message.startsWith("mad-pod-racign: found no such file, expected a scene file"), message);
         if (!SceneFiles.shipped().isEmpty()) {
-            assertTrue(message.endsWith(" or one of \"duel\", \"mad-pod-racing\", \"walled-race\"; did you mean "
-                + "\"mad-pod-racing\"?"), message);
+            assertTrue(message.endsWith(" or one of \"duel\", \"mad-pod-racing-silver\", \"mad-pod-racing\", "
+                + "\"walled-race\"; did you mean \"mad-pod-racing\"?"), message);
         }
         assertTrue(refused("no\0name").startsWith("no\0name: found no such file"));
         assertTrue(refused("").startsWith("\"\": found no such file"));

@@ -14,7 +14,8 @@ import tools.jackson.core.ObjectReadContext;
 /**
  * Reads one answer of a pod-race bot,
  * <pre>{"pods":[{"x":1,"y":2.5,"thrust":100},{"x":1,"y":2,"shield":true}],"message":"optional"}</pre>
- * token by token. What is wrong comes back as a sentence, because a wrong answer is an everyday event, not an exception.
+ * token by token. What is wrong comes back as a sentence, because a wrong answer is an everyday event, not an
+ * exception.
  */
 final class PodAnswer {
 

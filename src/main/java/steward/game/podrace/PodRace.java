@@ -135,7 +135,11 @@ public final class PodRace implements Game {
         }
     }
 
-    /** Gives a pod a command for the next turn: an ordinary thrust from 0 to the scene's maximum, {@link #SHIELD} or {@link #BOOST}. */
+    /**
+     * Gives a pod a command for the next turn.
+     *
+     * @param podThrust 0 to the scene's maximum, {@link #SHIELD} or {@link #BOOST}
+     */
     void command(int pod, double x, double y, int podThrust) {
         targetX[pod] = x;
         targetY[pod] = y;

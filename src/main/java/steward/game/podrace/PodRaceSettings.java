@@ -23,8 +23,8 @@ import steward.scene.Scene;
  * @param maximumTurns           then the race ends
  */
 public record PodRaceSettings(int players, int podsPerPlayer, double radius, double mass, double restitution,
-                              int maximumThrust, int laps, double checkpointRadius, List<double[][]> maps, boolean shift, int jitter,
-                              int turnsWithoutCheckpoint, int maximumTurns) {
+                              int maximumThrust, int laps, double checkpointRadius, List<double[][]> maps,
+                              boolean shift, int jitter, int turnsWithoutCheckpoint, int maximumTurns) {
 
     /** The official greatest ordinary thrust, in u per turn^2; a scene may set another. */
     private static final int OFFICIAL_THRUST = 200;

@@ -7,14 +7,14 @@ import java.util.Locale;
 import steward.game.TextCodec;
 
 /**
- * CodinGame's line protocols of the pod race. Where each player has several pods (the upper leagues), the setup is laps,
- * number of checkpoints and their places, and a turn shows each pod, own ones first, as
- * {@code x y vx vy angle nextCheckPointId}. Where each has one (the lower leagues) there is no setup, and a turn is
- * {@code x y nextX nextY nextDist nextAngle} and a line {@code x y} per opponent.
+ * CodinGame's line protocols of the pod race. Where each player has several pods (the upper leagues), the setup is
+ * laps, number of checkpoints and their places, and a turn shows each pod, own ones first, as {@code x y vx vy angle
+ * nextCheckPointId}. Where each has one (the lower leagues) there is no setup, and a turn is {@code x y nextX nextY
+ * nextDist nextAngle} and a line {@code x y} per opponent.
  *
- * <p>Answers are one line per pod, {@code X Y THRUST|SHIELD|BOOST message}. They are read as leniently as real bots need
- * it: any number of blanks, a carriage return, decimals in X and Y, lower-case words, and no third word, which means full
- * thrust.
+ * <p>Answers are one line per pod, {@code X Y THRUST|SHIELD|BOOST message}. They are read as leniently as real bots
+ * need it: any number of blanks, a carriage return, decimals in X and Y, lower-case words, and no third word, which
+ * means full thrust.
  */
 final class PodRaceText implements TextCodec {
 

@@ -15,9 +15,9 @@ import java.util.Locale;
  * x y vx vy angleDegrees nextCheckpointId shield boosted   4 times  \ tests times
  * targetX targetY thrust|SHIELD|BOOST                      4 times  /
  * </pre>
- * and after each test the four new states are printed in the same form and flushed. {@code shield} is 3 after the turn a
- * shield was raised and counts down; {@code boosted} is 1 once the boost is used up. Every state is complete: headings
- * are set. Blank lines are passed over.
+ * and after each test the four new states are printed in the same form and flushed. {@code shield} is 3 after the
+ * turn a shield was raised and counts down; {@code boosted} is 1 once the boost is used up. Every state is complete:
+ * headings are set. Blank lines are passed over.
  */
 public final class SimulatorProtocol {
 
