@@ -19,8 +19,8 @@ final class PageTemplate {
 
     private static final String FOLDER = "/steward/view/";
     /** In the order in which they need each other. */
-    private static final List<String> SCRIPTS = List.of("match.js", "notes.js", "theme.js", "stage.js", "podrace.js",
-        "playback.js", "timeline.js", "chart.js", "panels.js", "page.js");
+    private static final List<String> SCRIPTS = List.of("match.js", "notes.js", "theme.js", "shapes.js", "stage.js",
+        "podrace.js", "playback.js", "timeline.js", "chart.js", "panels.js", "page.js");
     /** Where the replay goes: all before it is written first. */
     private static final String REPLAY = "{{replay}}";
 
@@ -90,7 +90,8 @@ final class PageTemplate {
             if (in == null) {
                 throw new IllegalStateException("the program is not whole: " + FOLDER + name + " is missing");
             }
-            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+            // A browser reads every line end as \n, and takes hashes of what it reads.
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8).replace("\r\n", "\n");
         } catch (IOException problem) {
             throw new IllegalStateException("the program is not whole: " + FOLDER + name, problem);
         }

@@ -13,14 +13,14 @@ function readNotes(stderr) {
   const shapes = [];
   const rest = [];
   let left = 0;
-  for (const line of (stderr ?? '').split('\n')) {
+  for (const line of (stderr ?? '').trimEnd().split('\n')) {
     const shape = readShape(line);
     if (!shape) rest.push(line);
     else if (shapes.length < MOST_SHAPES) shapes.push(shape);
     else left++;
   }
   if (left > 0) rest.push(`(${left} more drawings left out, ${MOST_SHAPES} is the limit of a turn)`);
-  return { shapes, text: rest.join('\n').trimEnd() };
+  return { shapes, text: rest.join('\n') };
 }
 
 function readShape(line) {

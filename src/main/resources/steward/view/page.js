@@ -277,6 +277,7 @@ async function start() {
     page.say(`This replay cannot be shown: ${problem.message}`);
     throw problem;
   } finally {
+    page.redrawAll();
     window.steward.ready = true;
   }
 }

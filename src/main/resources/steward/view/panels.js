@@ -31,6 +31,7 @@ class Scores {
       element('span', 'clock-of', ''));
     this.cells = match.players.map((_, player) => this.#makeCell(player));
     const middle = Math.ceil(this.cells.length / 2);
+    root.classList.toggle('many', this.cells.length > 2);
     root.replaceChildren(...this.cells.slice(0, middle), this.clock, ...this.cells.slice(middle));
   }
 
@@ -49,7 +50,7 @@ class Scores {
       const [rank, , big, small] = cell.children;
       const isIn = this.match.isIn(player, moment.turn);
       const line = standing?.[player];
-      rank.textContent = line && moment.settled > 0 ? String(line.rank + 1) : '–';
+      show(rank, line && (moment.settled > 0 ? String(line.rank + 1) : '–'));
       big.textContent = isIn ? line?.big ?? '' : 'OUT';
       small.textContent = line?.warning && isIn ? line.warning : line?.small ?? '';
       cell.classList.toggle('leads', line?.rank === 0 && moment.settled > 0);

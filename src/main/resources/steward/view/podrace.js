@@ -265,8 +265,8 @@ function drawPod(scene, body) {
     ctx.strokeStyle = colour;
     ctx.lineWidth = Math.max(1, radius * 0.07);
     ctx.stroke();
-    if (heading === null) return;
-    traceHull(ctx, radius, body.owner);
+    if (heading === null) circle(ctx, 0, 0, 0.55 * radius);
+    else traceHull(ctx, radius, body.owner);
     ctx.fillStyle = colour;
     ctx.fill();
   });

@@ -3,6 +3,7 @@
 const THUMB = 14;               // the width of the range input's thumb, as in the style sheet
 const LANE_IMPACTS = 0.28;
 const LANE_MARKS = 0.72;
+const LANE_FAULTS = 0.2;
 
 class Timeline {
   constructor(canvas, range, match, theme, onSeek) {
@@ -51,10 +52,10 @@ class Timeline {
 
   #drawFaults(ctx, height) {
     ctx.strokeStyle = this.theme.paint.bad;
-    ctx.lineWidth = 2;
+    ctx.lineWidth = 2.5;
     for (const { time } of this.match.faults) {
       const x = this.toX(time);
-      const y = height / 2;
+      const y = height * LANE_FAULTS;
       ctx.beginPath();
       ctx.moveTo(x - 4, y - 4);
       ctx.lineTo(x + 4, y + 4);
