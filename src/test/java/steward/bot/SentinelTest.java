@@ -25,6 +25,8 @@ class SentinelTest {
     void start() throws IOException {
         ScriptedBots.assumeGroups();
         sentinel.start();
+        // Its first report says that it has begun: before that, a signal ends it.
+        assertFalse(sentinel.kill(NOBODY));
         victim = new ProcessBuilder("setsid", "sh", "-c", "echo; exec sleep 1000").start();
         // Its line says that it has its group.
         assertEquals('\n', victim.getInputStream().read());
