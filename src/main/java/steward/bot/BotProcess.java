@@ -35,6 +35,8 @@ public final class BotProcess implements Player {
     /** How long the last lines may take to be written, in milliseconds. */
     private static final long FAREWELL_MS = 100;
 
+    private static final String BROKEN_OFF = "asked again after its end";
+
     /** How much of a faulty answer is shown, in bytes. */
     private static final int SHOWN = 1024;
 
@@ -48,10 +50,12 @@ public final class BotProcess implements Player {
     private byte[] queued = new byte[256];
     private int queuedLength;
 
-    private ProcessGroup group;
     private StderrFile stderr;
     private OutputStream input;
     private AnswerLines output;
+
+    /** Set when all of the above are there. */
+    private volatile ProcessGroup group;
 
     /** The question that is being asked: what it may take, from when, how many lines, and whether it was written. */
     private long limit;
@@ -60,7 +64,7 @@ public final class BotProcess implements Player {
     private boolean written;
 
     /** No more questions. */
-    private boolean over;
+    private volatile boolean over;
 
     /** Another thread is stuck with the streams, which are then its own. */
     private boolean abandoned;
@@ -116,7 +120,7 @@ public final class BotProcess implements Player {
     public Ending ask(byte[] frame, int length, int answerLines, long limitNanos, Answer answer) {
         answer.clear();
         if (over) {
-            return fault(answer, "asked again after its end");
+            return fault(answer, BROKEN_OFF);
         }
         boolean first = group == null;
         wanted = answerLines;
@@ -186,16 +190,23 @@ public final class BotProcess implements Player {
             return "could not be started: no temporary file for its stderr: " + e;
         }
         clock = Watchdog.now();
+        ProcessGroup started;
         try {
-            group = ProcessGroup.start(command, stderr);
+            started = ProcessGroup.start(command, stderr);
         } catch (IOException e) {
             return "could not be started: " + e.getMessage();
         } finally {
             stderr.unlink();
         }
-        input = group.process().getOutputStream();
-        output = new AnswerLines(group.process().getInputStream());
+        input = started.process().getOutputStream();
+        output = new AnswerLines(started.process().getInputStream());
         Watchdog.shared().add(deadline);
+        group = started;
+        if (over) {
+            // Broken off by another thread, which may have come too early to see the process.
+            Watchdog.shared().remove(deadline);
+            return BROKEN_OFF;
+        }
         return null;
     }
 
@@ -241,9 +252,10 @@ public final class BotProcess implements Player {
 
     @Override
     public void finish(byte[] lines, int length) {
-        boolean closing = group != null && !over && farewell(lines, length);
+        boolean polite = !over;
         over = true;
         if (group != null) {
+            boolean closing = polite && farewell(lines, length);
             group.kill();
             Watchdog.shared().remove(deadline);
             if (!abandoned) {

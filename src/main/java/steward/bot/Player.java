@@ -4,7 +4,9 @@ import java.util.function.Consumer;
 
 /**
  * A player of one match, as the referee sees it: it is sent lines and asked for lines. Not thread-safe: one
- * thread at a time talks to a player, handing over with a happens-before edge.
+ * thread at a time talks to a player, handing over with a happens-before edge. Only {@link #finish} may be called by
+ * any thread at any time, to break a match off: a question that is being asked then ends with a fault, unless the
+ * player runs on the asking thread.
  */
 public interface Player extends AutoCloseable {
 

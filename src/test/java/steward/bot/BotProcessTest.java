@@ -203,6 +203,26 @@ class BotProcessTest {
     }
 
     @Test
+    void anotherThreadMayBreakItOff() throws InterruptedException {
+        ScriptedBots.assumeGroups();
+        for (int round = 0; round < 10; round++) {
+            BotProcess bot = ScriptedBots.bot("read -r l; echo $$; exec sleep 1000");
+            long pid = round % 2 == 0 ? Long.parseLong(ScriptedBots.reply(bot, "a\n")) : -1;
+            Thread breaker = new Thread(bot::close);
+            breaker.start();
+            Answer answer = new Answer();
+            Player.Ending ending = ScriptedBots.ask(bot, "b\n", pid < 0 ? 2 : 1, ScriptedBots.FOREVER, answer);
+            assertEquals(Player.Ending.FAULT, ending);
+            breaker.join();
+            if (pid >= 0) {
+                ScriptedBots.assertGone(pid);
+            } else if (answer.length() > 0) {
+                ScriptedBots.assertGone(Long.parseLong(answer.text().trim()));
+            }
+        }
+    }
+
+    @Test
     void argumentsAreChecked() {
         assertThrows(IllegalArgumentException.class, () -> new BotProcess("bot", List.of()));
         assertThrows(IllegalArgumentException.class, () -> new BotProcess("bot", List.of("sh"), -1));
