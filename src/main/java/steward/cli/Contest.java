@@ -5,11 +5,12 @@ import java.util.ArrayList;
 import java.util.List;
 import steward.bot.BotCommand;
 import steward.bot.BotProcess;
-import steward.bot.Player;
 import steward.game.GameSetup;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
+import steward.match.Protocol;
 import steward.match.Referee;
+import steward.match.Seat;
 import steward.match.TimeControl;
 import steward.replay.ReplayHeader;
 import steward.replay.ReplayWriter;
@@ -29,11 +30,12 @@ record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double
     /**
      * A bot.
      *
-     * @param name  unlike the others' names
-     * @param bot   as it was named in the call
-     * @param words the program to start and its arguments
+     * @param name     unlike the others' names
+     * @param bot      as it was named in the call
+     * @param protocol the language it speaks
+     * @param words    the program to start and its arguments
      */
-    record Entrant(String name, String bot, List<String> words) {
+    record Entrant(String name, String bot, Protocol protocol, List<String> words) {
     }
 
     /**
@@ -50,7 +52,9 @@ record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double
                 + Words.count(players, "bot") + ", one --bot for each player of the scene \"" + setup.scene().name()
                 + "\"");
         }
-        return new Contest(setup, entrants(bots), timeControl(setup, timeFactor), timeFactor);
+        List<Entrant> entrants = entrants(bots);
+        checkProtocols(setup, entrants);
+        return new Contest(setup, entrants, timeControl(setup, timeFactor), timeFactor);
     }
 
     /** Opens a scene by its path or shipped name. */
@@ -77,10 +81,6 @@ record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double
         for (String bot : bots) {
             try {
                 BotCommand command = BotCommand.parse(bot);
-                if (command.prefix() == BotCommand.Prefix.CODINGAME) {
-                    throw new InputException("bot '" + bot + "': found the prefix codingame:, but this version "
-                        + "speaks JSON alone");
-                }
                 commands.add(command);
                 names.add(command.displayName());
                 words.add(command.resolve());
@@ -92,9 +92,21 @@ record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double
         for (int k = 0; k < bots.size(); k++) {
             String name = names.get(k);
             boolean shared = names.indexOf(name) != names.lastIndexOf(name);
-            entrants.add(new Entrant(shared ? name + "-" + k : name, commands.get(k).toString(), words.get(k)));
+            Protocol protocol = commands.get(k).prefix() == BotCommand.Prefix.CODINGAME ? Protocol.CODINGAME
+                : Protocol.JSON;
+            entrants.add(new Entrant(shared ? name + "-" + k : name, commands.get(k).toString(), protocol,
+                words.get(k)));
         }
         return entrants;
+    }
+
+    private static void checkProtocols(GameSetup setup, List<Entrant> entrants) {
+        for (Entrant entrant : entrants) {
+            if (entrant.protocol() == Protocol.CODINGAME && setup.textCodec(setup.create(0)).isEmpty()) {
+                throw new InputException("bot '" + entrant.bot() + "': the scene \"" + setup.scene().name()
+                    + "\" has no codingame protocol, expected a bot that speaks json");
+            }
+        }
     }
 
     String sceneName() {
@@ -116,24 +128,27 @@ record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double
      */
     MatchResult play(long seed, int rotation, OutputStream recording, MatchListener follower)
             throws InterruptedException {
-        List<Player> players = new ArrayList<>();
+        List<Seat> seats = new ArrayList<>();
         for (int player = 0; player < entrants.size(); player++) {
             Entrant entrant = entrants.get(entrantOf(player, rotation));
-            players.add(new BotProcess(entrant.name(), entrant.words()));
+            seats.add(new Seat(new BotProcess(entrant.name(), entrant.words()), entrant.protocol()));
         }
         MatchListener listener = recording == null ? follower
             : new Followers(new ReplayWriter(recording, header(seed, rotation)), follower);
-        return new Referee(setup, seed, players, time, listener).play();
+        return Referee.of(setup, seed, seats, time, listener).play();
     }
 
     private ReplayHeader header(long seed, int rotation) {
         List<String> names = new ArrayList<>();
         List<String> bots = new ArrayList<>();
+        List<Protocol> protocols = new ArrayList<>();
         for (int player = 0; player < entrants.size(); player++) {
             Entrant entrant = entrants.get(entrantOf(player, rotation));
             names.add(entrant.name());
             bots.add(entrant.bot());
+            protocols.add(entrant.protocol());
         }
-        return new ReplayHeader(setup.scene().gameId(), setup.scene().json(), seed, names, bots, timeFactor);
+        return new ReplayHeader(setup.scene().gameId(), setup.scene().json(), seed, names, bots, protocols,
+            timeFactor);
     }
 }

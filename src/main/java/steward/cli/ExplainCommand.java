@@ -1,6 +1,7 @@
 package steward.cli;
 
 import java.io.PrintStream;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
@@ -35,8 +36,10 @@ final class ExplainCommand implements Callable<Integer> {
         out.println("Parts of the engine that " + setup.scene().name() + " needs, and those left out:");
         out.println();
         boolean colours = streams.outTerminal() && Ansi.AUTO.enabled();
-        out.print(PlanTable.of(setup.plan(), (part, line) ->
-            colours && !part.in() ? Ansi.ON.string("@|faint " + line + "|@") : line));
+        out.print(PlanTable.of(setup.plan(), (part, line) -> {
+            String wrapped = Words.wrap(line, ", ", WIDTH, " ".repeat(line.length() - part.why().length()));
+            return colours && !part.in() ? Ansi.ON.string("@|faint " + wrapped + "|@") : wrapped;
+        }));
         out.println();
         settings(out, setup.scene());
         return ExitStatus.DONE;
@@ -50,21 +53,10 @@ final class ExplainCommand implements Callable<Integer> {
             + read.time().answerMs() + " ms");
         for (Map.Entry<String, Object> block : Json.object(read.json()).entrySet()) {
             if (block.getValue() instanceof Map<?, ?> fields && !block.getKey().equals("time")) {
-                StringBuilder line = new StringBuilder("  " + block.getKey() + ":");
-                fields.forEach((name, value) -> append(line, name + " " + word(value)));
-                out.println(line);
+                List<String> items = new ArrayList<>();
+                fields.forEach((name, value) -> items.add(name + " " + word(value)));
+                out.println(Words.wrap("  " + block.getKey() + ": " + String.join(", ", items), ", ", WIDTH, "    "));
             }
-        }
-    }
-
-    /** Adds to the last line, or begins a new one. */
-    private static void append(StringBuilder lines, String item) {
-        int used = lines.length() - lines.lastIndexOf("\n") - 1;
-        boolean first = lines.charAt(lines.length() - 1) == ':';
-        if (used + item.length() + 2 > WIDTH) {
-            lines.append(",\n     ").append(item);
-        } else {
-            lines.append(first ? " " : ", ").append(item);
         }
     }
 

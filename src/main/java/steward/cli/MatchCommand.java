@@ -14,8 +14,10 @@ import picocli.CommandLine.Spec;
 /** {@code steward match}: one match, or many. */
 @Command(name = "match", description = "Plays a match between bots, or many matches.",
     footer = {"",
-        "A bot is written [NAME=][builtin:|json:]COMMAND, its words quoted as for a shell. 'builtin:racer'",
-        "and 'builtin:veteran' come with the program. One --bot for each player of the scene, in order.",
+        "A bot is written [NAME=][builtin:|json:|codingame:]COMMAND, its words quoted as for a shell.",
+        "'builtin:racer' and 'builtin:veteran' come with the program; 'codingame:' is for programs that",
+        "speak the lines of words and numbers of that site, 'json:' for all others and may be left out.",
+        "One --bot for each player of the scene, in order.",
         "", "Examples:",
         "  steward match --bot builtin:veteran --bot 'me=python3 bot.py' --seed 7 --out match.jsonl",
         "  steward match --scene duel --bot ./mine --bot builtin:racer --games 50 --swap --threads 2",

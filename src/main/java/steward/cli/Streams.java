@@ -1,6 +1,7 @@
 package steward.cli;
 
 import java.io.BufferedOutputStream;
+import java.io.Console;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.FilterOutputStream;
@@ -47,13 +48,22 @@ final class Streams {
     private static boolean isTerminal(int descriptor) {
         Path link = Path.of(LINUX_DESCRIPTORS + descriptor);
         if (!Files.isSymbolicLink(link)) {
-            return System.console() != null;
+            return consoleIsTerminal();
         }
         try {
             String target = Files.readSymbolicLink(link).toString();
             return target.startsWith("/dev/pts/") || target.startsWith("/dev/tty") || target.equals("/dev/console");
         } catch (IOException problem) {
             return false;
+        }
+    }
+
+    /** From Java 22 on there is a console in any case, and it can be asked. */
+    private static boolean consoleIsTerminal() {
+        try {
+            return System.console() != null && (boolean) Console.class.getMethod("isTerminal").invoke(System.console());
+        } catch (ReflectiveOperationException older) {
+            return true;
         }
     }
 

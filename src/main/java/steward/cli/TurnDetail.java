@@ -10,6 +10,7 @@ import steward.replay.ReplayReader;
 final class TurnDetail {
 
     private static final double NANOS_PER_MS = 1e6;
+    private static final int WIDTH = 100;
 
     private TurnDetail() {
     }
@@ -98,7 +99,7 @@ final class TurnDetail {
     private static void state(PrintStream out, Map<?, ?> state) {
         state.forEach((name, value) -> {
             if (value instanceof List<?> list && !Json.objects(value).isEmpty()) {
-                list.forEach(each -> out.println("  " + spell(each)));
+                list.forEach(each -> out.println("  " + Words.wrap(spell(each), "  ", WIDTH - 2, "    ")));
             } else {
                 out.println("  " + name + " " + spell(value));
             }

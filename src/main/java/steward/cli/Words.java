@@ -55,6 +55,27 @@ final class Words {
         return text.length() <= most ? text : text.substring(0, most - 3) + "...";
     }
 
+    /**
+     * Breaks a line between items, so that none but a single long item is wider.
+     *
+     * @param separator between items, two characters; what is not blank in it stays at a line's end
+     * @param indent    begins every further line
+     */
+    static String wrap(String items, String separator, int width, String indent) {
+        StringBuilder text = new StringBuilder();
+        int used = 0;
+        for (String item : items.split(separator)) {
+            if (used > 0 && used + separator.length() + item.length() >= width) {
+                text.append(separator.strip()).append('\n').append(indent).append(item);
+                used = indent.length() + item.length();
+            } else {
+                text.append(used > 0 ? separator : "").append(item);
+                used += (used > 0 ? separator.length() : 0) + item.length();
+            }
+        }
+        return text.toString();
+    }
+
     /** What a bot or a file says, without what would steer a terminal: control characters become {@code ?}. */
     static String plain(String text) {
         StringBuilder plain = null;

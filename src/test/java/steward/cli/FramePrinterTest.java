@@ -11,10 +11,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import steward.scene.SceneFiles;
 
 /** {@code steward replay --frames}: exactly the lines that a bot wrote down as it played. */
+@Timeout(60)
 class FramePrinterTest {
 
     @TempDir
@@ -71,6 +73,22 @@ class FramePrinterTest {
             assertEquals(Files.readString(kept[player]), cli.out());
         }
         assertEquals(10, Files.readAllLines(kept[1]).size());
+    }
+
+    /** With one pod each there are two lines a turn, the own pod and the other, and none before and after. */
+    @Test
+    void ofABotThatSpeaksLines() throws IOException {
+        assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
+        Path kept = folder.resolve("kept");
+        Path file = folder.resolve("x.jsonl");
+        String bot = "codingame:sh -c 'while IFS= read -r own && IFS= read -r other; do "
+            + "printf \"%s\\n%s\\n\" \"$own\" \"$other\" >>" + kept + "; echo " + ShellBots.CHECKPOINT + " 100; done'";
+        Cli match = Cli.run("match", "--scene", "duel", "--time-factor", "100", "--out", file.toString(), "--bot", bot,
+            "--bot", new ShellBots(folder).driver("far", ShellBots.NOWHERE), "--json");
+        assertTrue(match.json().get("players").get(0).get("fault").isNull(), match.out());
+        assertEquals(Files.readString(kept),
+            Cli.run("replay", file.toString(), "--frames", "--player", "0").out());
+        assertEquals(2 * match.json().get("turns").intValue(), Files.readAllLines(kept).size());
     }
 
     @Test

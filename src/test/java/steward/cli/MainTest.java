@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import steward.scene.SceneFiles;
 
 /** The program as a whole: help, version, completion, and how a call is taken apart. */
 class MainTest {
@@ -78,6 +79,15 @@ class MainTest {
         Path script = Files.writeString(folder.resolve("completion"), cli.out());
         assertEquals(0, new ProcessBuilder("/bin/bash", "-n", script.toString()).inheritIO().start().waitFor());
         assertTrue(cli.out().contains("--no-deadline") && cli.out().contains("mad-pod-racing"), cli.out());
+    }
+
+    @Test
+    void explainTakesEveryShippedScene() {
+        for (String scene : SceneFiles.shipped()) {
+            Cli cli = Cli.run("explain", scene);
+            assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+            assertTrue(cli.out().lines().allMatch(line -> line.length() <= 100), cli.out());
+        }
     }
 
     @Test

@@ -97,8 +97,8 @@ record Recorded(byte[] bytes, List<StringBuilder> sent, MatchResult result) {
             players.add(new InProcessPlayer(names.get(k),
                 new Pilot(sent.get(k), ways.charAt(k) == 's', ways.charAt(k) == 'f' ? failing : 0)));
         }
-        ReplayWriter writer = new ReplayWriter(file, new ReplayHeader(setup.scene().gameId(), setup.scene().json(), seed,
-            names, names, Double.POSITIVE_INFINITY));
+        ReplayWriter writer = new ReplayWriter(file, new ReplayHeader(setup.scene().gameId(), setup.scene().json(),
+            seed, names, names, Double.POSITIVE_INFINITY));
         try {
             MatchResult result = new Referee(setup, seed, players, TimeControl.UNLIMITED, writer).play();
             return new Recorded(file.toByteArray(), sent, result);

@@ -11,11 +11,14 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import steward.match.MatchResult;
+import steward.match.Protocol;
 import tools.jackson.databind.JsonNode;
 
 /** {@code steward match --games}. */
+@Timeout(60)
 class SeriesTest {
 
     @TempDir
@@ -116,7 +119,8 @@ class SeriesTest {
     private static Tally tally(List<Integer> ranks, int bot) {
         List<MatchResult.PlayerResult> players = ranks.stream()
             .map(rank -> new MatchResult.PlayerResult("p", rank, 0, null, null, 1, 0, 0, 0, 0)).toList();
-        List<Contest.Entrant> entrants = ranks.stream().map(rank -> new Contest.Entrant("p", "p", List.of())).toList();
+        List<Contest.Entrant> entrants = ranks.stream()
+            .map(rank -> new Contest.Entrant("p", "p", Protocol.JSON, List.of())).toList();
         Series series = new Series(new Contest(null, entrants, null, 1), 0, 1, false, null);
         return Tally.of(series, List.of(new Series.Played(1, 0, 0, new MatchResult(1, "over", players), null)), bot);
     }

@@ -18,7 +18,8 @@ final class ShellBots {
           [ -z "$4" ] || printf '%s\\n' "$line" >>"$4"
           case $line in *'"type":"turn"'*) ;; *) continue ;; esac
           turns=$((turns + 1))
-          if [ $turns = "$3" ]; then echo nonsense; else echo "{\\"pods\\":[{\\"x\\":$x,\\"y\\":$y,\\"thrust\\":100}]}"; fi
+          if [ $turns = "$3" ]; then echo nonsense; continue; fi
+          echo "{\\"pods\\":[{\\"x\\":$x,\\"y\\":$y,\\"thrust\\":100}]}"
         done
         """;
 
