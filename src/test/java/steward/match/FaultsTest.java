@@ -39,8 +39,10 @@ class FaultsTest {
     private static final String GOOD = "{\"pods\":[{\"x\":1,\"y\":2,\"thrust\":3}]}";
 
     private static MatchResult.PlayerResult faultOf(String answer) throws InterruptedException {
-        MatchResult result = new Referee(TestScenes.open("duel"), 1, List.of(new InProcessPlayer("A", new Saying(answer)),
-            new InProcessPlayer("B", new Saying(GOOD))), TimeControl.UNLIMITED, new MatchListener() { }).play();
+        List<InProcessPlayer> players = List.of(new InProcessPlayer("A", new Saying(answer)),
+            new InProcessPlayer("B", new Saying(GOOD)));
+        MatchResult result = new Referee(TestScenes.open("duel"), 1, players, TimeControl.UNLIMITED,
+            new MatchListener() { }).play();
         assertNull(result.players().get(1).fault());
         return result.players().get(0);
     }
@@ -89,7 +91,8 @@ class FaultsTest {
             received(pod("\"boost\":1"), "pods[0].boost: found 1, expected true (or leave it out)"),
             received(pod("\"trust\":100"), "pods[0].trust: unknown field, expected one of boost, shield, thrust, x, y"
                 + "; did you mean thrust?"),
-            received(pod("\"colour\":100"), "pods[0].colour: unknown field, expected one of boost, shield, thrust, x, y"));
+            received(pod("\"colour\":100"),
+                "pods[0].colour: unknown field, expected one of boost, shield, thrust, x, y"));
     }
 
     @ParameterizedTest
@@ -128,13 +131,15 @@ class FaultsTest {
         String smile = "\uD83D\uDE00";
         String fault = faultOf("[" + " ".repeat(118) + smile + smile + "]").fault();
 
-        assertEquals("found an array, expected an object {\"pods\":[...]}; received: [" + " ".repeat(118) + "...", fault);
+        assertEquals("found an array, expected an object {\"pods\":[...]}; received: [" + " ".repeat(118) + "...",
+            fault);
     }
 
     /** The line is shown on terminals. */
     @Test
     void controlCharactersAreNotQuoted() throws InterruptedException {
-        assertEquals("found an array, expected an object {\"pods\":[...]}; received: [?[31m", faultOf("[\u001b[31m").fault());
+        assertEquals("found an array, expected an object {\"pods\":[...]}; received: [?[31m",
+            faultOf("[\u001b[31m").fault());
     }
 
     @Test

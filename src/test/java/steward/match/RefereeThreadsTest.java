@@ -138,7 +138,7 @@ class RefereeThreadsTest {
         assertEquals(stuckAt + 3, result.turns());
         assertEquals(stuckAt, result.players().get(1).answers());
         List<String> seen = List.copyOf(log);
-        assertEquals(seen.indexOf("B close") + 1, seen.indexOf("C ask " + stuckAt), "the next is asked in the same turn");
+        assertEquals(seen.indexOf("B close") + 1, seen.indexOf("C ask " + stuckAt), "asked in the same turn");
 
         stuck.letGo.countDown();
         assertTrue(stuck.left.await(10, TimeUnit.SECONDS));

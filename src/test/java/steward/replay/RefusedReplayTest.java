@@ -59,7 +59,8 @@ class RefusedReplayTest {
         "{\"name\":\"P1\", | {\"n\":\"P1\", | "
             + "players[1]: found nothing of the kind, expected an object with name and bot",
         "\"players\":[{\"name\" | \"players\":[1,{\"name\" | players[0]: found VALUE_NUMBER_INT, expected an object",
-        "\"protocol\":\"json\"}] | \"protocol\":\"JSON\"}] | players[1].protocol: found JSON, expected json or codingame",
+        "\"protocol\":\"json\"}] | \"protocol\":\"JSON\"}] | "
+            + "players[1].protocol: found JSON, expected json or codingame",
         ",{\"name\":\"P1\",\"bot\":\"P1\",\"protocol\":\"json\"} | `` | players: found 1, expected 2 as in the scene",
         "\"game\":\"pod-race\",\"s | \"game\":\"chess\",\"s | game: found chess, expected pod-race as in the scene"})
     void wrongHeaders(String from, String to, String message) {
