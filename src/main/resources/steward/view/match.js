@@ -138,8 +138,8 @@ class Match {
     const now = this.turn(moment.turn);
     const earlier = moment.turn === 0 ? now : this.turn(moment.turn - 1);
     if (!now || !earlier) return [];
-    const ids = new Set([...earlier.bodies.keys(), ...now.bodies.keys(),
-      ...(now.knots ? now.knots.keys() : [])]);
+    const born = (now.events ?? []).filter(event => event.kind === 'birth').map(event => event.body);
+    const ids = new Set([...earlier.bodies.keys(), ...now.bodies.keys(), ...born]);
     const bodies = [];
     for (const id of ids) {
       const place = this.placeAt(id, moment);
@@ -152,7 +152,7 @@ class Match {
     const description = this.describe(id, after ?? before);
     const radiusBefore = before?.radius ?? description.radius;
     const radiusAfter = after?.radius ?? radiusBefore;
-    return { ...description, x: place.x, y: place.y, before: before ?? after, after: after ?? before,
+    return { ...description, x: place.x, y: place.y, before: before ?? after ?? {}, after: after ?? before ?? {},
       radius: radiusBefore + (radiusAfter - radiusBefore) * moment.fraction };
   }
 

@@ -149,6 +149,21 @@ class PageTest {
         }
     }
 
+    /** Bumpers have corners of their own when they are hit, but are no moving bodies. */
+    @Test
+    void drawsTheMomentOfEveryImpactWithTheBodiesThatMoveAndNoOthers() {
+        browser.open(page, "#turn=1");
+        assertEquals(4, browser.number("""
+            steward.impacts().reduce((most, { time }) => {
+              const turn = Math.ceil(time);
+              steward.seek(turn, time - turn + 1);
+              const exactly = steward.bodies().length;
+              steward.seek(turn, time - turn + 1 + 1e-9);
+              return Math.max(most, exactly, steward.bodies().length);
+            }, 0)"""));
+        assertEquals(List.of(), browser.complaints());
+    }
+
     @Test
     void stepsFromImpactToImpact() {
         browser.open(page, "#turn=0");
@@ -267,6 +282,7 @@ class PageTest {
             Map<String, Object> field = map(browser.run("return steward.field()"));
             assertTrue(number(field, "left") >= 0 && number(field, "right") <= size[0], () -> at + " " + field);
             assertTrue(number(field, "top") >= 0 && number(field, "bottom") <= size[1], () -> at + " " + field);
+            assertTrue(browser.is("document.getElementById('play').getBoundingClientRect().bottom <= " + size[1]), at);
         }
     }
 

@@ -43,9 +43,9 @@ final class PageTestBrowser implements AutoCloseable {
             "--disable-background-networking", "--disable-component-update", "--disable-sync", "--hide-scrollbars",
             "--force-device-scale-factor=1", "--user-data-dir=" + profile);
         options.setCapability("goog:loggingPrefs", logs);
-        ChromeDriverService service = new ChromeDriverService.Builder()
-            .usingDriverExecutable(driverProgram.toFile()).usingAnyFreePort().withSilent(true).build();
-        driver = new ChromeDriver(service, options);
+        System.setProperty(ChromeDriverService.CHROME_DRIVER_EXE_PROPERTY, driverProgram.toString());
+        System.setProperty(ChromeDriverService.CHROME_DRIVER_SILENT_OUTPUT_PROPERTY, "true");
+        driver = new ChromeDriver(options);
         driver.manage().timeouts().scriptTimeout(PATIENCE).pageLoadTimeout(PATIENCE);
         size(1280, 720);
     }
