@@ -21,7 +21,8 @@ public final class Main {
 
     private static final int WIDTH = 100;
 
-    private static final List<String> COMMANDS = List.of("match", "replay", "explain", "demo", CompletionCommand.NAME);
+    private static final List<String> COMMANDS = List.of("match", "replay", "explain", "demo", "simulate", "import",
+        CompletionCommand.NAME);
 
     private Main() {
     }
@@ -88,6 +89,8 @@ public final class Main {
             case "replay" -> new ReplayCommand(streams);
             case "explain" -> new ExplainCommand(streams);
             case "demo" -> new DemoCommand(streams);
+            case "simulate" -> new SimulateCommand(streams);
+            case "import" -> new ImportCommand(streams);
             default -> new CompletionCommand(streams);
         };
     }

@@ -3,6 +3,7 @@ package steward.cli;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Consumer;
 import steward.game.JsonNumbers;
 import steward.match.MatchResult;
@@ -37,6 +38,7 @@ final class MatchJson {
                 out.writeEndObject();
             }
             out.writeEndArray();
+            writeData(out, result.data());
             out.writeStringProperty("replay", file == null ? null : file.toString());
         });
     }
@@ -58,12 +60,20 @@ final class MatchJson {
             out.writeString(warning);
         }
         out.writeEndArray();
+        writeData(out, player.data());
+    }
+
+    /** What bots reported on stderr. */
+    private static void writeData(JsonGenerator out, Map<String, String> data) {
+        out.writeObjectPropertyStart("data");
+        data.forEach(out::writeStringProperty);
+        out.writeEndObject();
     }
 
     private static List<String> warnings(PlayerResult player) {
         List<String> warnings = new ArrayList<>();
-        if (player.extraLines() > 0) {
-            warnings.add(Words.count(player.extraLines(), "line") + " beyond an answer");
+        if (player.earlyTurns() > 0) {
+            warnings.add("lines beyond the answer in " + Words.count(player.earlyTurns(), "turn"));
         }
         return warnings;
     }

@@ -62,9 +62,9 @@ final class MatchText {
             } else if (player.out() != null) {
                 out.println(name + " is out: " + Words.plain(player.out()));
             }
-            if (player.extraLines() > 0) {
-                out.println("warning: " + name + " wrote " + Words.count(player.extraLines(), "line")
-                    + " more than it was asked for; they were taken for later answers");
+            if (player.earlyTurns() > 0) {
+                out.println("warning: " + name + " wrote more lines than it was asked for, in "
+                    + Words.count(player.earlyTurns(), "turn") + "; they were taken for later answers");
             }
         }
     }

@@ -13,17 +13,31 @@ import java.util.List;
 record GameRecording(double[][] checkpoints, List<Pod> start, List<Turn> turns, List<Integer> ranks) {
 
     static final int PLAYERS = 2;
-    static final int PODS = 4;
+    static final int PODS_PER_PLAYER = 2;
+    static final int PODS = PLAYERS * PODS_PER_PLAYER;
 
     /**
      * One turn.
      *
      * @param frame    number of the key frame that ends it, for errors
-     * @param commands per player the lines it wrote; {@code null} for a player that did not answer
+     * @param commands per player the lines it wrote, possibly none or too few; {@code null} for a player that was not
+     *                 asked any more
      * @param after    the pods after the turn, in order; empty if not recorded
      * @param impacts  in order; {@code null} if the recording tells nothing of impacts
      */
-    record Turn(int frame, List<String> commands, List<Pod> after, List<Impact> impacts) {
+    record Turn(int frame, List<List<String>> commands, List<Pod> after, List<Impact> impacts) {
+
+        /** Whether no player said anything. */
+        boolean isSilent() {
+            return commands.stream().allMatch(lines -> lines == null || lines.isEmpty());
+        }
+
+        /** What a pod was told, in words; none if nothing was said. */
+        String[] command(int pod) {
+            List<String> lines = commands.get(pod / PODS_PER_PLAYER);
+            int line = pod % PODS_PER_PLAYER;
+            return lines == null || line >= lines.size() ? new String[0] : lines.get(line).strip().split("\\s+");
+        }
     }
 
     /**

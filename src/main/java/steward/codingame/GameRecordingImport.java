@@ -1,17 +1,13 @@
 package steward.codingame;
 
 import java.io.OutputStream;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.Consumer;
-import steward.bot.Answer;
-import steward.bot.Player;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
 import steward.game.GameTypes;
-import steward.game.JsonNumbers;
+import steward.game.podrace.PodRace;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
 import steward.match.Protocol;
@@ -19,12 +15,10 @@ import steward.match.Referee;
 import steward.match.Seat;
 import steward.match.TimeControl;
 import steward.match.Turn;
-import steward.replay.Observations;
 import steward.replay.ReplayHeader;
 import steward.replay.ReplayWriter;
 import steward.scene.SceneFiles;
 import steward.scene.SceneText;
-import tools.jackson.core.JsonGenerator;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
@@ -37,9 +31,13 @@ import tools.jackson.databind.node.ObjectNode;
 public final class GameRecordingImport {
 
     private static final String SCENE = "mad-pod-racing";
-    private static final int SHIELD_TIMER = 4;
 
-    private GameRecordingImport() {
+    private final GameRecording recording;
+    private final GameSetup setup;
+
+    private GameRecordingImport(GameRecording recording, GameSetup setup) {
+        this.recording = recording;
+        this.setup = setup;
     }
 
     /**
@@ -52,36 +50,17 @@ public final class GameRecordingImport {
     }
 
     /**
-     * Reads a recording and writes the replay.
+     * Reads a recording.
      *
      * @param json   the text of CodinGame's JSON
      * @param source its name, for errors
      * @param types  must know the pod race
-     * @param out    closed at the end
-     * @throws IllegalArgumentException if it is no recording of a pod race
+     * @throws IllegalArgumentException     if it is no recording of a pod race; says in which frame and line
+     * @throws steward.scene.SceneException if its map is none that can be raced on
      */
-    public static Imported run(String json, String source, GameTypes types, OutputStream out)
-            throws InterruptedException {
+    public static GameRecordingImport of(String json, String source, GameTypes types) {
         GameRecording recording = GameRecordingReader.read(json, source);
-        GameSetup setup = types.open(scene(recording), source + " (scene)");
-        List<Seat> seats = new ArrayList<>();
-        List<String> names = new ArrayList<>();
-        for (int player = 0; player < GameRecording.PLAYERS; player++) {
-            seats.add(new Seat(new RecordedPlayer(recording, player), Protocol.CODINGAME));
-            names.add("player " + player);
-        }
-        ReplayHeader header = new ReplayHeader(setup.scene().gameId(), setup.scene().json(), 0, names,
-            List.of("recorded", "recorded"), List.of(Protocol.CODINGAME, Protocol.CODINGAME),
-            Double.POSITIVE_INFINITY);
-        try (ReplayWriter writer = new ReplayWriter(out, header, new Observed(recording))) {
-            UpToTheEnd listener = new UpToTheEnd(writer, recording.turns().size());
-            try {
-                MatchResult result = Referee.of(setup, 0, seats, TimeControl.UNLIMITED, listener).play();
-                return new Imported(listener.turns, result.ending());
-            } catch (RecordingEnds end) {
-                return new Imported(listener.turns, null);
-            }
-        }
+        return new GameRecordingImport(recording, types.open(scene(recording), source + " (scene)"));
     }
 
     /** The official scene on the recorded map. */
@@ -98,49 +77,40 @@ public final class GameRecordingImport {
         return scene.toString();
     }
 
-    /** Says what was recorded. */
-    private static final class RecordedPlayer implements Player {
-
-        private final GameRecording recording;
-        private final int number;
-        private int turn;
-
-        RecordedPlayer(GameRecording recording, int number) {
-            this.recording = recording;
-            this.number = number;
+    /** Writes the replay. */
+    public Imported write(OutputStream out) throws InterruptedException {
+        List<Seat> seats = new ArrayList<>();
+        List<String> names = new ArrayList<>();
+        for (int player = 0; player < GameRecording.PLAYERS; player++) {
+            RecordedPlayer recorded = new RecordedPlayer(recording, player);
+            seats.add(new Seat(recorded, Protocol.CODINGAME));
+            names.add(recorded.name());
         }
-
-        @Override
-        public String name() {
-            return "player " + number;
-        }
-
-        @Override
-        public void tell(byte[] lines, int length) {
-        }
-
-        @Override
-        public Ending ask(byte[] frame, int length, int answerLines, long limitNanos, Answer answer) {
-            answer.clear();
-            String commands = turn < recording.turns().size()
-                ? recording.turns().get(turn).commands().get(number) : null;
-            turn++;
-            if (commands == null) {
-                answer.setFault("no answer in the recording");
-                return Ending.FAULT;
+        ReplayHeader header = new ReplayHeader(setup.scene().gameId(), setup.scene().json(), 0, names,
+            List.of("recorded", "recorded"), List.of(Protocol.CODINGAME, Protocol.CODINGAME),
+            Double.POSITIVE_INFINITY);
+        ObservedGame observed = new ObservedGame(recording);
+        ReplayWriter writer = new ReplayWriter(out, header, observed);
+        Recorder recorder = new Recorder(recording, observed, writer);
+        try {
+            MatchResult result = Referee.of(setup, 0, seats, TimeControl.UNLIMITED, recorder).play();
+            return new Imported(recorder.turns, result.ending());
+        } catch (RecordingEnds end) {
+            if (!recording.ranks().isEmpty()) {
+                writer.end(over(names));
             }
-            byte[] bytes = commands.getBytes(StandardCharsets.UTF_8);
-            answer.append(bytes, 0, bytes.length);
-            return Ending.ANSWERED;
+            return new Imported(recorder.turns, null);
         }
+    }
 
-        @Override
-        public void onAbandoned(Consumer<Answer> continuation) {
+    /** The result of a game that the server has ended, but our rules have not: verification will say so. */
+    private MatchResult over(List<String> names) {
+        List<MatchResult.PlayerResult> players = new ArrayList<>();
+        for (int player = 0; player < names.size(); player++) {
+            players.add(new MatchResult.PlayerResult(names.get(player), recording.ranks().get(player), 0, null, null,
+                0, 0, 0, 0, 0));
         }
-
-        @Override
-        public void finish(byte[] lines, int length) {
-        }
+        return new MatchResult(recording.turns().size(), "the recording ends", players);
     }
 
     /** The recording has no more turns, but by our rules the game goes on. */
@@ -154,27 +124,35 @@ public final class GameRecordingImport {
     }
 
     /** Passes a match on to a writer as far as it was recorded. */
-    private static final class UpToTheEnd implements MatchListener {
+    private static final class Recorder implements MatchListener {
 
+        private final GameRecording recording;
+        private final ObservedGame observed;
         private final ReplayWriter writer;
-        private final int recorded;
         private int turns;
 
-        UpToTheEnd(ReplayWriter writer, int recorded) {
+        Recorder(GameRecording recording, ObservedGame observed, ReplayWriter writer) {
+            this.recording = recording;
+            this.observed = observed;
             this.writer = writer;
-            this.recorded = recorded;
         }
 
         @Override
         public void start(Game game, FrameCodec codec) {
+            observed.start((PodRace) game);
             writer.start(game, codec);
         }
 
         @Override
         public void commands(Turn turn) {
-            if (turn.number() > recorded) {
+            if (turn.number() > recording.turns().size()) {
                 throw new RecordingEnds();
             }
+            boolean anyFault = false;
+            for (int player = 0; player < turn.players(); player++) {
+                anyFault |= turn.fault(player) != null;
+            }
+            observed.failed(anyFault);
             writer.commands(turn);
         }
 
@@ -184,97 +162,14 @@ public final class GameRecordingImport {
             turns++;
         }
 
+        /** A server that went on playing after our end is not kept secret. */
         @Override
         public void end(MatchResult result) {
-            writer.end(result);
-        }
-    }
-
-    /** What the server saw, in the form of a replay. */
-    private static final class Observed implements Observations {
-
-        private final GameRecording recording;
-        private final int[] passed = new int[GameRecording.PODS];
-        private final int[] next = new int[GameRecording.PODS];
-
-        Observed(GameRecording recording) {
-            this.recording = recording;
-        }
-
-        @Override
-        public void writeStart(JsonGenerator out) {
-            for (int pod = 0; pod < recording.start().size(); pod++) {
-                next[pod] = recording.start().get(pod).nextCheckpoint();
+            int all = recording.turns().size();
+            while (all > turns && recording.turns().get(all - 1).isSilent()) {
+                all--;
             }
-            writePods(out, recording.start(), true);
-        }
-
-        @Override
-        public void writeOutcome(JsonGenerator out, int number) {
-            GameRecording.Turn turn = recording.turns().get(number - 1);
-            if (turn.commands().contains(null)) {
-                return;                              // the game ends here: the server played no further
-            }
-            if (turn.impacts() != null) {
-                out.writeArrayPropertyStart("impacts");
-                for (GameRecording.Impact impact : turn.impacts()) {
-                    out.writeStartObject();
-                    JsonNumbers.write(out, "time", impact.time());
-                    out.writeNumberProperty("a", impact.a());
-                    out.writeNumberProperty("b", impact.b());
-                    JsonNumbers.write(out, "impulse", impact.impulse());
-                    out.writeEndObject();
-                }
-                out.writeEndArray();
-            }
-            if (!turn.after().isEmpty()) {
-                count(turn.after());
-                out.writeObjectPropertyStart("state");
-                writePods(out, turn.after(), number < recording.turns().size());
-                out.writeEndObject();
-            }
-        }
-
-        /** A pod whose next checkpoint has moved on has passed as many. */
-        private void count(List<GameRecording.Pod> pods) {
-            int count = recording.checkpoints().length;
-            for (int pod = 0; pod < pods.size(); pod++) {
-                int now = pods.get(pod).nextCheckpoint();
-                passed[pod] += Math.floorMod(now - next[pod], count);
-                next[pod] = now;
-            }
-        }
-
-        /** On the last turn, the server's next checkpoint of the pod that has won is the one it has just passed. */
-        private void writePods(JsonGenerator out, List<GameRecording.Pod> pods, boolean withPassed) {
-            if (pods.isEmpty()) {
-                return;
-            }
-            out.writeArrayPropertyStart("bodies");
-            for (int k = 0; k < pods.size(); k++) {
-                GameRecording.Pod pod = pods.get(k);
-                out.writeStartObject();
-                out.writeNumberProperty("id", k);
-                out.writeNumberProperty("player", 2 * k / GameRecording.PODS);
-                JsonNumbers.write(out, "x", pod.x());
-                JsonNumbers.write(out, "y", pod.y());
-                JsonNumbers.write(out, "vx", pod.vx());
-                JsonNumbers.write(out, "vy", pod.vy());
-                JsonNumbers.writeOrNull(out, "heading", pod.heading());
-                if (pod.shield()) {
-                    out.writeNumberProperty("shieldTimer", SHIELD_TIMER);
-                }
-                if (withPassed) {
-                    out.writeNumberProperty("passed", passed[k]);
-                }
-                out.writeEndObject();
-            }
-            out.writeEndArray();
-        }
-
-        @Override
-        public int rank(int player) {
-            return player < recording.ranks().size() ? recording.ranks().get(player) : -1;
+            writer.end(new MatchResult(all, result.ending(), result.players(), result.data()));
         }
     }
 }

@@ -65,7 +65,8 @@ final class GameRecordingReader {
         String[] view = view(frames.get(0), 0);
         double[][] checkpoints = checkpoints(view);
         List<GameRecording.Pod> start = pods(view, FIRST_POD_LINE_OF_START, 0);
-        return new GameRecording(checkpoints, start, turns(frames), ranks(result.get("ranks")));
+        List<Integer> ranks = ranks(result.get("ranks"));
+        return new GameRecording(checkpoints, start, turns(frames, !ranks.isEmpty()), ranks);
     }
 
     /** The lines of a frame's view; none if it has no view. */
@@ -77,7 +78,7 @@ final class GameRecordingReader {
         if (!view.isString()) {
             throw wrong(number, "view", view.toString(), "a text");
         }
-        return view.stringValue().split("\n", -1);
+        return view.stringValue().stripTrailing().split("\n", -1);
     }
 
     private double[][] checkpoints(String[] view) {
@@ -97,7 +98,7 @@ final class GameRecordingReader {
         return checkpoints;
     }
 
-    /** The four pods from a line of a view on; none if the view ends before them. */
+    /** The four pods from a line of a view on, -0 as 0; none if the view ends before them. */
     private List<GameRecording.Pod> pods(String[] view, int firstLine, int frame) {
         if (view.length <= firstLine) {
             return List.of();
@@ -111,42 +112,78 @@ final class GameRecordingReader {
                     "pod " + pod + ": x y vx vy power dead targetX targetY heading shield nextCheckpoint");
             }
             double heading = words[8].equals("null") ? Double.NaN : number(words[8], frame, line);
-            pods.add(new GameRecording.Pod(number(words[0], frame, line), number(words[1], frame, line),
-                number(words[2], frame, line), number(words[3], frame, line), heading,
-                number(words[9], frame, line) != 0, (int) number(words[10], frame, line)));
+            pods.add(new GameRecording.Pod(number(words[0], frame, line) + 0.0, number(words[1], frame, line) + 0.0,
+                number(words[2], frame, line) + 0.0, number(words[3], frame, line) + 0.0, heading,
+                whole(words[9], 1, frame, line) == 1, whole(words[10], Integer.MAX_VALUE, frame, line)));
         }
         return pods;
     }
 
-    private List<GameRecording.Turn> turns(JsonNode frames) {
+    private List<GameRecording.Turn> turns(JsonNode frames, boolean over) {
         List<GameRecording.Turn> turns = new ArrayList<>();
-        List<String> commands = new ArrayList<>();
+        List<List<String>> commands = new ArrayList<>();
         for (int k = 1; k < frames.size(); k++) {
             JsonNode frame = frames.get(k);
-            JsonNode stdout = frame.get("stdout");
-            if (stdout != null && !stdout.isNull() && !stdout.isString()) {
-                throw wrong(k, "stdout", stdout.toString(), "a text");
+            if (frame.path("agentId").asInt(0) < 0) {
+                continue;                             // the referee speaks
             }
-            commands.add(stdout == null || stdout.isNull() || stdout.stringValue().isBlank()
-                ? null : stdout.stringValue().strip());
-            JsonNode key = frame.get("keyframe");
-            boolean ends = key == null ? commands.size() == GameRecording.PLAYERS
-                : key.isBoolean() && key.booleanValue();
-            if (!ends && commands.size() == GameRecording.PLAYERS) {
-                throw wrong(k, "keyframe", String.valueOf(key), "true, because both players have answered");
-            }
-            if (ends || k == frames.size() - 1) {
-                while (commands.size() < GameRecording.PLAYERS) {
-                    commands.add(null);
-                }
-                turns.add(turn(frame, k, new ArrayList<>(commands)));
+            commands.add(said(frame, k));
+            if (endsTurn(frame, k, commands.size())) {
+                boolean last = k == frames.size() - 1;
+                turns.add(turn(frame, k, complete(commands, last)));
                 commands.clear();
             }
         }
-        return turns;
+        if (!commands.isEmpty() && (over || fails(commands.get(0)))) {
+            turns.add(turn(JsonMapper.shared().createObjectNode(), frames.size() - 1, complete(commands, true)));
+        }
+        return withoutImpactsIfThereAreNone(turns);
     }
 
-    private GameRecording.Turn turn(JsonNode frame, int number, List<String> commands) {
+    private List<String> said(JsonNode frame, int number) {
+        JsonNode stdout = frame.get("stdout");
+        if (stdout == null || stdout.isNull()) {
+            return List.of();
+        }
+        if (!stdout.isString()) {
+            throw wrong(number, "stdout", stdout.toString(), "a text");
+        }
+        return stdout.stringValue().strip().lines().toList();
+    }
+
+    private boolean endsTurn(JsonNode frame, int number, int players) {
+        JsonNode key = frame.get("keyframe");
+        if (key != null && !key.isBoolean()) {
+            throw wrong(number, "keyframe", key.toString(), "true or false");
+        }
+        boolean ends = key == null ? players == GameRecording.PLAYERS : key.booleanValue();
+        if (!ends && players == GameRecording.PLAYERS) {
+            throw wrong(number, "keyframe", "false", "true, because both players have answered");
+        }
+        return ends;
+    }
+
+    /** Whoever is missing was not asked any more because the one before had failed, or is the one that failed. */
+    private static List<List<String>> complete(List<List<String>> commands, boolean last) {
+        List<List<String>> all = new ArrayList<>(commands);
+        while (all.size() < GameRecording.PLAYERS) {
+            all.add(last && !fails(all.get(0)) ? List.of() : null);
+        }
+        return all;
+    }
+
+    private static boolean fails(List<String> lines) {
+        return lines.size() < GameRecording.PODS_PER_PLAYER;
+    }
+
+    /** A recording without a single impact may come from a source that tells of none. */
+    private static List<GameRecording.Turn> withoutImpactsIfThereAreNone(List<GameRecording.Turn> turns) {
+        boolean any = turns.stream().anyMatch(turn -> turn.impacts() != null && !turn.impacts().isEmpty());
+        return any ? turns : turns.stream()
+            .map(turn -> new GameRecording.Turn(turn.frame(), turn.commands(), turn.after(), null)).toList();
+    }
+
+    private GameRecording.Turn turn(JsonNode frame, int number, List<List<String>> commands) {
         String[] view = view(frame, number);
         List<GameRecording.Pod> after = pods(view, FIRST_POD_LINE, number);
         return new GameRecording.Turn(number, commands, after, after.isEmpty() ? null : impacts(view, number));
@@ -173,20 +210,37 @@ final class GameRecordingReader {
                 throw wrong(frame, "view line " + line, quote(view[line]),
                     "an impact: id time podA xA yA podB xB yB impulse");
             }
-            impacts.add(new GameRecording.Impact(number(words[1], frame, line), (int) number(words[2], frame, line),
-                (int) number(words[5], frame, line), number(words[8], frame, line)));
+            impacts.add(new GameRecording.Impact(number(words[1], frame, line),
+                whole(words[2], GameRecording.PODS - 1, frame, line),
+                whole(words[5], GameRecording.PODS - 1, frame, line), number(words[8], frame, line)));
         }
         return impacts;
     }
 
-    private static List<Integer> ranks(JsonNode node) {
+    private List<Integer> ranks(JsonNode node) {
         List<Integer> ranks = new ArrayList<>();
-        if (node != null && node.isArray()) {
-            for (JsonNode rank : node) {
+        if (node == null || node.isNull()) {
+            return ranks;
+        }
+        for (JsonNode rank : node) {
+            if (rank.isInt()) {
                 ranks.add(rank.intValue());
             }
         }
+        if (!node.isArray() || ranks.size() != node.size() || ranks.size() != GameRecording.PLAYERS) {
+            throw new IllegalArgumentException(source + ": ranks: found " + quote(node.toString())
+                + ", expected an array of " + GameRecording.PLAYERS + " whole numbers");
+        }
         return ranks;
+    }
+
+    /** A whole number from 0. */
+    private int whole(String word, int most, int frame, int line) {
+        double value = number(word, frame, line);
+        if (value != Math.rint(value) || value < 0 || value > most) {
+            throw wrong(frame, "view line " + line, quote(word), "a whole number 0.." + most);
+        }
+        return (int) value;
     }
 
     private double number(String word, int frame, int line) {

@@ -35,19 +35,18 @@ public record MatchResult(int turns, String ending, List<PlayerResult> players, 
      * @param averageNanos mean answer time, in nanoseconds, the first answer left out when there are more
      * @param worstNanos   longest answer time, likewise
      * @param firstNanos   time of the first answer, which includes a process's start
-     * @param extraLines   most lines that were found waiting beyond an answer
-     * @param data         what the bot reported about itself: {@code [PDATA] key = value} on stderr, the last value,
-     *                     and
+     * @param earlyTurns   in how many turns there were further lines beyond the answer, which wait for later turns
+     * @param data         what the bot reported about itself: {@code [PDATA] key = value} on stderr, the last value, and
      *                     {@code [PDATA+] key = value}, the sum
      */
     public record PlayerResult(String name, int rank, double score, String fault, String out, int answers,
-                               long averageNanos, long worstNanos, long firstNanos, int extraLines,
+                               long averageNanos, long worstNanos, long firstNanos, int earlyTurns,
                                Map<String, String> data) {
 
         /** Without data. */
         public PlayerResult(String name, int rank, double score, String fault, String out, int answers,
-                            long averageNanos, long worstNanos, long firstNanos, int extraLines) {
-            this(name, rank, score, fault, out, answers, averageNanos, worstNanos, firstNanos, extraLines, Map.of());
+                            long averageNanos, long worstNanos, long firstNanos, int earlyTurns) {
+            this(name, rank, score, fault, out, answers, averageNanos, worstNanos, firstNanos, earlyTurns, Map.of());
         }
     }
 

@@ -36,7 +36,7 @@ public final class Referee {
     private final Answer[] answers;
     private final Stopwatch[] watches;
     private final String[] faults;
-    private final int[] extraLines;
+    private final int[] earlyTurns;
     private int next;
 
     /**
@@ -78,7 +78,7 @@ public final class Referee {
         answers = new Answer[count];
         watches = new Stopwatch[count];
         faults = new String[count];
-        extraLines = new int[count];
+        earlyTurns = new int[count];
         for (int player = 0; player < count; player++) {
             int number = player;
             answers[player] = new Answer();
@@ -181,7 +181,7 @@ public final class Referee {
 
     private void take(int player, Player.Ending ending, Answer answer) {
         watches[player].add(answer.nanos());
-        extraLines[player] = Math.max(extraLines[player], answer.extraLines());
+        earlyTurns[player] += answer.extraLines() > 0 ? 1 : 0;
         turn.asked[player] = true;
         turn.nanos[player] = answer.nanos();
         turn.stderr[player] = Quote.wellFormed(answer.stderr());
@@ -220,7 +220,7 @@ public final class Referee {
             Stopwatch watch = watches[player];
             results.add(new MatchResult.PlayerResult(players.get(player).name(), ranks[player], scores[player],
                 faults[player], game.eliminationReason(player), watch.answers(), watch.averageNanos(),
-                watch.worstNanos(), watch.firstNanos(), extraLines[player], data.player(player)));
+                watch.worstNanos(), watch.firstNanos(), earlyTurns[player], data.player(player)));
         }
         MatchResult matchResult = new MatchResult(game.turn(), game.ending(), results, data.match());
         listener.end(matchResult);

@@ -9,6 +9,9 @@ import tools.jackson.core.JsonGenerator;
  */
 public interface Observations {
 
+    /** Whether the state before the first turn was observed; otherwise the one that follows from the scene is kept. */
+    boolean hasStart();
+
     /** Fields of the state before the first turn, in the form of {@link steward.game.FrameCodec#writeState}. */
     void writeStart(JsonGenerator out);
 
@@ -19,6 +22,6 @@ public interface Observations {
      */
     void writeOutcome(JsonGenerator out, int turn);
 
-    /** A player's rank as observed, or -1. */
+    /** A player's rank as observed, or -1: then ours is kept. */
     int rank(int player);
 }

@@ -4,6 +4,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
+import java.util.Map;
 import java.util.function.ToLongFunction;
 import steward.game.FrameCodec;
 import steward.game.Game;
@@ -68,7 +69,7 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
         }
         out.writeName("scene");
         out.writeRawValue(header.scene());
-        if (observations == null) {
+        if (observations == null || !observations.hasStart()) {
             writeOpening(out, game, codec);
         } else {
             writeObservedOpening(out);
@@ -166,12 +167,14 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
             if (player.fault() != null) {
                 out.writeStringProperty("fault", player.fault());
             }
-            if (player.extraLines() > 0) {
-                out.writeNumberProperty("extraLines", player.extraLines());
+            if (player.earlyTurns() > 0) {
+                out.writeNumberProperty("earlyTurns", player.earlyTurns());
             }
+            writeData(out, player.data());
             out.writeEndObject();
         }
         out.writeEndArray();
+        writeData(out, result.data());
         out.writeObjectPropertyStart("times");
         writeNanos(out, "averageNanos", result, MatchResult.PlayerResult::averageNanos);
         writeNanos(out, "worstNanos", result, MatchResult.PlayerResult::worstNanos);
@@ -180,13 +183,24 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
         close(out);
     }
 
+    /** The field {@code data}: what bots reported; left out if they did not. */
+    private static void writeData(JsonGenerator out, Map<String, String> data) {
+        if (!data.isEmpty()) {
+            out.writeObjectPropertyStart("data");
+            data.forEach(out::writeStringProperty);
+            out.writeEndObject();
+        }
+    }
+
     private void writeObservedStanding(JsonGenerator out) {
+        int[] ranks = game.ranks();
+        double[] scores = game.scores();
         out.writeArrayPropertyStart("standing");
-        for (int player = 0; player < game.players(); player++) {
+        for (int player = 0; player < ranks.length; player++) {
+            int observed = observations.rank(player);
             out.writeStartObject();
-            if (observations.rank(player) >= 0) {
-                out.writeNumberProperty("rank", observations.rank(player));
-            }
+            out.writeNumberProperty("rank", observed < 0 ? ranks[player] : observed);
+            JsonNumbers.write(out, "score", scores[player]);
             out.writeEndObject();
         }
         out.writeEndArray();

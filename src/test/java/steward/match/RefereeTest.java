@@ -194,7 +194,7 @@ class RefereeTest {
         assertEquals(1000, a.firstNanos());
         assertEquals(3000, a.averageNanos());
         assertEquals(4000, a.worstNanos());
-        assertEquals(3, a.extraLines());
+        assertEquals(1, a.earlyTurns());
     }
 
     @Test

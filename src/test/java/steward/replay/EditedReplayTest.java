@@ -97,7 +97,7 @@ class EditedReplayTest {
     /** Fields of turn and result lines that nobody can know, or that only people read. */
     private static boolean isFree(String path) {
         return path.startsWith("/times/") || path.startsWith("/stderr/") || path.startsWith("/messages/")
-            || path.endsWith("/extraLines");
+            || path.endsWith("/earlyTurns");
     }
 
     @Test

@@ -3,6 +3,7 @@ package steward.game.podrace;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.PrintStream;
+import java.math.BigDecimal;
 import java.util.Locale;
 
 /**
@@ -44,7 +45,7 @@ public final class SimulatorProtocol {
     }
 
     /**
-     * Answers every test until the end of the input.
+     * Answers every test until the end of the input, or until nobody takes the answers any more.
      *
      * @return how many tests there were
      * @throws IllegalArgumentException if a line is missing or wrong; says which, what was found and what was expected
@@ -57,6 +58,9 @@ public final class SimulatorProtocol {
             for (int test = 0; test < count; test++) {
                 answer(checkpoints);
                 tests++;
+                if (out.checkError()) {
+                    return tests;
+                }
             }
         }
         return tests;
@@ -93,9 +97,9 @@ public final class SimulatorProtocol {
             append(lines, state.y()).append(' ');
             append(lines, state.vx()).append(' ');
             append(lines, state.vy()).append(' ');
-            lines.append(PodRaceJson.degrees(state.heading())).append(' ').append(race.nextCheckpoint(pod)).append(' ')
-                .append(Math.max(0, state.shieldTimer() - 1)).append(' ').append(state.boostLeft() ? 0 : 1)
-                .append('\n');
+            append(lines, PodRaceJson.degrees(state.heading())).append(' ');
+            lines.append(race.nextCheckpoint(pod)).append(' ').append(Math.max(0, state.shieldTimer() - 1)).append(' ')
+                .append(state.boostLeft() ? 0 : 1).append('\n');
         }
         out.print(lines);
         out.flush();
@@ -121,8 +125,10 @@ public final class SimulatorProtocol {
         };
     }
 
+    /** Every digit, and no exponent: not every reader knows one. */
     private static StringBuilder append(StringBuilder lines, double value) {
-        return value == Math.rint(value) ? lines.append((long) value) : lines.append(value);
+        return lines.append(value == 0 ? "0" : new BigDecimal(Double.toString(value)).stripTrailingZeros()
+            .toPlainString());
     }
 
     private String only(String[] words) {

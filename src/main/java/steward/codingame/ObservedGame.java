@@ -1,0 +1,132 @@
+package steward.codingame;
+
+import java.util.Arrays;
+import java.util.List;
+import steward.game.JsonNumbers;
+import steward.game.podrace.PodRace;
+import steward.game.podrace.PodRaceSettings;
+import steward.replay.Observations;
+import tools.jackson.core.JsonGenerator;
+
+/**
+ * What CodinGame's server saw of a game, in the form of a replay. Of the shield it shows only the turn in which it was
+ * raised, of the boost nothing, of the checkpoints the next one: timers, boosts and checkpoints passed are counted here.
+ */
+final class ObservedGame implements Observations {
+
+    private final GameRecording recording;
+    private final int[] passed = new int[GameRecording.PODS];
+    private final int[] next = new int[GameRecording.PODS];
+    private final int[] shieldTimer = new int[GameRecording.PODS];
+    private final boolean[] boostLeft = new boolean[GameRecording.PODS];
+    private PodRace race;
+    private boolean failed;
+
+    ObservedGame(GameRecording recording) {
+        this.recording = recording;
+        Arrays.fill(boostLeft, true);
+        Arrays.fill(next, 1 % recording.checkpoints().length);
+    }
+
+    /** The same game as we play it. */
+    void start(PodRace played) {
+        race = played;
+    }
+
+    /** Says before a turn's outcome whether a player fails in it: then the server played no further. */
+    void failed(boolean anyPlayer) {
+        failed = anyPlayer;
+    }
+
+    @Override
+    public boolean hasStart() {
+        return !recording.start().isEmpty();
+    }
+
+    @Override
+    public void writeStart(JsonGenerator out) {
+        for (int pod = 0; pod < GameRecording.PODS; pod++) {
+            next[pod] = recording.start().get(pod).nextCheckpoint();
+        }
+        writePods(out, recording.start());
+    }
+
+    @Override
+    public void writeOutcome(JsonGenerator out, int number) {
+        GameRecording.Turn turn = recording.turns().get(number - 1);
+        if (failed) {
+            return;
+        }
+        if (turn.impacts() != null) {
+            writeImpacts(out, turn.impacts());
+        }
+        for (int pod = 0; pod < GameRecording.PODS; pod++) {
+            String[] command = turn.command(pod);
+            String word = command.length < 3 ? "" : command[2];
+            boolean shield = turn.after().isEmpty() ? word.equalsIgnoreCase("SHIELD") : turn.after().get(pod).shield();
+            shieldTimer[pod] = shield ? PodRaceSettings.SHIELD_TURNS : Math.max(0, shieldTimer[pod] - 1);
+            boostLeft[pod] &= !word.equalsIgnoreCase("BOOST");
+        }
+        if (!turn.after().isEmpty()) {
+            count(turn.after());
+            out.writeObjectPropertyStart("state");
+            writePods(out, turn.after());
+            out.writeEndObject();
+        }
+    }
+
+    private static void writeImpacts(JsonGenerator out, List<GameRecording.Impact> impacts) {
+        out.writeArrayPropertyStart("impacts");
+        for (GameRecording.Impact impact : impacts) {
+            out.writeStartObject();
+            JsonNumbers.write(out, "time", impact.time());
+            out.writeNumberProperty("a", impact.a());
+            out.writeNumberProperty("b", impact.b());
+            JsonNumbers.write(out, "impulse", impact.impulse());
+            out.writeEndObject();
+        }
+        out.writeEndArray();
+    }
+
+    /**
+     * A pod whose next checkpoint has moved on has passed as many. Only the last one of a race is not seen to be
+     * passed: the server leaves its number as the next, with which both counts agree, so ours is taken.
+     */
+    private void count(List<GameRecording.Pod> pods) {
+        int count = recording.checkpoints().length;
+        int toFinish = race.settings().laps() * count;
+        for (int pod = 0; pod < pods.size(); pod++) {
+            int now = pods.get(pod).nextCheckpoint();
+            passed[pod] += Math.floorMod(now - next[pod], count);
+            next[pod] = now;
+            if (passed[pod] == toFinish - 1 && race.pod(pod).passed() == toFinish) {
+                passed[pod] = toFinish;
+            }
+        }
+    }
+
+    private void writePods(JsonGenerator out, List<GameRecording.Pod> pods) {
+        out.writeArrayPropertyStart("bodies");
+        for (int k = 0; k < pods.size(); k++) {
+            GameRecording.Pod pod = pods.get(k);
+            out.writeStartObject();
+            out.writeNumberProperty("id", k);
+            out.writeNumberProperty("player", k / GameRecording.PODS_PER_PLAYER);
+            JsonNumbers.write(out, "x", pod.x());
+            JsonNumbers.write(out, "y", pod.y());
+            JsonNumbers.write(out, "vx", pod.vx());
+            JsonNumbers.write(out, "vy", pod.vy());
+            JsonNumbers.writeOrNull(out, "heading", pod.heading());
+            out.writeNumberProperty("shieldTimer", shieldTimer[k]);
+            out.writeBooleanProperty("boostLeft", boostLeft[k]);
+            out.writeNumberProperty("passed", passed[k]);
+            out.writeEndObject();
+        }
+        out.writeEndArray();
+    }
+
+    @Override
+    public int rank(int player) {
+        return recording.ranks().isEmpty() ? -1 : recording.ranks().get(player);
+    }
+}

@@ -1,0 +1,70 @@
+package steward.codingame;
+
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import steward.bot.Answer;
+import steward.bot.Player;
+
+/** A player that says what one did in a recording, in CodinGame's protocol. */
+final class RecordedPlayer implements Player {
+
+    private final GameRecording recording;
+    private final int number;
+    private int turn;
+
+    RecordedPlayer(GameRecording recording, int number) {
+        this.recording = recording;
+        this.number = number;
+    }
+
+    @Override
+    public String name() {
+        return "player " + number;
+    }
+
+    @Override
+    public void tell(byte[] lines, int length) {
+        // It knows what it will say.
+    }
+
+    @Override
+    public Ending ask(byte[] frame, int length, int answerLines, long limitNanos, Answer answer) {
+        answer.clear();
+        List<String> said = turn < recording.turns().size() ? recording.turns().get(turn).commands().get(number)
+            : List.of();
+        turn++;
+        if (said != null && said.size() < answerLines) {
+            answer.setFault(said.isEmpty() ? "no answer in the recording"
+                : "answered " + said.size() + " of " + answerLines + " lines in the recording");
+            return Ending.FAULT;
+        }
+        List<String> lines = said == null ? idle(frame, length, answerLines) : said.subList(0, answerLines);
+        byte[] bytes = String.join("\n", lines).getBytes(StandardCharsets.UTF_8);
+        answer.append(bytes, 0, bytes.length);
+        return Ending.ANSWERED;
+    }
+
+    /** Not asked any more: every pod aims at its own place, which is no command at all. */
+    private static List<String> idle(byte[] frame, int length, int pods) {
+        List<String> lines = new ArrayList<>();
+        for (String line : new String(frame, 0, length, StandardCharsets.UTF_8).split("\n")) {
+            String[] words = line.split(" ");
+            if (lines.size() < pods) {
+                lines.add(words[0] + " " + words[1] + " 0 not asked any more");
+            }
+        }
+        return lines;
+    }
+
+    @Override
+    public void onAbandoned(Consumer<Answer> continuation) {
+        // It always comes back.
+    }
+
+    @Override
+    public void finish(byte[] lines, int length) {
+        // Nothing to end.
+    }
+}
