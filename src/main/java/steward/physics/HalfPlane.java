@@ -19,7 +19,7 @@ public record HalfPlane(double x, double y, double insideX, double insideY, doub
     public HalfPlane {
         Wall.require(Double.isFinite(x), "x", x, "a finite number");
         Wall.require(Double.isFinite(y), "y", y, "a finite number");
-        double length = Math.hypot(insideX, insideY);
+        double length = Math.sqrt(insideX * insideX + insideY * insideY);
         Wall.require(Math.abs(length - 1) <= 1e-12, "length of the inside vector", length, "1");
         Wall.requireRestitution(restitution);
         insideX /= length;

@@ -13,7 +13,7 @@ public record Segment(double ax, double ay, double bx, double by, double restitu
 
     /** @throws IllegalArgumentException if a number is not finite, the ends coincide or the restitution not in 0..1 */
     public Segment {
-        double length = Math.hypot(bx - ax, by - ay);
+        double length = Math.sqrt((bx - ax) * (bx - ax) + (by - ay) * (by - ay));
         Wall.require(length > 0 && length < Double.POSITIVE_INFINITY, "length of a segment", length,
             "finite and above 0");
         Wall.requireRestitution(restitution);

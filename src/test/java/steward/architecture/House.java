@@ -30,7 +30,7 @@ final class House {
 
     /** Functions whose last bit is up to the machine; sqrt, fma, floor and the like are exact everywhere. */
     private static final Set<String> INEXACT = Set.of("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp",
-        "expm1", "log", "log10", "log1p", "pow", "cbrt", "sinh", "cosh", "tanh");
+        "expm1", "log", "log10", "log1p", "pow", "cbrt", "sinh", "cosh", "tanh", "hypot");
 
     private static final Set<String> CLOCKS = Set.of("nanoTime", "currentTimeMillis");
     private static final Set<String> PARALLEL = Set.of("parallel", "parallelStream", "parallelPrefix", "parallelSort",

@@ -84,7 +84,7 @@ class FaultsTest {
             received(pod("\"x\":1e999"), "pods[0].x: found 1e999, expected a finite number"),
             received(pod("\"thrust\":201"), "pods[0].thrust: found 201, expected a whole number 0..200"),
             received(pod("\"thrust\":-1"), "pods[0].thrust: found -1, expected a whole number 0..200"),
-            received(pod("\"thrust\":100.0"), "pods[0].thrust: found 100.0, expected a whole number 0..200"),
+            received(pod("\"thrust\":100.5"), "pods[0].thrust: found 100.5, expected a whole number 0..200"),
             received(pod("\"thrust\":99999999999"),
                 "pods[0].thrust: found 99999999999, expected a whole number 0..200"),
             received(pod("\"shield\":false"), "pods[0].shield: found false, expected true (or leave it out)"),
@@ -171,5 +171,16 @@ class FaultsTest {
             new InProcessPlayer("B", new Saying(null))), TimeControl.UNLIMITED, listener).play();
 
         assertEquals("a\uFFFDb", heard.toString());
+    }
+
+    /** Numbers and names beyond what the JSON reader takes are the bot's fault, not the referee's end. */
+    @Test
+    void whatTheJsonReaderRefusesIsAFault() throws InterruptedException {
+        for (String answer : List.of(pod("\"x\":1" + "0".repeat(2000)), pod("\"x\":0." + "1".repeat(2000)),
+                "{\"" + "n".repeat(60_000) + "\":1}", "[".repeat(2000), "{\"pods\":" + "[".repeat(2000))) {
+            String fault = faultOf(answer).fault();
+
+            assertTrue(fault != null && fault.contains("; received: "), () -> answer.substring(0, 20) + ": " + fault);
+        }
     }
 }

@@ -92,7 +92,7 @@ class RefereeTest {
             player("B", ScriptedPlayer::idle));
 
         assertEquals(1, result.winner());
-        assertEquals("finished after 1 laps", result.ending());
+        assertEquals("finished after 1 lap", result.ending());
         assertEquals(1, result.players().get(0).rank());
     }
 

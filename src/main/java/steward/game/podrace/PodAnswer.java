@@ -71,7 +71,9 @@ final class PodAnswer {
             }
             return in.nextToken() == null ? null : "found more after the closing }, expected one object a line";
         } catch (JacksonException problem) {
-            return "not JSON, column " + problem.getLocation().getColumnNr() + ": " + problem.getOriginalMessage();
+            // The reader's own limits (digits of a number, length of a name) come without a place.
+            String column = problem.getLocation() == null ? "" : ", column " + problem.getLocation().getColumnNr();
+            return "not JSON" + column + ": " + problem.getOriginalMessage();
         }
     }
 
@@ -169,12 +171,11 @@ final class PodAnswer {
     }
 
     private String readThrust(JsonParser in, String path, int pod) {
-        boolean whole = in.currentToken() == JsonToken.VALUE_NUMBER_INT
-            && in.getNumberType() == JsonParser.NumberType.INT;
-        if (!whole || in.getIntValue() < 0 || in.getIntValue() > maximumThrust) {
+        double value = in.currentToken().isNumeric() ? in.getDoubleValue() : Double.NaN;
+        if (value != Math.rint(value) || !(value >= 0 && value <= maximumThrust)) {
             return path + ".thrust: found " + describe(in) + ", expected a whole number 0.." + maximumThrust;
         }
-        thrust[pod] = in.getIntValue();
+        thrust[pod] = (int) value;                    // 100.0 is a whole number too: some languages print it so
         return null;
     }
 

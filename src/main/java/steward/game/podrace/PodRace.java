@@ -243,11 +243,14 @@ public final class PodRace implements Game {
             finished += hasFinished(player) ? 1 : 0;
             if (isIn(player) && turnsLeft[player] <= 0 && !hasFinished(player)) {
                 eliminate(player, "no checkpoint in " + settings.turnsWithoutCheckpoint() + " turns", turn);
+                int pod = bestPod(player);
+                events.add(new TurnEvent(TurnEvent.Kind.MARK, 1, pod, bodies.x[pod], bodies.y[pod],
+                    "player " + player + " is out: " + outReason[player], true));
             }
             in += isIn(player) ? 1 : 0;
         }
         if (finished > 0) {
-            ending = "finished after " + settings.laps() + " laps";
+            ending = "finished after " + settings.laps() + (settings.laps() == 1 ? " lap" : " laps");
         } else if (in <= (settings.players() > 1 ? 1 : 0)) {
             ending = in == 1 ? "all others are out" : "all are out";
         } else if (turn >= settings.maximumTurns()) {

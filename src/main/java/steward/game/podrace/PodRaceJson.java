@@ -2,6 +2,7 @@ package steward.game.podrace;
 
 import steward.game.FrameCodec;
 import steward.game.JsonNumbers;
+import steward.game.WallJson;
 import steward.physics.Bodies;
 import steward.scene.Bumper;
 import steward.scene.Field;
@@ -186,6 +187,7 @@ final class PodRaceJson implements FrameCodec {
         JsonNumbers.write(out, "width", frame[2]);
         JsonNumbers.write(out, "height", frame[3]);
         out.writeEndObject();
+        scene.field().ifPresent(field -> WallJson.write(out, field.walls()));
         out.writeArrayPropertyStart("zones");
         double[][] checkpoints = race.checkpoints();
         for (int k = 0; k < checkpoints.length; k++) {

@@ -72,7 +72,8 @@ class AnswerSchemaTest {
     @ParameterizedTest
     @ValueSource(strings = {
         "{'pods':[P],'message':'m'}", "{'message':'','pods':[P]}", "  { 'pods' : [ P ] }  ",
-        "{'pods':[P],'message':'\\u00e4\\ud83d\\ude00'}"})
+        "{'pods':[P],'message':'\\u00e4\\ud83d\\ude00'}",
+        "{'pods':[{'x':1,'y':2,'thrust':100.0}]}", "{'pods':[{'x':1,'y':2,'thrust':1e2}]}"})
     void goodAnswers(String text) {
         String answer = answer(text);
 
@@ -90,10 +91,10 @@ class AnswerSchemaTest {
         assertEquals("read false, valid false", "read " + isRead(answer) + ", valid " + isValid(answer));
     }
 
-    /** A number of pods that another scene has, a whole number in another spelling, and what no JSON value can show. */
+    /** A number of pods that another scene has, and what no JSON value can show. */
     @ParameterizedTest
     @ValueSource(strings = {
-        "{'pods':[P,P]}", "{'pods':[{'x':1,'y':2,'thrust':100.0}]}", "{'pods':[{'x':1,'y':2,'thrust':1e2}]}",
+        "{'pods':[P,P]}",
         "{'pods':[P],'pods':[P]}", "{'pods':[{'x':1,'x':1,'y':2,'thrust':100}]}"})
     void beyondWhatASchemaCanSay(String text) {
         String answer = answer(text);

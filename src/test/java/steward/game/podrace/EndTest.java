@@ -94,7 +94,7 @@ class EndTest {
         race.eliminate(2, "fault");
         race.play();
 
-        assertEquals("finished after 1 laps", race.ending());
+        assertEquals("finished after 1 lap", race.ending());
         assertArrayEquals(new int[] {0, 1, 2}, race.ranks());
     }
 
