@@ -22,7 +22,7 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
     public enum Prefix {
         /** A bot that comes with the program; speaks JSON. */
         BUILTIN,
-        /** A program that speaks JSON; also when there is no prefix. */
+        /** A program that speaks JSON; most often also one without a prefix. */
         JSON,
         /** A program that speaks CodinGame's text protocol. */
         CODINGAME;
@@ -49,12 +49,18 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
         }
     }
 
+    /** As {@link #parse(String, Prefix)}; a program without a prefix speaks JSON. */
+    public static BotCommand parse(String text) {
+        return parse(text, Prefix.JSON);
+    }
+
     /**
      * Reads a bot command.
      *
+     * @param usual what a bot without a prefix is
      * @throws IllegalArgumentException when it has no command or cannot be split into words; the message says where
      */
-    public static BotCommand parse(String text) {
+    public static BotCommand parse(String text, Prefix usual) {
         Matcher named = NAMED.matcher(text);
         String name = named.matches() ? named.group(1) : null;
         String rest = named.matches() ? named.group(2) : text;
@@ -66,7 +72,7 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
             throw new IllegalArgumentException(
                 "bot '" + text + "': there is no command" + after + "; expected " + FORM);
         }
-        return new BotCommand(name, written == null ? Prefix.JSON : written, words);
+        return new BotCommand(name, written == null ? usual : written, words);
     }
 
     private static Prefix writtenPrefix(String text) {
@@ -128,7 +134,7 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
     }
 
     private String hint() {
-        boolean odd = prefix == Prefix.JSON && UNKNOWN_PREFIX.matcher(words.get(0)).matches();
+        boolean odd = prefix != Prefix.BUILTIN && UNKNOWN_PREFIX.matcher(words.get(0)).matches();
         if (!odd) {
             return "";
         }

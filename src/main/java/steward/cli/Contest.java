@@ -38,13 +38,20 @@ record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double
     record Entrant(String name, String bot, Protocol protocol, List<String> words) {
     }
 
+    /** As {@link #of(String, List, Protocol, double)}; bots without a prefix speak JSON. */
+    static Contest of(String scene, List<String> bots, double timeFactor) {
+        return of(scene, bots, Protocol.JSON, timeFactor);
+    }
+
     /**
      * Reads the scene and finds the bots; nothing is started.
      *
-     * @throws InputException                if the bots are not as many as the players, or one cannot be started
+     * @param usual the protocol of bots without a prefix
+     * @throws InputException                if the bots are not as many as the players, one cannot be started, or the scene
+     *                                       does not have its protocol
      * @throws steward.scene.SceneException if the scene cannot be used
      */
-    static Contest of(String scene, List<String> bots, double timeFactor) {
+    static Contest of(String scene, List<String> bots, Protocol usual, double timeFactor) {
         GameSetup setup = openScene(scene);
         int players = setup.scene().players();
         if (bots.size() != players) {
@@ -52,7 +59,7 @@ record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double
                 + Words.count(players, "bot") + ", one --bot for each player of the scene \"" + setup.scene().name()
                 + "\"");
         }
-        List<Entrant> entrants = entrants(bots);
+        List<Entrant> entrants = entrants(bots, usual);
         checkProtocols(setup, entrants);
         return new Contest(setup, entrants, timeControl(setup, timeFactor), timeFactor);
     }
@@ -74,13 +81,14 @@ record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double
         }
     }
 
-    private static List<Entrant> entrants(List<String> bots) {
+    private static List<Entrant> entrants(List<String> bots, Protocol usual) {
+        BotCommand.Prefix prefix = usual == Protocol.JSON ? BotCommand.Prefix.JSON : BotCommand.Prefix.CODINGAME;
         List<BotCommand> commands = new ArrayList<>();
         List<String> names = new ArrayList<>();
         List<List<String>> words = new ArrayList<>();
         for (String bot : bots) {
             try {
-                BotCommand command = BotCommand.parse(bot);
+                BotCommand command = BotCommand.parse(bot, prefix);
                 commands.add(command);
                 names.add(command.displayName());
                 words.add(command.resolve());
@@ -100,7 +108,8 @@ record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double
         return entrants;
     }
 
-    private static void checkProtocols(GameSetup setup, List<Entrant> entrants) {
+    /** Refuses bots that speak what the scene's game does not. */
+    static void checkProtocols(GameSetup setup, List<Entrant> entrants) {
         for (Entrant entrant : entrants) {
             if (entrant.protocol() == Protocol.CODINGAME && setup.textCodec(setup.create(0)).isEmpty()) {
                 throw new InputException("bot '" + entrant.bot() + "': the scene \"" + setup.scene().name()

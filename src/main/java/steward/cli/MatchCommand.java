@@ -3,6 +3,7 @@ package steward.cli;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
@@ -10,17 +11,19 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
+import steward.match.Protocol;
 
 /** {@code steward match}: one match, or many. */
 @Command(name = "match", description = "Plays a match between bots, or many matches.",
     footer = {"",
         "A bot is written [NAME=][builtin:|json:|codingame:]COMMAND, its words quoted as for a shell.",
         "'builtin:racer' and 'builtin:veteran' come with the program; 'codingame:' is for programs that",
-        "speak the lines of words and numbers of that site, 'json:' for all others and may be left out.",
-        "One --bot for each player of the scene, in order.",
+        "speak the lines of words and numbers of that site, 'json:' for those that speak JSON; --protocol",
+        "says what all others speak. One --bot for each player of the scene, in order.",
         "", "Examples:",
         "  steward match --bot builtin:veteran --bot 'me=python3 bot.py' --seed 7 --out match.jsonl",
         "  steward match --scene duel --bot ./mine --bot builtin:racer --games 50 --swap --threads 2",
+        "  steward match --protocol codingame --bot ./a.out --bot json:'python3 bot.py'",
         "", "Exit status: 0 there is a result; 1 there is none, or --strict and a bot failed; 2 wrong call."})
 final class MatchCommand implements Callable<Integer> {
 
@@ -41,6 +44,10 @@ final class MatchCommand implements Callable<Integer> {
 
     @Option(names = "--bot", paramLabel = "BOT", description = "A bot; see below.")
     private List<String> bots = new ArrayList<>();
+
+    @Option(names = "--protocol", paramLabel = "P", defaultValue = "json",
+        description = "What bots without a prefix speak: json or codingame (default: ${DEFAULT-VALUE}).")
+    private String protocol;
 
     @Option(names = "--seed", paramLabel = "N", description = "What is drawn by lot follows from it (default: drawn).")
     private Long seed;
@@ -96,10 +103,12 @@ final class MatchCommand implements Callable<Integer> {
             "--threads: found " + threads + ", expected 1 to " + MOST_THREADS);
         check(many || threads == null, "--threads is for many games, expected --games or --swap with it");
         check(!overwrite || out != null, "--overwrite: expected --out with it");
+        Optional<Protocol> usual = Protocol.of(protocol);
+        check(usual.isPresent(), "--protocol: found '" + protocol + "', expected json or codingame");
         double factor = noDeadline ? Double.POSITIVE_INFINITY : timeFactor == null ? 1 : timeFactor;
         check(noDeadline || factor > 0 && factor < Double.POSITIVE_INFINITY,
             "--time-factor: found " + factor + ", expected a number above 0");
-        Contest contest = Contest.of(scene, bots, factor);
+        Contest contest = Contest.of(scene, bots, usual.get(), factor);
         long first = seed != null ? seed : new SplittableRandom().nextLong(DRAWN_SEEDS);
         Path path = out == null ? null : OutputFiles.path(out);
         Report report = json ? Report.JSON : quiet ? Report.LINE : Report.FULL;

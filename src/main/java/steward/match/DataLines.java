@@ -1,5 +1,6 @@
 package steward.match;
 
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.Map;
 import java.util.TreeMap;
@@ -7,16 +8,19 @@ import java.util.TreeMap;
 /**
  * Collects data that bots report on stderr, as rating tools know it: {@code [TDATA] key = value} about the match,
  * {@code [PDATA] key = value} about the player (the last value counts), {@code [PDATA+] key = value} summed up.
- * Anything else is passed over.
+ * Anything else is passed over. A line that has come in part only, when a turn ends, is read with the next.
  */
 final class DataLines {
 
     private static final String MATCH = "[TDATA]";
     private static final String PLAYER = "[PDATA]";
     private static final String PLAYER_SUM = "[PDATA+]";
+    /** How much is kept of a line without an end, in characters. */
+    private static final int LONGEST = 1000;
 
     private final Map<String, String> match = new TreeMap<>();
     private final Map<String, String>[] players;
+    private final String[] begun;
 
     @SuppressWarnings({"unchecked", "rawtypes"})
     DataLines(int count) {
@@ -24,14 +28,27 @@ final class DataLines {
         for (int player = 0; player < count; player++) {
             players[player] = new TreeMap<>();
         }
+        begun = new String[count];
+        Arrays.fill(begun, "");
     }
 
     /** Takes what a player wrote. */
     void read(int player, String stderr) {
-        if (stderr == null || stderr.indexOf("DATA") < 0) {
+        if (stderr == null) {
             return;
         }
-        for (String line : stderr.split("\\R")) {
+        int end = stderr.lastIndexOf('\n') + 1;
+        String lines = end == 0 ? "" : begun[player] + stderr.substring(0, end);
+        String rest = end == 0 ? begun[player] + stderr : stderr.substring(end);
+        begun[player] = rest.substring(0, Math.min(LONGEST, rest.length()));
+        readLines(player, lines);
+    }
+
+    private void readLines(int player, String lines) {
+        if (lines.indexOf("DATA") < 0) {
+            return;
+        }
+        for (String line : lines.split("\\R")) {
             if (line.startsWith(MATCH)) {
                 put(match, line.substring(MATCH.length()), false);
             } else if (line.startsWith(PLAYER_SUM)) {
@@ -67,6 +84,14 @@ final class DataLines {
             return Double.isFinite(value) ? value : 0;
         } catch (NumberFormatException problem) {
             return 0;
+        }
+    }
+
+    /** The match is over: what has been begun is all there is. */
+    void end() {
+        for (int player = 0; player < begun.length; player++) {
+            readLines(player, begun[player]);
+            begun[player] = "";
         }
     }
 

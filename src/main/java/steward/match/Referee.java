@@ -215,6 +215,7 @@ public final class Referee {
     private void finish() {
         int[] ranks = game.ranks();
         double[] scores = game.scores();
+        data.end();
         List<MatchResult.PlayerResult> results = new ArrayList<>();
         for (int player = 0; player < players.size(); player++) {
             Stopwatch watch = watches[player];

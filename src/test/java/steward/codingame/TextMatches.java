@@ -1,0 +1,110 @@
+package steward.codingame;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Function;
+import steward.bot.Bot;
+import steward.bot.BotProcess;
+import steward.bot.InProcessPlayer;
+import steward.bot.Player;
+import steward.bots.PodBot;
+import steward.bots.Racer;
+import steward.game.GameSetup;
+import steward.match.MatchResult;
+import steward.match.Protocol;
+import steward.match.Referee;
+import steward.match.Seat;
+import steward.match.TestScenes;
+import steward.match.TimeControl;
+import steward.replay.ReplayHeader;
+import steward.replay.ReplayReader;
+import steward.replay.ReplayWriter;
+import steward.replay.Verification;
+
+/**
+ * Matches between bots that speak lines and bots that speak JSON, recorded in memory.
+ *
+ * @param result what the referee said
+ * @param replay the replay
+ */
+record TextMatches(MatchResult result, byte[] replay) {
+
+    /** Plays a match. */
+    static TextMatches play(GameSetup setup, long seed, TimeControl time, Seat... seats) {
+        ByteArrayOutputStream file = new ByteArrayOutputStream();
+        List<String> names = new ArrayList<>();
+        List<Protocol> protocols = new ArrayList<>();
+        for (Seat seat : seats) {
+            names.add(seat.player().name());
+            protocols.add(seat.protocol());
+        }
+        ReplayHeader header = new ReplayHeader(setup.scene().gameId(), setup.scene().json(), seed, names, names,
+            protocols, Double.POSITIVE_INFINITY);
+        try (ReplayWriter writer = new ReplayWriter(file, header)) {
+            return new TextMatches(Referee.of(setup, seed, List.of(seats), time, writer).play(), file.toByteArray());
+        } catch (InterruptedException nobodyDoes) {
+            throw new AssertionError(nobodyDoes);
+        }
+    }
+
+    MatchResult.PlayerResult player(int number) {
+        return result.players().get(number);
+    }
+
+    String replayText() {
+        return new String(replay, StandardCharsets.UTF_8);
+    }
+
+    Verification verify() {
+        return verify(replay);
+    }
+
+    static Verification verify(byte[] replay) {
+        try (ReplayReader reader = new ReplayReader(new ByteArrayInputStream(replay), "r.jsonl")) {
+            return Verification.of(reader, TestScenes.TYPES);
+        }
+    }
+
+    /** A program that speaks CodinGame's lines. */
+    static Seat program(String name, List<String> command) {
+        return new Seat(new BotProcess(name, command), Protocol.CODINGAME);
+    }
+
+    /** The bundled plain bot, which speaks JSON, inside this JVM. */
+    static Seat racer() {
+        return new Seat(new InProcessPlayer("racer", asBot(new Racer())), Protocol.JSON);
+    }
+
+    /** A bot of CodinGame's lines inside this JVM: from what it is told or sent to its answer. */
+    static Seat lines(String name, Function<String, String> answers) {
+        Player player = new InProcessPlayer(name, new Bot() {
+            @Override
+            public void setup(String lines) {
+                // Told to bots in some leagues only.
+            }
+
+            @Override
+            public String turn(String lines) {
+                return answers.apply(lines);
+            }
+        });
+        return new Seat(player, Protocol.CODINGAME);
+    }
+
+    private static Bot asBot(PodBot bot) {
+        return new Bot() {
+            @Override
+            public void setup(String line) {
+                bot.setup(line);
+            }
+
+            @Override
+            public String turn(String line) {
+                return bot.turn(line);
+            }
+        };
+    }
+}
