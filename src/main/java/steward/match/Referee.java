@@ -183,6 +183,7 @@ public final class Referee {
         watches[player].add(answer.nanos());
         earlyTurns[player] += answer.extraLines() > 0 ? 1 : 0;
         turn.asked[player] = true;
+        turn.answers[player] = answer;
         turn.nanos[player] = answer.nanos();
         turn.stderr[player] = Quote.wellFormed(answer.stderr());
         data.read(player, turn.stderr[player]);

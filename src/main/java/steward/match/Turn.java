@@ -1,5 +1,7 @@
 package steward.match;
 
+import steward.bot.Answer;
+
 /**
  * What the players did in one turn; reused from turn to turn. Arrays are indexed by player.
  */
@@ -8,6 +10,7 @@ public final class Turn {
     private int number;
     final boolean[] asked;
     final boolean[] answered;
+    final Answer[] answers;
     final String[] faults;
     final String[] messages;
     final String[] stderr;
@@ -16,6 +19,7 @@ public final class Turn {
     Turn(int players) {
         asked = new boolean[players];
         answered = new boolean[players];
+        answers = new Answer[players];
         faults = new String[players];
         messages = new String[players];
         stderr = new String[players];
@@ -27,6 +31,7 @@ public final class Turn {
         for (int player = 0; player < asked.length; player++) {
             asked[player] = false;
             answered[player] = false;
+            answers[player] = null;
             faults[player] = null;
             messages[player] = null;
             stderr[player] = null;
@@ -51,6 +56,14 @@ public final class Turn {
     /** Whether the player gave a good command. */
     public boolean answered(int player) {
         return answered[player];
+    }
+
+    /**
+     * The player's answer as it came, its lines separated by {@code '\n'}; with a fault, what had come by then. Made
+     * anew by each call; {@code null} if the player was not asked.
+     */
+    public String answer(int player) {
+        return answers[player] == null ? null : answers[player].text();
     }
 
     /** Why the player failed in this turn, or {@code null}. */

@@ -1,0 +1,211 @@
+package steward.codingame;
+
+import java.io.OutputStream;
+import java.io.StringWriter;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.IntFunction;
+import java.util.stream.IntStream;
+import steward.game.FrameCodec;
+import steward.game.Game;
+import steward.game.JsonNumbers;
+import steward.match.MatchListener;
+import steward.match.MatchResult;
+import steward.match.Turn;
+import tools.jackson.core.JsonGenerator;
+import tools.jackson.core.ObjectWriteContext;
+
+/**
+ * Collects a match and writes it as one JSON object with the field names of CodinGame's own game result, for tools that
+ * read those. Lists have one entry for the start, which is {@code null} for all that players say, and one for each
+ * turn, {@code null} where there is nothing:
+ *
+ * <ul>
+ * <li>{@code errors}, {@code outputs}: what {@code "referee"}, {@code "0"}, {@code "1"}, ... wrote to stderr and to
+ * stdout, line ends included; the referee writes nothing
+ * <li>{@code summaries}: who was eliminated and why; {@code views}: the state after the turn, as the text of a JSON
+ * object
+ * <li>{@code scores}: see {@link GameResultScores}; {@code uinput}: {@code "seed=N"}; {@code ids} and {@code agents}:
+ * the players
+ * <li>{@code metadata}: scene, turns and ending, as the text of a JSON object
+ * <li>{@code tooltips}: the eliminations, with the turn as {@code event}
+ * </ul>
+ *
+ * <p>Of each list at most {@value #MOST_CHARACTERS} characters are kept; later entries are {@code null} then.
+ */
+public final class GameResultLog implements MatchListener {
+
+    /** As many as 500 turns of 16 KiB each are: more than any bot needs that is not gone mad. */
+    static final int MOST_CHARACTERS = 8 << 20;
+
+    private static final String REFEREE = "referee";
+
+    private final List<Texts> outputs = new ArrayList<>();
+    private final List<Texts> errors = new ArrayList<>();
+    private final Texts nothing = new Texts();
+    private final Texts summaries = new Texts();
+    private final Texts views = new Texts();
+    private final List<Tooltip> tooltips = new ArrayList<>();
+    private Game game;
+    private FrameCodec codec;
+    private boolean[] in;
+
+    private record Tooltip(String text, int turn) {
+    }
+
+    @Override
+    public void start(Game startedGame, FrameCodec startedCodec) {
+        game = startedGame;
+        codec = startedCodec;
+        in = new boolean[game.players()];
+        for (int player = 0; player < game.players(); player++) {
+            in[player] = true;
+            outputs.add(new Texts());
+            errors.add(new Texts());
+        }
+        addTurn(player -> null, player -> null, null);
+    }
+
+    @Override
+    public void played(Turn turn) {
+        StringBuilder summary = new StringBuilder();
+        for (int player = 0; player < in.length; player++) {
+            if (in[player] && !game.isIn(player)) {
+                in[player] = false;
+                String text = "player " + player + " is out: " + game.eliminationReason(player);
+                summary.append(text).append('\n');
+                tooltips.add(new Tooltip(text, turn.number()));
+            }
+        }
+        addTurn(player -> lines(turn.answer(player)), turn::stderr, summary.toString());
+    }
+
+    private void addTurn(IntFunction<String> output, IntFunction<String> error, String summary) {
+        for (int player = 0; player < in.length; player++) {
+            outputs.get(player).add(output.apply(player));
+            errors.get(player).add(error.apply(player));
+        }
+        nothing.add(null);
+        summaries.add(summary);
+        views.add(view());
+    }
+
+    private static String lines(String answer) {
+        return answer == null || answer.isEmpty() ? null : answer + "\n";
+    }
+
+    private String view() {
+        StringWriter text = new StringWriter();
+        try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), text)) {
+            out.writeStartObject();
+            codec.writeState(out);
+            out.writeEndObject();
+        }
+        return text.toString();
+    }
+
+    /**
+     * Writes the match; call when it has its result.
+     *
+     * @param scene name of the scene
+     * @param file  is closed
+     */
+    public void write(OutputStream file, String scene, long seed, MatchResult result) {
+        try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), file)) {
+            out.writeStartObject();
+            writeStreams(out, "errors", errors);
+            writeStreams(out, "outputs", outputs);
+            summaries.write(out, "summaries");
+            views.write(out, "views");
+            writePerPlayer(out, "scores", GameResultScores.of(result));
+            out.writeArrayPropertyStart("uinput");
+            out.writeString("seed=" + seed);
+            out.writeEndArray();
+            out.writeStringProperty("metadata", metadata(scene, result));
+            writeTooltips(out);
+            writePerPlayer(out, "ids", IntStream.range(0, in.length).toArray());
+            writeAgents(out, result);
+            out.writeEndObject();
+        }
+    }
+
+    private void writeStreams(JsonGenerator out, String name, List<Texts> players) {
+        out.writeObjectPropertyStart(name);
+        nothing.write(out, REFEREE);
+        for (int player = 0; player < players.size(); player++) {
+            players.get(player).write(out, Integer.toString(player));
+        }
+        out.writeEndObject();
+    }
+
+    private static void writePerPlayer(JsonGenerator out, String name, int[] numbers) {
+        out.writeObjectPropertyStart(name);
+        for (int player = 0; player < numbers.length; player++) {
+            out.writeNumberProperty(Integer.toString(player), numbers[player]);
+        }
+        out.writeEndObject();
+    }
+
+    private static String metadata(String scene, MatchResult result) {
+        StringWriter text = new StringWriter();
+        try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), text)) {
+            out.writeStartObject();
+            out.writeStringProperty("scene", scene);
+            out.writeNumberProperty("turns", result.turns());
+            out.writeStringProperty("ending", result.ending());
+            out.writeEndObject();
+        }
+        return text.toString();
+    }
+
+    private void writeTooltips(JsonGenerator out) {
+        out.writeArrayPropertyStart("tooltips");
+        for (Tooltip tooltip : tooltips) {
+            out.writeStartObject();
+            out.writeStringProperty("text", tooltip.text());
+            out.writeNumberProperty("event", tooltip.turn());
+            out.writeEndObject();
+        }
+        out.writeEndArray();
+    }
+
+    private static void writeAgents(JsonGenerator out, MatchResult result) {
+        out.writeArrayPropertyStart("agents");
+        for (int player = 0; player < result.players().size(); player++) {
+            out.writeStartObject();
+            out.writeNumberProperty("index", player);
+            out.writeStringProperty("name", result.players().get(player).name());
+            out.writeEndObject();
+        }
+        out.writeEndArray();
+    }
+
+    /** One list of texts, bounded as a whole. */
+    private static final class Texts {
+
+        private final List<String> entries = new ArrayList<>();
+        private int left = MOST_CHARACTERS;
+
+        void add(String text) {
+            if (text == null || text.isEmpty() || text.length() > left) {
+                entries.add(null);
+                left = text == null || text.isEmpty() ? left : 0;
+                return;
+            }
+            entries.add(text);
+            left -= text.length();
+        }
+
+        void write(JsonGenerator out, String name) {
+            out.writeArrayPropertyStart(name);
+            for (String entry : entries) {
+                if (entry == null) {
+                    out.writeNull();
+                } else {
+                    out.writeString(entry);
+                }
+            }
+            out.writeEndArray();
+        }
+    }
+}

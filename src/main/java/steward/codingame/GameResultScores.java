@@ -1,0 +1,38 @@
+package steward.codingame;
+
+import java.util.List;
+import steward.match.MatchResult;
+import steward.match.MatchResult.PlayerResult;
+
+/**
+ * The scores that arena tools compare: whole numbers, higher is better, negative for a player that failed. They follow
+ * the ranks, so that a better rank always has the higher score and a shared rank the same.
+ */
+public final class GameResultScores {
+
+    private GameResultScores() {
+    }
+
+    /**
+     * Per player. Ahead of everybody who failed as a program, a score is the number of players behind; from the best
+     * of those who failed on, ranks are counted down from -1. (Who is ranked with or behind a player that failed has
+     * been eliminated as well.)
+     */
+    public static int[] of(MatchResult result) {
+        List<PlayerResult> players = result.players();
+        int failed = players.stream().filter(player -> player.fault() != null).mapToInt(PlayerResult::rank).min()
+            .orElse(Integer.MAX_VALUE);
+        return players.stream().mapToInt(PlayerResult::rank)
+            .map(rank -> rank < failed ? behind(players, rank) : -1 - ranksBetween(players, failed, rank))
+            .toArray();
+    }
+
+    private static int behind(List<PlayerResult> players, int rank) {
+        return (int) players.stream().filter(player -> player.rank() > rank).count();
+    }
+
+    private static int ranksBetween(List<PlayerResult> players, int from, int to) {
+        return (int) players.stream().mapToInt(PlayerResult::rank).filter(rank -> rank >= from && rank < to).distinct()
+            .count();
+    }
+}
