@@ -1,0 +1,60 @@
+package steward.codingame;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import steward.match.MatchListener;
+import steward.match.Turn;
+
+/**
+ * Collects what bots report on stderr about single turns: {@code [TDATA][turn] name = value} about the match,
+ * {@code [PDATA][turn] name = value} about the player. At most {@value #MOST_CHARACTERS} characters are kept, the first
+ * ones.
+ */
+public final class LeagueAttributes implements MatchListener {
+
+    static final int MOST_CHARACTERS = 4 << 20;
+
+    private static final Pattern LINE = Pattern.compile("\\[([TP])DATA]\\[(\\d{1,5})]\\s*(\\w+)\\s*=\\s*(.*)");
+    /** Tools keep turns in 16 bits. */
+    private static final int LAST_TURN = 65_535;
+
+    private final List<Attribute> attributes = new ArrayList<>();
+    private int left = MOST_CHARACTERS;
+
+    /**
+     * A value with a name.
+     *
+     * @param player whom it is about, or -1 for the match
+     * @param turn   when, or -1 for all of it
+     */
+    record Attribute(String name, int player, int turn, String value) {
+    }
+
+    @Override
+    public void commands(Turn turn) {
+        for (int player = 0; player < turn.players(); player++) {
+            String stderr = turn.stderr(player);
+            if (stderr != null && stderr.contains("DATA][")) {
+                int number = player;
+                stderr.lines().forEach(line -> read(number, line));
+            }
+        }
+    }
+
+    private void read(int player, String line) {
+        Matcher matcher = LINE.matcher(line.strip());
+        if (!matcher.matches() || line.length() > left || Integer.parseInt(matcher.group(2)) > LAST_TURN) {
+            return;
+        }
+        left -= line.length();
+        attributes.add(new Attribute(matcher.group(3), matcher.group(1).equals("P") ? player : -1,
+            Integer.parseInt(matcher.group(2)), matcher.group(4)));
+    }
+
+    /** In the order of the match. */
+    List<Attribute> list() {
+        return attributes;
+    }
+}

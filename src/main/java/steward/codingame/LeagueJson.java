@@ -1,0 +1,100 @@
+package steward.codingame;
+
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.regex.Pattern;
+import steward.game.JsonNumbers;
+import steward.match.MatchResult;
+import steward.match.MatchResult.PlayerResult;
+import tools.jackson.core.JsonGenerator;
+
+/**
+ * The result of a match as rating tools read it: {@code ranks} (lower is better, ties share one), {@code errors} (1 for
+ * a bot that failed), {@code test_data} (seed and data of the match), {@code player_data}, with numbers as numbers, and
+ * once more as {@code attributes}: name, player or null, turn or null, value as text.
+ */
+public final class LeagueJson {
+
+    private static final String SEED = "seed";
+    private static final Pattern WHOLE = Pattern.compile("[-+]?\\d{1,18}");
+    private static final Pattern DECIMAL = Pattern.compile("[-+]?(\\d+\\.?\\d*|\\.\\d+)([eE][-+]?\\d{1,3})?");
+
+    private LeagueJson() {
+    }
+
+    /** Fields of the object, which the caller has opened and closes. */
+    public static void write(JsonGenerator out, long seed, MatchResult result, LeagueAttributes ofTurns) {
+        out.writeArrayPropertyStart("ranks");
+        for (PlayerResult player : result.players()) {
+            out.writeNumber(player.rank());
+        }
+        out.writeEndArray();
+        out.writeArrayPropertyStart("errors");
+        for (PlayerResult player : result.players()) {
+            out.writeNumber(player.fault() == null ? 0 : 1);
+        }
+        out.writeEndArray();
+        Map<String, String> matchData = data(result.data());
+        matchData.remove(SEED);
+        out.writeObjectPropertyStart("test_data");
+        out.writeNumberProperty(SEED, seed);
+        matchData.forEach((name, value) -> writeValue(out, name, value));
+        out.writeEndObject();
+        out.writeArrayPropertyStart("player_data");
+        for (PlayerResult player : result.players()) {
+            out.writeStartObject();
+            data(player.data()).forEach((name, value) -> writeValue(out, name, value));
+            out.writeEndObject();
+        }
+        out.writeEndArray();
+        writeAttributes(out, matchData, result, ofTurns);
+    }
+
+    /** What is about single turns has a bracket where a name should begin; it is in the attributes. */
+    private static Map<String, String> data(Map<String, String> reported) {
+        Map<String, String> data = new TreeMap<>(reported);
+        data.keySet().removeIf(name -> name.startsWith("["));
+        return data;
+    }
+
+    private static void writeValue(JsonGenerator out, String name, String value) {
+        out.writeName(name);
+        if (WHOLE.matcher(value).matches()) {
+            out.writeNumber(Long.parseLong(value));
+        } else if (DECIMAL.matcher(value).matches() && Double.isFinite(Double.parseDouble(value))) {
+            JsonNumbers.write(out, Double.parseDouble(value));
+        } else {
+            out.writeString(value);
+        }
+    }
+
+    private static void writeAttributes(JsonGenerator out, Map<String, String> matchData, MatchResult result,
+                                        LeagueAttributes ofTurns) {
+        out.writeArrayPropertyStart("attributes");
+        matchData.forEach((name, value) -> write(out, new LeagueAttributes.Attribute(name, -1, -1, value)));
+        for (int player = 0; player < result.players().size(); player++) {
+            int number = player;
+            data(result.players().get(player).data()).forEach((name, value) ->
+                write(out, new LeagueAttributes.Attribute(name, number, -1, value)));
+        }
+        ofTurns.list().forEach(attribute -> write(out, attribute));
+        out.writeEndArray();
+    }
+
+    private static void write(JsonGenerator out, LeagueAttributes.Attribute attribute) {
+        out.writeStartObject();
+        out.writeStringProperty("name", attribute.name());
+        writeOrNull(out, "player", attribute.player());
+        writeOrNull(out, "turn", attribute.turn());
+        out.writeStringProperty("value", attribute.value());
+        out.writeEndObject();
+    }
+
+    private static void writeOrNull(JsonGenerator out, String name, int number) {
+        if (number < 0) {
+            out.writeNullProperty(name);
+        } else {
+            out.writeNumberProperty(name, number);
+        }
+    }
+}
