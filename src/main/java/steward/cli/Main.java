@@ -22,7 +22,7 @@ public final class Main {
     private static final int WIDTH = 100;
 
     private static final List<String> COMMANDS = List.of("match", "replay", "explain", "demo", "simulate", "import",
-        CompletionCommand.NAME);
+        "referee", "play", CompletionCommand.NAME);
 
     private Main() {
     }
@@ -91,6 +91,8 @@ public final class Main {
             case "demo" -> new DemoCommand(streams);
             case "simulate" -> new SimulateCommand(streams);
             case "import" -> new ImportCommand(streams);
+            case "referee" -> RefereeCommand.spec(streams);
+            case "play" -> new PlayCommand(streams);
             default -> new CompletionCommand(streams);
         };
     }

@@ -1,0 +1,65 @@
+package steward.cli;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import steward.codingame.LeagueAttributes;
+import steward.codingame.LeagueJson;
+import steward.match.MatchResult;
+import steward.match.Protocol;
+
+/** {@code steward play}: plays one match for a rating tool. */
+@Command(name = "play", description = "Plays one match as the game command of psyleague and tools like it: prints one "
+    + "JSON object with ranks, errors and what the bots reported.",
+    footer = {"",
+        "A bot is a command, its words quoted as for a shell, that speaks CodinGame's text protocol;",
+        "'json:COMMAND' speaks JSON, 'builtin:racer' and 'builtin:veteran' come with the program.",
+        "What bots report on stderr: '[TDATA] name = value' about the match, '[PDATA] name = value' about",
+        "themselves, '[PDATA+] name = value' summed up, '[PDATA][turn] name = value' about a turn.",
+        "", "Example, in psyleague.cfg:",
+        "  cmd_play_game = \"steward play --json-league %%DIR%%/%%P1%% %%DIR%%/%%P2%%\"",
+        "", "Exit status: 0 there is a result, also if a bot failed; 1 there is none; 2 wrong call."})
+final class PlayCommand implements Callable<Integer> {
+
+    private final Streams streams;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Option(names = "--json-league", required = true, description = "Print the result in this form, the only one.")
+    private boolean league;
+
+    @Parameters(paramLabel = "BOT", description = "The bots, one for each player of the scene; see below.")
+    private List<String> bots = new ArrayList<>();
+
+    @Option(names = "--seed", paramLabel = "N", description = "What is drawn by lot follows from it (default: drawn).")
+    private Long seed;
+
+    @Option(names = "--scene", paramLabel = "FILE|NAME", defaultValue = "mad-pod-racing",
+        completionCandidates = ShippedScenes.class,
+        description = "The scene: a file or one of ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}).")
+    private String scene;
+
+    @Mixin
+    private Pace pace = new Pace();
+
+    PlayCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() throws InterruptedException {
+        Contest contest = Contest.of(scene, bots, Protocol.CODINGAME, pace.factor(spec));
+        long used = seed == null ? RefereeArguments.drawSeed() : seed;
+        LeagueAttributes attributes = new LeagueAttributes();
+        MatchResult result = contest.play(used, 0, null, attributes);
+        MatchJson.printObject(streams, out -> LeagueJson.write(out, used, result, attributes));
+        return ExitStatus.DONE;
+    }
+}
