@@ -4,6 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.regex.Pattern;
 import steward.game.TextCodec;
 
 /**
@@ -19,6 +20,9 @@ import steward.game.TextCodec;
 final class PodRaceText implements TextCodec {
 
     private static final int FULL_TURN = 360;
+
+    /** What languages print for a double; Java alone would also read 1d, 0x1p3, NaN and Infinity. */
+    private static final Pattern DECIMAL = Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
 
     private final PodRace race;
     private final PodRaceSettings settings;
@@ -132,10 +136,10 @@ final class PodRaceText implements TextCodec {
             String[] words = lines[k].strip().split("\\s+", 4);
             String where = "line " + (k + 1) + " of " + lines.length + ": ";
             if (words.length < 2) {
-                return where + "found \"" + shorten(lines[k].strip()) + "\", expected X Y THRUST|SHIELD|BOOST";
+                return where + "found \"" + shorten(lines[k].strip()) + "\", expected X Y and a thrust, SHIELD or BOOST";
             }
-            x[k] = coordinate(words[0]);
-            y[k] = coordinate(words[1]);
+            x[k] = decimal(words[0]);
+            y[k] = decimal(words[1]);
             if (Double.isNaN(x[k]) || Double.isNaN(y[k])) {
                 return where + (Double.isNaN(x[k]) ? "X: found \"" + shorten(words[0]) : "Y: found \""
                     + shorten(words[1])) + "\", expected a finite number";
@@ -163,17 +167,12 @@ final class PodRaceText implements TextCodec {
     }
 
     /** A decimal number, or NaN. */
-    private static double coordinate(String word) {
-        char last = word.charAt(word.length() - 1);
-        if (!Character.isDigit(last) && last != '.') {
-            return Double.NaN;                        // Java would also read "1d", "NaN" and "Infinity"
-        }
-        try {
-            double value = Double.parseDouble(word);
-            return Double.isFinite(value) ? value + 0.0 : Double.NaN;
-        } catch (NumberFormatException problem) {
+    private static double decimal(String word) {
+        if (!DECIMAL.matcher(word).matches()) {
             return Double.NaN;
         }
+        double value = Double.parseDouble(word);
+        return Double.isFinite(value) ? value + 0.0 : Double.NaN;
     }
 
     private int thrust(String word) {
@@ -185,12 +184,9 @@ final class PodRaceText implements TextCodec {
                 return PodRace.BOOST;
             }
             default -> {
-                try {
-                    int value = Integer.parseInt(word);
-                    return value >= 0 && value <= settings.maximumThrust() ? value : PodRace.NO_COMMAND;
-                } catch (NumberFormatException problem) {
-                    return PodRace.NO_COMMAND;
-                }
+                double value = decimal(word);
+                boolean good = value == Math.rint(value) && value >= 0 && value <= settings.maximumThrust();
+                return good ? (int) value : PodRace.NO_COMMAND;
             }
         }
     }
