@@ -1,0 +1,25 @@
+package steward.cli;
+
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.io.BufferedReader;
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.io.StringReader;
+import steward.game.podrace.PodRaceType;
+import steward.game.podrace.SimulatorProtocol;
+
+/** The protocol of {@code steward simulate} without a process. */
+final class Simulation {
+
+    private Simulation() {
+    }
+
+    /** What is wrong with an input. */
+    static String problemOf(String input) {
+        PodRaceType.PodRaceSetup setup = (PodRaceType.PodRaceSetup) Contest.openScene("mad-pod-racing");
+        SimulatorProtocol protocol = new SimulatorProtocol(setup, new BufferedReader(new StringReader(input)),
+            new PrintStream(new ByteArrayOutputStream()));
+        return assertThrows(IllegalArgumentException.class, protocol::run).getMessage();
+    }
+}
