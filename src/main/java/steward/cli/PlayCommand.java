@@ -55,6 +55,11 @@ final class PlayCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws InterruptedException {
+        int players = Contest.openScene(scene).scene().players();
+        if (bots.size() != players) {
+            throw new InputException("found " + Words.count(bots.size(), "bot") + ", expected "
+                + Words.count(players, "bot") + ", one for each player of the scene");
+        }
         Contest contest = Contest.of(scene, bots, Protocol.CODINGAME, pace.factor(spec));
         long used = seed == null ? RefereeArguments.drawSeed() : seed;
         LeagueAttributes attributes = new LeagueAttributes();
