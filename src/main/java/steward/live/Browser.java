@@ -1,0 +1,78 @@
+package steward.live;
+
+import java.io.File;
+import java.io.IOException;
+import java.net.URI;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.TimeUnit;
+
+/** The browser that a person uses, through the program that the system has for that. */
+public final class Browser {
+
+    /** A program that cannot open anything says so at once; one that runs longer than this has become the browser. */
+    private static final long FAILS_WITHIN_MS = 1500;
+
+    /** Variables one of which is set where there is something to show a page on. */
+    private static final List<String> DISPLAYS = List.of("DISPLAY", "WAYLAND_DISPLAY", "BROWSER");
+
+    private final List<List<String>> openers;
+
+    /** @param openers programs that take an address as their last word, best first */
+    Browser(List<List<String>> openers) {
+        this.openers = openers;
+    }
+
+    /** The one of this system. */
+    public static Browser ofSystem() {
+        String system = System.getProperty("os.name").toLowerCase(Locale.ROOT);
+        if (system.contains("mac")) {
+            return new Browser(List.of(List.of("open")));
+        }
+        if (system.contains("windows")) {
+            return new Browser(List.of(List.of("rundll32", "url.dll,FileProtocolHandler")));
+        }
+        // Without a display xdg-open would look for a browser that runs in the terminal, which is ours.
+        return new Browser(DISPLAYS.stream().anyMatch(name -> System.getenv(name) != null)
+            ? List.of(List.of("xdg-open")) : List.of());
+    }
+
+    /**
+     * Opens an address; does not wait for the browser to end.
+     *
+     * @return {@code null}, or why it could not be opened
+     */
+    public String open(URI address) throws InterruptedException {
+        List<String> problems = new ArrayList<>();
+        for (List<String> opener : openers) {
+            String problem = open(opener, address);
+            if (problem == null) {
+                return null;
+            }
+            problems.add(problem);
+        }
+        return problems.isEmpty() ? "there is no display to show it on" : String.join(", ", problems);
+    }
+
+    private static String open(List<String> opener, URI address) throws InterruptedException {
+        List<String> words = new ArrayList<>(opener);
+        words.add(address.toString());
+        Process process;
+        try {
+            process = new ProcessBuilder(words).redirectInput(nothing()).redirectOutput(ProcessBuilder.Redirect.DISCARD)
+                .redirectError(ProcessBuilder.Redirect.DISCARD).start();
+        } catch (IOException missing) {
+            return "there is no " + opener.get(0);
+        }
+        boolean ended = process.waitFor(FAILS_WITHIN_MS, TimeUnit.MILLISECONDS);
+        return !ended || process.exitValue() == 0 ? null
+            : opener.get(0) + " exited with status " + process.exitValue();
+    }
+
+    /** No browser for terminals shall take what is typed. */
+    private static ProcessBuilder.Redirect nothing() {
+        boolean windows = File.separatorChar == '\\';
+        return ProcessBuilder.Redirect.from(new File(windows ? "NUL" : "/dev/null"));
+    }
+}

@@ -1,0 +1,109 @@
+package steward.live;
+
+import com.sun.net.httpserver.HttpServer;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.net.Inet6Address;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.URI;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import steward.replay.ReplayPage;
+
+/**
+ * Serves the page of a match that is being played, and the match line by line to whoever opened it. Only reading is
+ * possible, by at most {@value #MOST_VIEWERS} viewers at the same time, each served by a thread of its own from the
+ * {@link LiveRecording}, so that none can hold up another or the match.
+ *
+ * <p>Caveat: nobody is asked for a password. On an address other than the loopback one, whoever reaches this machine
+ * can watch.
+ */
+public final class LiveServer implements AutoCloseable {
+
+    /** How many can follow a match at the same time. */
+    public static final int MOST_VIEWERS = 16;
+
+    /** For pages and copies beside the viewers. */
+    private static final int MORE_THREADS = 8;
+    private static final long IDLE_THREAD_MS = 10_000;
+
+    private final HttpServer server;
+    private final ThreadPoolExecutor threads;
+    private final Viewers viewers = new Viewers(MOST_VIEWERS);
+
+    private LiveServer(HttpServer server) {
+        this.server = server;
+        int most = MOST_VIEWERS + MORE_THREADS;
+        threads = new ThreadPoolExecutor(most, most, IDLE_THREAD_MS, TimeUnit.MILLISECONDS,
+            new LinkedBlockingQueue<>(), LiveServer::daemon);
+        threads.allowCoreThreadTimeOut(true);
+    }
+
+    private static Thread daemon(Runnable work) {
+        Thread thread = new Thread(work, "live");
+        thread.setDaemon(true);
+        return thread;
+    }
+
+    /**
+     * Starts to serve.
+     *
+     * @param host      name or address to listen on, or {@code null} for this machine alone (loopback)
+     * @param port      to listen on, or 0 for any that is free
+     * @param title     of the page, plain text
+     * @param recording what the match is written to
+     * @throws IOException if the host is not known or the port is taken
+     */
+    public static LiveServer start(String host, int port, String title, LiveRecording recording) throws IOException {
+        InetAddress address = host == null ? InetAddress.getLoopbackAddress() : InetAddress.getByName(host);
+        ByteArrayOutputStream page = new ByteArrayOutputStream();
+        ReplayPage.writeLive(page, title, LiveHandler.FEED, LiveHandler.COPY);
+        LiveServer live = new LiveServer(HttpServer.create(new InetSocketAddress(address, port), 0));
+        HostNames names = new HostNames(host == null ? "localhost" : host, live.server.getAddress().getPort());
+        live.server.setExecutor(live.threads);
+        live.server.createContext("/", new LiveHandler(names, page.toByteArray(), title, recording, live.viewers));
+        live.server.start();
+        return live;
+    }
+
+    /** Where the page is. On a machine that listens on all its addresses, the loopback one. */
+    public URI address() {
+        InetAddress bound = server.getAddress().getAddress();
+        InetAddress shown = bound.isAnyLocalAddress() ? InetAddress.getLoopbackAddress() : bound;
+        String numeric = shown.getHostAddress().replaceFirst("%.*", "");
+        String host = shown instanceof Inet6Address ? "[" + numeric + "]" : numeric;
+        return URI.create("http://" + host + ":" + server.getAddress().getPort() + "/");
+    }
+
+    /** Whether only this machine can reach it. */
+    public boolean isLoopback() {
+        return server.getAddress().getAddress().isLoopbackAddress();
+    }
+
+    /** Waits for the first viewer; whether there is one. */
+    public boolean awaitViewer(long mostMs) throws InterruptedException {
+        return viewers.awaitFirst(mostMs);
+    }
+
+    /**
+     * Waits until everybody who follows has the last line, and until their pages have fetched the copy that they keep;
+     * nobody is waited for longer than that.
+     *
+     * @param linesMs how long for the lines
+     * @param copyMs  how long for the copies
+     */
+    public void awaitDelivery(long linesMs, long copyMs) throws InterruptedException {
+        if (viewers.awaitServed(linesMs)) {
+            viewers.awaitCopies(copyMs);
+        }
+    }
+
+    /** Ends all connections. */
+    @Override
+    public void close() {
+        server.stop(0);
+        threads.shutdownNow();
+    }
+}

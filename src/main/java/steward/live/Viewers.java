@@ -1,0 +1,75 @@
+package steward.live;
+
+import java.util.concurrent.TimeUnit;
+
+/**
+ * Who follows a match: how many there may be at the same time, and what they still have to get. Thread-safe.
+ */
+final class Viewers {
+
+    private final int most;
+    private int following;
+    private int come;
+    private int served;
+    private int copies;
+
+    /** @param most how many may follow at the same time */
+    Viewers(int most) {
+        this.most = most;
+    }
+
+    /** One more follows; false if there are too many already. */
+    synchronized boolean enter() {
+        if (following == most) {
+            return false;
+        }
+        following++;
+        come++;
+        notifyAll();
+        return true;
+    }
+
+    /** @param all whether it got every line to the last; otherwise it has gone before */
+    synchronized void leave(boolean all) {
+        following--;
+        served += all ? 1 : 0;
+        notifyAll();
+    }
+
+    /** A copy of the whole match was handed out. */
+    synchronized void copied() {
+        copies++;
+        notifyAll();
+    }
+
+    /** Waits for the first to come; whether one has. */
+    synchronized boolean awaitFirst(long mostMs) throws InterruptedException {
+        return await(() -> come > 0, mostMs);
+    }
+
+    /** Waits until nobody follows any more; whether that is so. */
+    synchronized boolean awaitServed(long mostMs) throws InterruptedException {
+        return await(() -> following == 0, mostMs);
+    }
+
+    /** Waits until there are as many copies as viewers who saw the end. */
+    synchronized boolean awaitCopies(long mostMs) throws InterruptedException {
+        return await(() -> copies >= served, mostMs);
+    }
+
+    private interface Condition {
+        boolean holds();
+    }
+
+    private boolean await(Condition condition, long mostMs) throws InterruptedException {
+        long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(mostMs);
+        while (!condition.holds()) {
+            long leftMs = TimeUnit.NANOSECONDS.toMillis(end - System.nanoTime());
+            if (leftMs <= 0) {
+                return false;
+            }
+            wait(leftMs);
+        }
+        return true;
+    }
+}

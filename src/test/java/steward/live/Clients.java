@@ -1,0 +1,152 @@
+package steward.live;
+
+import java.io.BufferedReader;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.io.UncheckedIOException;
+import java.net.Socket;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Base64;
+import java.util.List;
+import java.util.zip.GZIPInputStream;
+
+/** Clients of a live server: an ordinary one, and one that writes requests byte by byte. */
+public final class Clients implements AutoCloseable {
+
+    private static final int TIMEOUT_MS = 20_000;
+
+    private final HttpClient http = HttpClient.newHttpClient();
+    private final URI address;
+    private final List<Feed> feeds = new ArrayList<>();
+
+    /** @param address of the page */
+    public Clients(URI address) {
+        this.address = address;
+    }
+
+    int port() {
+        return address.getPort();
+    }
+
+    private <T> HttpResponse<T> get(String path, HttpResponse.BodyHandler<T> body) {
+        try {
+            return http.send(HttpRequest.newBuilder(address.resolve(path)).build(), body);
+        } catch (IOException problem) {
+            throw new UncheckedIOException(problem);
+        } catch (InterruptedException problem) {
+            throw new IllegalStateException(problem);
+        }
+    }
+
+    /** The status of an answer whose body is not read. */
+    int status(String path) throws IOException {
+        HttpResponse<InputStream> response = get(path, HttpResponse.BodyHandlers.ofInputStream());
+        response.body().close();
+        return response.statusCode();
+    }
+
+    /** A page. */
+    public String body(String path) {
+        HttpResponse<String> response = get(path, HttpResponse.BodyHandlers.ofString());
+        if (response.statusCode() != 200) {
+            throw new AssertionError(response.statusCode() + " " + response.body());
+        }
+        return response.body();
+    }
+
+    /** Begins to follow the match. */
+    public Feed feed() {
+        Feed feed = new Feed(get("feed", HttpResponse.BodyHandlers.ofInputStream()));
+        feeds.add(feed);
+        return feed;
+    }
+
+    /** Everything that is answered to a request of these lines. */
+    String raw(String... lines) throws IOException {
+        try (Socket socket = new Socket(address.getHost(), address.getPort())) {
+            socket.setSoTimeout(TIMEOUT_MS);
+            String request = String.join("\r\n", lines) + "\r\nConnection: close\r\n\r\n";
+            socket.getOutputStream().write(request.getBytes(StandardCharsets.US_ASCII));
+            return new String(socket.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        }
+    }
+
+    int rawStatus(String... lines) throws IOException {
+        return Integer.parseInt(raw(lines).split(" ", 3)[1]);
+    }
+
+    /** The replay within a page. */
+    static byte[] embedded(String page) throws IOException {
+        int from = page.indexOf('>', page.indexOf("type=\"application/octet-stream\"")) + 1;
+        byte[] gzip = Base64.getDecoder().decode(page.substring(from, page.indexOf("</script>", from)));
+        try (InputStream in = new GZIPInputStream(new ByteArrayInputStream(gzip))) {
+            return in.readAllBytes();
+        }
+    }
+
+    @Override
+    public void close() {
+        feeds.forEach(Feed::close);
+    }
+
+    /** Follows a match as a browser would, but reads only when it is told to. */
+    public static final class Feed implements AutoCloseable {
+
+        private static final String DATA = "data: ";
+        private static final String EVENT = "event: ";
+
+        private final BufferedReader in;
+        private final InputStream stream;
+        private String ending;
+
+        private Feed(HttpResponse<InputStream> response) {
+            if (response.statusCode() != 200) {
+                throw new AssertionError(response.statusCode());
+            }
+            stream = response.body();
+            in = new BufferedReader(new InputStreamReader(stream, StandardCharsets.UTF_8), 4096);
+        }
+
+        /** The next line of the match, or {@code null} after the last. */
+        public String next() throws IOException {
+            for (String line = in.readLine(); line != null; line = in.readLine()) {
+                if (line.startsWith(EVENT)) {
+                    ending = line.substring(EVENT.length());
+                } else if (line.startsWith(DATA)) {
+                    return line.substring(DATA.length());
+                }
+            }
+            return null;
+        }
+
+        /** All lines from here on. */
+        public List<String> rest() throws IOException {
+            List<String> lines = new ArrayList<>();
+            for (String line = next(); line != null; line = next()) {
+                lines.add(line);
+            }
+            return lines;
+        }
+
+        /** The kind of the last event, after the last line. */
+        String ending() {
+            return ending;
+        }
+
+        @Override
+        public void close() {
+            try {
+                stream.close();
+            } catch (IOException problem) {
+                throw new UncheckedIOException(problem);
+            }
+        }
+    }
+}

@@ -1,0 +1,191 @@
+package steward.live;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.net.BindException;
+import java.net.UnknownHostException;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import steward.replay.Recorded;
+
+/** The server of a match that is being played, asked by real clients over the loopback interface. */
+@Timeout(30)
+class LiveServerTest {
+
+    private static final List<String> LINES = Recorded.of("duel", 5).lines();
+
+    private final LiveRecording recording = new LiveRecording();
+    private LiveServer server;
+    private Clients clients;
+
+    @BeforeEach
+    void start() throws IOException {
+        server = LiveServer.start(null, 0, "a against b", recording);
+        clients = new Clients(server.address());
+    }
+
+    @AfterEach
+    void stop() {
+        clients.close();
+        server.close();
+    }
+
+    private void write(List<String> lines) {
+        for (String line : lines) {
+            byte[] bytes = (line + "\n").getBytes(StandardCharsets.UTF_8);
+            recording.write(bytes, 0, bytes.length);
+        }
+    }
+
+    @Test
+    void isOnTheLoopbackAddress() {
+        assertTrue(server.isLoopback());
+        assertTrue(server.address().toString().matches("http://127\\.0\\.0\\.1:\\d+/"), server.address()::toString);
+    }
+
+    @Test
+    void thePageFollowsTheFeed() throws Exception {
+        String page = clients.body("");
+        assertTrue(page.contains("<title>a against b</title>"));
+        assertTrue(page.contains("data-feed=\"feed\"") && page.contains("href=\"match.html\""));
+    }
+
+    @Test
+    void twoViewersGetEachLineWhenItIsPlayedAndALateOneGetsAll() throws Exception {
+        Clients.Feed one = clients.feed();
+        Clients.Feed two = clients.feed();
+        for (String line : LINES) {
+            write(List.of(line));
+            assertEquals(line, one.next());
+            assertEquals(line, two.next());
+        }
+        recording.close();
+        Clients.Feed late = clients.feed();
+        assertEquals(LINES, late.rest());
+        assertEquals("end", late.ending());
+        assertEquals(List.of(), one.rest());
+        assertEquals("end", one.ending());
+    }
+
+    /** 40 MB are far more than all buffers between the two; the match must not wait for any of it. */
+    @Test
+    void aViewerWhoReadsNothingHoldsNobodyUp() throws Exception {
+        Clients.Feed slow = clients.feed();
+        Clients.Feed quick = clients.feed();
+        String line = "x".repeat(400_000);
+        long start = System.nanoTime();
+        for (int k = 0; k < 100; k++) {
+            write(List.of(line));
+        }
+        long written = System.nanoTime() - start;
+        recording.close();
+        for (int k = 0; k < 100; k++) {
+            assertEquals(line.length(), quick.next().length());
+        }
+        assertTrue(written < 3e9, () -> written + " ns");
+        server.awaitDelivery(200, 0);
+        for (int k = 0; k < 100; k++) {
+            assertEquals(line.length(), slow.next().length());
+        }
+        server.awaitDelivery(20_000, 0);
+    }
+
+    @Test
+    void onlyGetsAreAnswered() throws IOException {
+        for (String method : List.of("POST", "PUT", "DELETE", "HEAD", "OPTIONS", "TRACE")) {
+            String answer = clients.raw(method + " / HTTP/1.1", "Host: localhost:" + clients.port(), "Content-Length: 0");
+            assertTrue(answer.startsWith("HTTP/1.1 405 ") && answer.contains("Allow: GET"), answer);
+        }
+    }
+
+    @Test
+    void onlyKnownPathsAreThere() throws Exception {
+        for (String path : List.of("x", "feed/", "feed/x", "index.html", "%66eed", "../etc/passwd", "match.html.")) {
+            assertEquals(404, clients.rawStatus("GET /" + path + " HTTP/1.1", "Host: localhost:" + clients.port()), path);
+        }
+        assertEquals(200, clients.rawStatus("GET /?x=y HTTP/1.1", "Host: localhost:" + clients.port()));
+    }
+
+    @Test
+    void requestsForAnotherNameAreRefused() throws IOException {
+        for (String host : List.of("evil.example", "evil.example:" + clients.port(), "localhost:1")) {
+            for (String path : List.of("/", "/feed", "/match.html")) {
+                assertEquals(403, clients.rawStatus("GET " + path + " HTTP/1.1", "Host: " + host), host);
+            }
+        }
+        assertEquals(403, clients.rawStatus("GET / HTTP/1.0"));
+        assertEquals(200, clients.rawStatus("GET / HTTP/1.1", "Host: 127.0.0.1:" + clients.port()));
+    }
+
+    @Test
+    void thereIsRoomForSixteenAndThenForWhoeverComesAfterOneHasLeft() throws Exception {
+        List<Clients.Feed> feeds = new ArrayList<>();
+        for (int k = 0; k < LiveServer.MOST_VIEWERS; k++) {
+            feeds.add(clients.feed());
+        }
+        assertEquals(503, clients.status("feed"));
+        assertEquals(200, clients.status(""));
+        feeds.get(3).close();
+        int status = 503;
+        while (status == 503) {                              // that one has gone is seen when it is next written to
+            write(List.of("line"));
+            status = clients.status("feed");
+        }
+        assertEquals(200, status);
+    }
+
+    @Test
+    void theCopyHoldsWhatHasBeenPlayed() throws Exception {
+        assertEquals(503, clients.status("match.html"), "nothing has been played");
+        write(LINES.subList(0, 5));
+        String half = clients.body("match.html");
+        assertTrue(half.contains("cut off after turn 4"), "it says where it ends");
+        write(LINES.subList(5, LINES.size()));
+        byte[] whole = (String.join("\n", LINES) + "\n").getBytes(StandardCharsets.UTF_8);
+        assertArrayEquals(whole, Clients.embedded(clients.body("match.html")));
+    }
+
+    @Test
+    void theEndIsAwaitedOnlyForThoseWhoWatch() throws Exception {
+        assertFalse(server.awaitViewer(1));
+        long start = System.nanoTime();
+        server.awaitDelivery(20_000, 20_000);
+        Clients.Feed feed = clients.feed();
+        assertTrue(server.awaitViewer(0));
+        write(LINES);
+        recording.close();
+        assertEquals(LINES, feed.rest());
+        Thread copy = new Thread(() -> assertTrue(clients.body("match.html").contains("</html>")));
+        copy.start();
+        server.awaitDelivery(20_000, 20_000);
+        assertTrue(System.nanoTime() - start < 10e9, "it has waited for nothing else");
+        copy.join();
+    }
+
+    @Test
+    void aPortThatIsTakenIsRefused() {
+        assertThrows(BindException.class, () -> LiveServer.start(null, clients.port(), "b", new LiveRecording()));
+        assertThrows(UnknownHostException.class, () -> LiveServer.start("no such host", 0, "b", recording));
+    }
+
+    @Test
+    void onAllAddressesItIsShownByTheLoopbackOne() throws Exception {
+        try (LiveServer open = LiveServer.start("0.0.0.0", 0, "b", recording)) {
+            assertFalse(open.isLoopback());
+            assertEquals("127.0.0.1", open.address().getHost());
+            try (Clients other = new Clients(open.address())) {
+                assertEquals(200, other.status(""));
+            }
+        }
+    }
+}
