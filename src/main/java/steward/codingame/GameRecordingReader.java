@@ -52,8 +52,9 @@ final class GameRecordingReader {
         try {
             root = JsonMapper.shared().readTree(json);
         } catch (JacksonException problem) {
-            throw new IllegalArgumentException(source + ":" + problem.getLocation().getLineNr() + ":"
-                + problem.getLocation().getColumnNr() + ": not JSON: " + problem.getOriginalMessage());
+            String place = problem.getLocation() == null ? ""
+                : ":" + problem.getLocation().getLineNr() + ":" + problem.getLocation().getColumnNr();
+            throw new IllegalArgumentException(source + place + ": not JSON: " + problem.getOriginalMessage());
         }
         JsonNode result = root.has("success") ? root.get("success") : root;
         result = result.has("gameResult") ? result.get("gameResult") : result;
@@ -130,6 +131,9 @@ final class GameRecordingReader {
             commands.add(said(frame, k));
             if (endsTurn(frame, k, commands.size())) {
                 boolean last = k == frames.size() - 1;
+                if (!last && commands.size() < GameRecording.PLAYERS && !fails(commands.get(0))) {
+                    throw wrong(k, "keyframe", "true", "false, because player 1 has not answered");
+                }
                 turns.add(turn(frame, k, complete(commands, last)));
                 commands.clear();
             }
@@ -189,7 +193,7 @@ final class GameRecordingReader {
         return new GameRecording.Turn(number, commands, after, after.isEmpty() ? null : impacts(view, number));
     }
 
-    /** The impacts behind the players' lines, or {@code null} if there are no players' lines either. */
+    /** The impacts behind the players' lines, or {@code null} if the view ends with the pods. */
     private List<GameRecording.Impact> impacts(String[] view, int frame) {
         int line = FIRST_POD_LINE + 2 * GameRecording.PODS;
         int players = 0;
@@ -197,7 +201,7 @@ final class GameRecordingReader {
             line++;
             players++;
         }
-        if (players == 0) {
+        if (players == 0 && line >= view.length) {
             return null;
         }
         List<GameRecording.Impact> impacts = new ArrayList<>();

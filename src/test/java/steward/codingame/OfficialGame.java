@@ -1,0 +1,163 @@
+package steward.codingame;
+
+import java.io.StringWriter;
+import java.util.ArrayList;
+import java.util.List;
+import steward.bot.InProcessPlayer;
+import steward.game.FrameCodec;
+import steward.game.Game;
+import steward.game.GameSetup;
+import steward.game.JsonNumbers;
+import steward.game.podrace.PodRace;
+import steward.game.podrace.PodState;
+import steward.match.MatchListener;
+import steward.match.MatchResult;
+import steward.match.Referee;
+import steward.match.SeededBot;
+import steward.match.TestScenes;
+import steward.match.TimeControl;
+import steward.match.Turn;
+import steward.physics.Impact;
+import tools.jackson.core.JsonGenerator;
+import tools.jackson.core.ObjectWriteContext;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+import tools.jackson.databind.node.ArrayNode;
+import tools.jackson.databind.node.ObjectNode;
+
+/**
+ * Writes a match of ours in the form of CodinGame's own JSON, as its server does: a frame per player, the pods in the
+ * view of the key frame, the impacts behind them. The pod that wins keeps its old next checkpoint.
+ */
+final class OfficialGame implements MatchListener {
+
+    private static final int PODS = 4;
+    /** What a view has before its pods: in frame 0 the checkpoints stand in the fourth line. */
+    private static final String KEY_FRAME = "KEY_FRAME ";
+
+    private final ObjectNode result = JsonMapper.shared().createObjectNode();
+    private final ArrayNode frames = result.putArray("frames");
+    private final List<Integer> impactTurns = new ArrayList<>();
+    private PodRace race;
+    private FrameCodec codec;
+    private final List<String> said = new ArrayList<>();
+    private final boolean[] shield = new boolean[PODS];
+    private int turns;
+
+    private OfficialGame() {
+    }
+
+    /** A whole game between bots drawn by lot that ram each other now and then. */
+    static OfficialGame play(long seed) {
+        GameSetup setup = TestScenes.open("mad-pod-racing");
+        OfficialGame game = new OfficialGame();
+        List<InProcessPlayer> players = List.of(new InProcessPlayer("a", new SeededBot(seed, 0.2)),
+            new InProcessPlayer("b", new SeededBot(seed + 1, 0.2)));
+        try {
+            MatchResult end = new Referee(setup, seed, players, TimeControl.UNLIMITED, game).play();
+            ArrayNode ranks = game.result.putArray("ranks");
+            end.players().forEach(player -> ranks.add(player.rank()));
+        } catch (InterruptedException nobodyDoes) {
+            throw new AssertionError(nobodyDoes);
+        }
+        return game;
+    }
+
+    /** The inner object; a copy, to be spoilt. */
+    ObjectNode gameResult() {
+        return result.deepCopy();
+    }
+
+    /** As it is downloaded. */
+    String json() {
+        ObjectNode whole = JsonMapper.shared().createObjectNode();
+        whole.putObject("success").set("gameResult", result);
+        return whole.toString();
+    }
+
+    int turns() {
+        return turns;
+    }
+
+    /** Turns with impacts, ascending. */
+    List<Integer> impactTurns() {
+        return impactTurns;
+    }
+
+    /** The number of the key frame of a turn. */
+    static int keyFrame(int turn) {
+        return 2 * turn;
+    }
+
+    @Override
+    public void start(Game game, FrameCodec gameCodec) {
+        race = (PodRace) game;
+        codec = gameCodec;
+        StringBuilder view = new StringBuilder(KEY_FRAME + "0\n16000 9000\n600\n");
+        for (double[] checkpoint : race.checkpoints()) {
+            view.append(word(checkpoint[0])).append(' ').append(word(checkpoint[1])).append(' ');
+        }
+        view.append("\n3\n");
+        pods(view);
+        frames.addObject().put("view", view.toString()).put("keyframe", true).put("agentId", -1);
+    }
+
+    @Override
+    public void commands(Turn turn) {
+        said.clear();
+        for (int player = 0; player < 2; player++) {
+            StringWriter json = new StringWriter();
+            try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), json)) {
+                codec.writeCommand(out, player);
+            }
+            StringBuilder lines = new StringBuilder();
+            for (JsonNode pod : JsonMapper.shared().readTree(json.toString())) {
+                shield[2 * player + lines.toString().lines().mapToInt(line -> 1).sum()] = pod.has("shield");
+                lines.append(pod.get("x")).append(' ').append(pod.get("y")).append(' ').append(
+                    pod.has("shield") ? "SHIELD" : pod.has("boost") ? "BOOST" : pod.get("thrust")).append(" go\n");
+            }
+            said.add(lines.toString());
+        }
+    }
+
+    @Override
+    public void played(Turn turn) {
+        turns = turn.number();
+        frames.addObject().put("stdout", said.get(0)).put("keyframe", false).put("agentId", 0)
+            .put("view", (2 * turns - 1) + "\n");
+        StringBuilder view = new StringBuilder(KEY_FRAME + 2 * turns + "\n");
+        pods(view);
+        if (race.log().impacts() > 0) {
+            impactTurns.add(turns);
+        }
+        for (int k = 0; k < race.log().impacts(); k++) {
+            Impact impact = race.log().impact(k);
+            view.append(k).append(' ').append(impact.time()).append(' ').append(impact.a()).append(' ')
+                .append(Math.round(impact.ax())).append(' ').append(Math.round(impact.ay())).append(' ')
+                .append(impact.b()).append(' ').append(Math.round(impact.bx())).append(' ')
+                .append(Math.round(impact.by())).append(' ').append(impact.impulse()).append(" 1 -2\n");
+        }
+        frames.addObject().put("stdout", said.get(1)).put("keyframe", true).put("agentId", 1)
+            .put("view", view.toString());
+    }
+
+    /** Two lines a pod, then one a player. */
+    private void pods(StringBuilder view) {
+        int count = race.checkpoints().length;
+        int all = race.settings().laps() * count;
+        for (int k = 0; k < PODS; k++) {
+            PodState pod = race.pod(k);
+            int next = (pod.passed() < all ? pod.passed() + 1 : all) % count;
+            view.append(word(pod.x())).append(' ').append(word(pod.y())).append(' ').append(word(pod.vx())).append(' ')
+                .append(word(pod.vy())).append(" 100 0 0 0 ")
+                .append(Double.isNaN(pod.heading()) ? "null" : Double.toString(pod.heading())).append(' ')
+                .append(shield[k] ? 1 : 0).append(' ').append(next).append(' ').append(0).append('\n')
+                .append("\"go: ").append(k).append("\"\n");
+        }
+        view.append("0:").append(race.turnsLeft(0)).append("\n1:").append(race.turnsLeft(1)).append('\n');
+    }
+
+    private static String word(double value) {
+        return Long.toString((long) value);
+    }
+}
