@@ -52,6 +52,7 @@ class Match {
   #addTurn(record) {
     if (!this.header || record.turn !== this.turns.length + 1) return false;
     const outcome = record.outcome;
+    const state = outcome.state ?? this.turn(record.turn - 1).state;   // an imported turn may have none
     const turn = {
       number: record.turn,
       commands: record.commands,
@@ -64,9 +65,9 @@ class Match {
       impactLimit: outcome.impactLimit ?? null,
       events: outcome.events ?? [],
       knots: new Map((outcome.paths ?? []).map(path => [path.id, path.knots])),
-      bodies: byId(outcome.state.bodies),
+      bodies: byId(state.bodies),
       paths: new Map(),
-      state: outcome.state,
+      state,
       hash: outcome.hash,
     };
     this.turns.push(turn);

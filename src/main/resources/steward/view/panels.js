@@ -167,7 +167,7 @@ class StateTable {
     if (turn.impactLimit) {
       rest.append(element('dt', '', 'impact limit'), element('dd', 'fault', `reached at ${turn.impactLimit.time}`));
     }
-    rest.append(element('dt', '', 'hash'), element('dd', '', turn.hash));
+    if (turn.hash) rest.append(element('dt', '', 'hash'), element('dd', '', turn.hash));
     return rest;
   }
 }

@@ -29,7 +29,7 @@ import tools.jackson.databind.node.ObjectNode;
  * Writes a match of ours in the form of CodinGame's own JSON, as its server does: a frame per player, the pods in the
  * view of the key frame, the impacts behind them. The pod that wins keeps its old next checkpoint.
  */
-final class OfficialGame implements MatchListener {
+public final class OfficialGame implements MatchListener {
 
     private static final int PODS = 4;
     /** What a view has before its pods: in frame 0 the checkpoints stand in the fourth line. */
@@ -48,7 +48,7 @@ final class OfficialGame implements MatchListener {
     }
 
     /** A whole game between bots drawn by lot that ram each other now and then. */
-    static OfficialGame play(long seed) {
+    public static OfficialGame play(long seed) {
         GameSetup setup = TestScenes.open("mad-pod-racing");
         OfficialGame game = new OfficialGame();
         List<InProcessPlayer> players = List.of(new InProcessPlayer("a", new SeededBot(seed, 0.2)),
@@ -69,13 +69,37 @@ final class OfficialGame implements MatchListener {
     }
 
     /** As it is downloaded. */
-    String json() {
+    public String json() {
         ObjectNode whole = JsonMapper.shared().createObjectNode();
         whole.putObject("success").set("gameResult", result);
         return whole.toString();
     }
 
-    int turns() {
+    /**
+     * As older sources tell it: without impacts, and of every fifth turn nothing but the commands; then the second
+     * player stops answering.
+     *
+     * @param turns how many are kept
+     */
+    public String sketch(int turns) {
+        ObjectNode sketch = gameResult();
+        ArrayNode all = (ArrayNode) sketch.get("frames");
+        while (all.size() > 1 + keyFrame(turns)) {
+            all.remove(all.size() - 1);
+        }
+        for (int turn = 1; turn <= turns; turn++) {
+            ObjectNode frame = (ObjectNode) all.get(keyFrame(turn));
+            frame.put("view", String.join("\n", frame.get("view").stringValue().lines().limit(1 + 2 * PODS).toList()));
+            if (turn % 5 == 0) {
+                frame.remove("view");
+            }
+        }
+        ((ObjectNode) all.get(keyFrame(turns))).remove("stdout");
+        sketch.putArray("ranks").add(0).add(1);
+        return sketch.toString();
+    }
+
+    public int turns() {
         return turns;
     }
 

@@ -4,11 +4,16 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.networknt.schema.Schema;
+import java.io.ByteArrayOutputStream;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.bot.Bot;
+import steward.codingame.GameRecordingImport;
+import steward.codingame.OfficialGame;
 import steward.game.GameSetup;
 import steward.match.SeededBot;
 import steward.match.TestScenes;
@@ -79,6 +84,21 @@ class TrafficTest {
     @ValueSource(strings = {"mad-pod-racing", "walled-race"})
     void aCrowdOfThreeInWhichOneFails(String scene) {
         check(TestScenes.changed(scene, "\"players\": 2", "\"players\": 3"), 12);
+    }
+
+    /** What another referee played and we keep: whole, and with all the parts missing that may be missing. */
+    @Test
+    void importedMatches() throws InterruptedException {
+        OfficialGame game = OfficialGame.play(12);
+        for (String recording : List.of(game.json(), game.sketch(20))) {
+            ByteArrayOutputStream replay = new ByteArrayOutputStream();
+            GameRecordingImport.of(recording, "game.json", TestScenes.TYPES).write(replay);
+            List<String> lines = replay.toString(StandardCharsets.UTF_8).lines().toList();
+            assertTrue(lines.size() > 20 && lines.get(0).contains("\"imported\":true"));
+            for (String line : lines) {
+                assertEquals(List.of(), Schemas.problems(REPLAY, line), line);
+            }
+        }
     }
 
     private static void check(GameSetup setup, int last) {
