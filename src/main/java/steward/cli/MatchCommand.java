@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -24,6 +25,12 @@ import steward.match.Protocol;
         "  steward match --bot builtin:veteran --bot 'me=python3 bot.py' --seed 7 --out match.jsonl",
         "  steward match --scene duel --bot ./mine --bot builtin:racer --games 50 --swap --threads 2",
         "  steward match --protocol codingame --bot ./a.out --bot json:'python3 bot.py'",
+        "  steward match --bot ./mine --bot builtin:racer --view match.html --open",
+        "  steward match --bot ./mine --bot builtin:racer --watch --open",
+        "", "--watch prints the address of the page and begins when a browser has opened it (or at Enter; where",
+        "nobody can press it, after 60 seconds). When the match is over it ends by itself as soon as every",
+        "browser has everything: open pages stay complete, and their Save works from then on without the",
+        "program. To look again later, use --view or --out.",
         "", "Exit status: 0 there is a result; 1 there is none, or --strict and a bot failed; 2 wrong call."})
 final class MatchCommand implements Callable<Integer> {
 
@@ -56,8 +63,11 @@ final class MatchCommand implements Callable<Integer> {
         description = "Write the replay to this file; with --games or --swap, one for each game into this folder.")
     private String out;
 
-    @Option(names = "--overwrite", description = "Replace replays that exist.")
+    @Option(names = "--overwrite", description = "Replace replays and pages that exist.")
     private boolean overwrite;
+
+    @Mixin
+    private final ShowOptions show = new ShowOptions();
 
     @Option(names = "--quiet", description = "Print only the line of the result.")
     private boolean quiet;
@@ -102,7 +112,9 @@ final class MatchCommand implements Callable<Integer> {
         check(threads == null || threads >= 1 && threads <= MOST_THREADS,
             "--threads: found " + threads + ", expected 1 to " + MOST_THREADS);
         check(many || threads == null, "--threads is for many games, expected --games or --swap with it");
-        check(!overwrite || out != null, "--overwrite: expected --out with it");
+        check(!overwrite || out != null || show.view() != null, "--overwrite: expected --out or --view with it");
+        String problem = show.problem(many);
+        check(problem == null, problem);
         Optional<Protocol> usual = Protocol.of(protocol);
         check(usual.isPresent(), "--protocol: found '" + protocol + "', expected json or codingame");
         double factor = noDeadline ? Double.POSITIVE_INFINITY : timeFactor == null ? 1 : timeFactor;
@@ -116,7 +128,8 @@ final class MatchCommand implements Callable<Integer> {
             Series series = new Series(contest, first, games == null ? 1 : games, swap, path);
             return new ManyGames(streams, series, report, strict).play(threads == null ? 1 : threads, overwrite);
         }
-        return new OneGame(streams, contest, report, strict).play(first, path, overwrite);
+        OneGame game = new OneGame(streams, contest, report, strict);
+        return show.isAny() ? game.play(first, path, overwrite, show) : game.play(first, path, overwrite);
     }
 
     private void check(boolean right, String problem) {

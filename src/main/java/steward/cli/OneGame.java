@@ -2,6 +2,7 @@ package steward.cli;
 
 import java.io.IOException;
 import java.io.OutputStream;
+import java.io.PrintStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -19,20 +20,48 @@ record OneGame(Streams streams, Contest contest, Report report, boolean strict) 
     private static final MatchListener NOBODY = new MatchListener() { };
 
     /**
+     * A match that is not shown.
+     *
      * @param file for the replay, or {@code null}
      * @return the exit status
      */
     int play(long seed, Path file, boolean overwrite) throws InterruptedException {
-        MatchResult result;
-        try (OutputStream recording = file == null ? null : OutputFiles.open(file, overwrite);
-             Interruption hint = new Interruption(streams, file)) {
-            result = contest.play(seed, 0, recording, follower(seed));
-            hint.over();
+        MatchResult result = result(seed, file, overwrite, null);
+        tell(seed, result, file);
+        return status(result);
+    }
+
+    /** As {@link #play(long, Path, boolean)}; the match is shown as the options say. */
+    int play(long seed, Path file, boolean overwrite, ShowOptions options) throws InterruptedException {
+        PrintStream said = report == Report.FULL ? streams.out() : streams.err();
+        try (Show show = Show.prepare(streams, said, options, Pages.title(names()), file, overwrite)) {
+            MatchResult result = result(seed, file, overwrite, show);
+            tell(seed, result, file);
+            streams.out().flush();
+            show.finish();
+            return status(result);
+        }
+    }
+
+    private MatchResult result(long seed, Path file, boolean overwrite, Show show) throws InterruptedException {
+        try (OutputStream recording = file == null ? null : OutputFiles.open(file, overwrite)) {
+            if (show != null) {
+                show.awaitViewer();
+            }
+            try (Interruption hint = new Interruption(streams, file)) {
+                OutputStream written = show == null ? recording : show.with(recording);
+                MatchResult result = contest.play(seed, 0, written, follower(seed));
+                hint.over();
+                return result;
+            }
         } catch (UncheckedIOException problem) {
             throw new FailedException("the match could not be brought to a result: " + problem.getMessage());
         } catch (IOException problem) {
             throw new FailedException(file + ": cannot be closed: " + problem.getMessage());
         }
+    }
+
+    private void tell(long seed, MatchResult result, Path file) {
         switch (report) {
             case JSON -> MatchJson.print(streams, contest, seed, result, file);
             case LINE -> streams.out().println(MatchText.headline(contest.sceneName(), seed, result));
@@ -43,14 +72,21 @@ record OneGame(Streams streams, Contest contest, Report report, boolean strict) 
                 }
             }
         }
+    }
+
+    private int status(MatchResult result) {
         return strict && result.anyFault() ? ExitStatus.FAILED : ExitStatus.DONE;
+    }
+
+    private List<String> names() {
+        return contest.entrants().stream().map(Contest.Entrant::name).toList();
     }
 
     private MatchListener follower(long seed) {
         if (report != Report.FULL || !streams.outTerminal()) {
             return NOBODY;
         }
-        List<String> names = contest.entrants().stream().map(Contest.Entrant::name).toList();
+        List<String> names = names();
         streams.out().println(contest.sceneName() + ", seed " + seed + ": "
             + Words.plain(String.join(" against ", names)));
         streams.out().flush();

@@ -11,7 +11,7 @@ import java.nio.file.OpenOption;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
-/** Opens the files that replays are written to, before anything is played. */
+/** Opens the files that replays and pages are written to, before anything is played. */
 final class OutputFiles {
 
     private OutputFiles() {
@@ -34,7 +34,7 @@ final class OutputFiles {
      */
     static OutputStream open(Path file, boolean overwrite) {
         if (Files.isDirectory(file)) {
-            throw new InputException(file + ": found a folder, expected the name of a file for the replay");
+            throw new InputException(file + ": found a folder, expected the name of a file");
         }
         OpenOption[] options = overwrite
             ? new OpenOption[] {StandardOpenOption.WRITE, StandardOpenOption.CREATE,
@@ -66,6 +66,19 @@ final class OutputFiles {
             throw new InputException(folder + ": found a file, expected a folder for the replays");
         } catch (IOException problem) {
             throw new InputException(folder + ": cannot be made: " + reason(folder, problem));
+        }
+    }
+
+    /** Whether both are the same file, there already or about to be; nothing is the same as no file. */
+    static boolean isSame(Path one, Path other) {
+        if (one == null || other == null) {
+            return false;
+        }
+        try {
+            return one.toAbsolutePath().normalize().equals(other.toAbsolutePath().normalize())
+                || Files.exists(one) && Files.exists(other) && Files.isSameFile(one, other);
+        } catch (IOException problem) {
+            return false;
         }
     }
 

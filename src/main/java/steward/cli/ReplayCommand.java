@@ -1,6 +1,7 @@
 package steward.cli;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
@@ -21,6 +22,7 @@ import steward.replay.Verification;
         "  steward replay match.jsonl --turn 57",
         "  steward replay match.jsonl --impacts",
         "  steward replay match.jsonl --verify",
+        "  steward replay match.jsonl --view match.html --open",
         "  steward replay match.jsonl --frames --player 1 | ./mybot",
         "", "Exit status: 0 done; 1 a turn differs from what the rules give; 2 the file or the call is wrong."})
 final class ReplayCommand implements Callable<Integer> {
@@ -54,6 +56,16 @@ final class ReplayCommand implements Callable<Integer> {
     @Option(names = "--player", paramLabel = "P", description = "Which bot, counted from 0.")
     private Integer player;
 
+    @Option(names = "--view", paramLabel = "HTML",
+        description = "Write a page that shows the match to this file: everything in it, opens from disk.")
+    private String view;
+
+    @Option(names = "--open", description = "Open the page of --view, or one without a name, in the browser.")
+    private boolean open;
+
+    @Option(names = "--overwrite", description = "Replace a page that exists.")
+    private boolean overwrite;
+
     @Option(names = "--quiet", description = "Print only the summary; with --verify, only a difference.")
     private boolean quiet;
 
@@ -62,9 +74,12 @@ final class ReplayCommand implements Callable<Integer> {
     }
 
     @Override
-    public Integer call() {
+    public Integer call() throws InterruptedException {
         check();
         Path path = OutputFiles.path(file);
+        if (view != null || open) {
+            return view(path);
+        }
         try (ReplayReader replay = open(path)) {
             if (verify) {
                 return verify(replay);
@@ -106,6 +121,10 @@ final class ReplayCommand implements Callable<Integer> {
             "--frames prints the whole match, expected no --turn, --from, --to or --impacts with it");
         check(!frames || player != null, "--frames: expected --player P with it");
         check(frames || player == null, "--player is for --frames, expected both");
+        check(view == null && !open || !verify && !frames && !impacts && !range && turn == null,
+            "--view and --open take the whole match, expected no --verify, --frames, --impacts, --turn, --from or --to "
+            + "with them");
+        check(!overwrite || view != null, "--overwrite: expected --view with it");
         check(!quiet || !frames && !impacts && turn == null, "--quiet is for the summary and --verify");
     }
 
@@ -123,6 +142,39 @@ final class ReplayCommand implements Callable<Integer> {
             throw new InputException(path + (Files.exists(path) ? ": cannot be read: no permission"
                 : ": found no such file, expected a replay"));
         }
+    }
+
+    private int view(Path replay) throws InterruptedException {
+        String title = replay.getFileName() == null ? replay.toString() : replay.getFileName().toString();
+        String warning;
+        try (ReplayReader reader = open(replay)) {
+            title = reader.header() == null ? title : Pages.title(reader.header().names());
+            while (reader.next() != null) {
+                continue;
+            }
+            warning = reader.warning();
+        }
+        byte[] html = Pages.of(replay, title);
+        Path page = view == null ? Pages.unnamed() : OutputFiles.path(view);
+        if (OutputFiles.isSame(page, replay)) {
+            throw new InputException("--view: found the replay itself, expected another file");
+        }
+        try (OutputStream out = OutputFiles.open(page, overwrite || view == null)) {
+            Pages.write(out, html, page);
+        } catch (IOException problem) {
+            throw new FailedException(page + ": cannot be closed: " + problem.getMessage());
+        }
+        if (warning != null) {
+            streams.warn(warning);
+        }
+        if (!quiet) {
+            streams.out().println("Page: " + page);
+            streams.out().flush();
+        }
+        if (open) {
+            Pages.open(streams, page.toAbsolutePath().toUri());
+        }
+        return ExitStatus.DONE;
     }
 
     private int verify(ReplayReader replay) {

@@ -3,9 +3,11 @@ package steward.cli;
 import java.io.BufferedOutputStream;
 import java.io.Console;
 import java.io.FileDescriptor;
+import java.io.FileInputStream;
 import java.io.FileOutputStream;
 import java.io.FilterOutputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
@@ -13,24 +15,35 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * Where a command writes: UTF-8 whatever the locale says, since frames are printed byte for byte. The standard output
- * is buffered; {@link PrintStream#flush} shows what has come so far.
+ * What a command reads, and where it writes: UTF-8 whatever the locale says, since frames are printed byte for byte.
+ * The standard output is buffered; {@link PrintStream#flush} shows what has come so far.
  */
 final class Streams {
 
     private static final String LINUX_DESCRIPTORS = "/proc/self/fd/";
 
+    private final InputStream in;
+    private final boolean inTerminal;
     private final Watched watched;
     private final PrintStream out;
     private final PrintStream err;
     private final boolean outTerminal;
     private final boolean errTerminal;
 
+    /** Without an input. */
+    Streams(OutputStream out, OutputStream err, boolean outTerminal, boolean errTerminal) {
+        this(InputStream.nullInputStream(), false, out, err, outTerminal, errTerminal);
+    }
+
     /**
+     * @param inTerminal  whether a person types {@code in}
      * @param outTerminal whether a person reads {@code out} as it comes
      * @param errTerminal likewise for {@code err}
      */
-    Streams(OutputStream out, OutputStream err, boolean outTerminal, boolean errTerminal) {
+    Streams(InputStream in, boolean inTerminal, OutputStream out, OutputStream err, boolean outTerminal,
+            boolean errTerminal) {
+        this.in = in;
+        this.inTerminal = inTerminal;
         watched = new Watched(out);
         this.out = new PrintStream(new BufferedOutputStream(watched, 1 << 13), false, StandardCharsets.UTF_8);
         this.err = new PrintStream(err, true, StandardCharsets.UTF_8);
@@ -40,8 +53,9 @@ final class Streams {
 
     /** Those of the process. */
     static Streams standard() {
-        return new Streams(new FileOutputStream(FileDescriptor.out), new FileOutputStream(FileDescriptor.err),
-            isTerminal(1), isTerminal(2));
+        return new Streams(new FileInputStream(FileDescriptor.in), isTerminal(0),
+            new FileOutputStream(FileDescriptor.out), new FileOutputStream(FileDescriptor.err), isTerminal(1),
+            isTerminal(2));
     }
 
     /** Java only tells whether input and output both are terminals; Linux tells it of each. */
@@ -65,6 +79,15 @@ final class Streams {
         } catch (ReflectiveOperationException older) {
             return true;
         }
+    }
+
+    /** What a person types; to be read by one at a time. */
+    InputStream in() {
+        return in;
+    }
+
+    boolean inTerminal() {
+        return inTerminal;
     }
 
     /** For results. */

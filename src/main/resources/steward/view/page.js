@@ -198,6 +198,15 @@ async function embeddedLines(source) {
   return (await new Response(plain).text()).split('\n').filter(line => line);
 }
 
+/** Whoever serves the match goes when it is over: what Save gives is fetched before, and kept by the page. */
+async function keepCopy() {
+  const save = document.querySelector('a[download]');
+  const answer = save && await fetch(save.href);
+  if (!answer || !answer.ok) return;
+  save.download = save.getAttribute('href');
+  save.href = URL.createObjectURL(await answer.blob());
+}
+
 /** Follows a match as server-sent events: each message is one line of the replay; "end" closes. */
 function followLive(page, feed) {
   page.playback.live = true;
@@ -207,6 +216,7 @@ function followLive(page, feed) {
     events.close();
     page.playback.live = false;
     document.body.classList.remove('live');
+    keepCopy().catch(() => page.say('The connection is lost: this match can be watched, but no longer saved.'));
   };
   events.addEventListener('message', event => {
     page.say('');

@@ -28,14 +28,14 @@ class ProcessTest {
         assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
     }
 
-    private static String steward(String... arguments) {
+    static String steward(String... arguments) {
         String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
         return CommandLine.quote(List.of(java, "-XX:TieredStopAtLevel=1", "-cp",
             System.getProperty("java.class.path"), Main.class.getName())) + " " + CommandLine.quote(List.of(arguments));
     }
 
     /** Runs a line of shell; what it writes to either stream, then its status. */
-    private static String shell(String line) throws IOException, InterruptedException {
+    static String shell(String line) throws IOException, InterruptedException {
         Process process = new ProcessBuilder("sh", "-c", "( " + line + "\n) 2>&1; echo status $?").start();
         process.getOutputStream().close();
         String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);

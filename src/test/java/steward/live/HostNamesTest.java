@@ -20,9 +20,9 @@ class HostNamesTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"evil.example:8123", "localhost", "localhost:80", "127.0.0.1", "localhost.evil.example:8123",
-        "127.0.0.1.evil.example:8123", "", ":8123", "localhost:8123:8123", "localhost:x", "localhost:99999",
-        "[evil.example]:8123", "1.2.3:8123", "evil@localhost:8123"})
+    @ValueSource(strings = {"evil.example:8123", "localhost", "localhost:80", "127.0.0.1",
+        "localhost.evil.example:8123", "127.0.0.1.evil.example:8123", "", ":8123", "localhost:8123:8123", "localhost:x",
+        "localhost:99999", "[evil.example]:8123", "1.2.3:8123", "evil@localhost:8123"})
     void refusesOthers(String host) {
         assertFalse(names.accept(host));
     }

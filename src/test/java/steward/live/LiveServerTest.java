@@ -47,6 +47,10 @@ class LiveServerTest {
         }
     }
 
+    private String host() {
+        return "Host: localhost:" + clients.port();
+    }
+
     @Test
     void isOnTheLoopbackAddress() {
         assertTrue(server.isLoopback());
@@ -103,7 +107,7 @@ class LiveServerTest {
     @Test
     void onlyGetsAreAnswered() throws IOException {
         for (String method : List.of("POST", "PUT", "DELETE", "HEAD", "OPTIONS", "TRACE")) {
-            String answer = clients.raw(method + " / HTTP/1.1", "Host: localhost:" + clients.port(), "Content-Length: 0");
+            String answer = clients.raw(method + " / HTTP/1.1", host(), "Content-Length: 0");
             assertTrue(answer.startsWith("HTTP/1.1 405 ") && answer.contains("Allow: GET"), answer);
         }
     }
@@ -111,9 +115,9 @@ class LiveServerTest {
     @Test
     void onlyKnownPathsAreThere() throws Exception {
         for (String path : List.of("x", "feed/", "feed/x", "index.html", "%66eed", "../etc/passwd", "match.html.")) {
-            assertEquals(404, clients.rawStatus("GET /" + path + " HTTP/1.1", "Host: localhost:" + clients.port()), path);
+            assertEquals(404, clients.rawStatus("GET /" + path + " HTTP/1.1", host()), path);
         }
-        assertEquals(200, clients.rawStatus("GET /?x=y HTTP/1.1", "Host: localhost:" + clients.port()));
+        assertEquals(200, clients.rawStatus("GET /?x=y HTTP/1.1", host()));
     }
 
     @Test
