@@ -1,5 +1,7 @@
 package steward.physics;
 
+import java.util.Locale;
+
 /** With how much care a time of impact between two circles is computed. */
 public enum Arithmetic {
 
@@ -29,7 +31,38 @@ public enum Arithmetic {
         double approachingCircles(double dx, double dy, double dvx, double dvy, double touch) {
             return TimeOfImpact.circles(dx, dy, dvx, dvy, touch);
         }
+    },
+
+    /** The same quadratic with the errors of its products and sums put back, {@link CompensatedTime}. */
+    COMPENSATED {
+        @Override
+        double circles(double dx, double dy, double dvx, double dvy, double touch) {
+            return CompensatedTime.circles(dx, dy, dvx, dvy, touch);
+        }
+
+        @Override
+        double approachingCircles(double dx, double dy, double dvx, double dvy, double touch) {
+            return CompensatedTime.circles(dx, dy, dvx, dvy, touch);
+        }
+    },
+
+    /** Exact decisions, and times of impact, positions and impulses that are rounded once, when stored. */
+    EXACT {
+        @Override
+        double circles(double dx, double dy, double dvx, double dvy, double touch) {
+            return CompensatedTime.circles(dx, dy, dvx, dvy, touch);
+        }
+
+        @Override
+        double approachingCircles(double dx, double dy, double dvx, double dvy, double touch) {
+            return CompensatedTime.circles(dx, dy, dvx, dvy, touch);
+        }
     };
+
+    /** Its name in a scene. */
+    public String text() {
+        return name().toLowerCase(Locale.ROOT);
+    }
 
     /** Of the square of a distance: 32 roundings, against which the official root is known to about three. */
     private static final double ROUNDING = 0x1p-48;

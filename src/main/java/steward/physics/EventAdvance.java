@@ -25,7 +25,7 @@ public final class EventAdvance implements Advance {
         law = parts.law();
         scans = Scan.of(parts, PairTime.of(law, parts.arithmetic()));
         queue = ImpactQueue.of(law);
-        touch = Touch.of(parts, walls);
+        touch = Touch.of(parts, new Collision(law, walls), walls);
         standstill = new Standstill(parts);
     }
 

@@ -143,8 +143,7 @@ abstract sealed class Scan {
 
     /** Offers the impact of a pair if it falls into the turn. */
     private static void offer(Bodies bodies, int i, int j, PairTime time, double now, ImpactQueue queue) {
-        double until = time.until(bodies.x[i] - bodies.x[j], bodies.y[i] - bodies.y[j],
-            bodies.vx[i] - bodies.vx[j], bodies.vy[i] - bodies.vy[j], bodies.radius[i] + bodies.radius[j]);
+        double until = time.until(bodies, i, j);
         if (until <= 1 - now) {
             queue.offer(now + until, i, j);
         }

@@ -9,8 +9,7 @@ abstract sealed class Touch {
     /** The bodies have flown to a new time. */
     abstract void flown(Bodies bodies);
 
-    static Touch of(PhysicsParts parts, Wall[] walls) {
-        Collision collision = new Collision(parts.law(), walls);
+    static Touch of(PhysicsParts parts, Collision collision, Wall[] walls) {
         return parts.reaction() == null ? new Bounce(collision) : new Ask(collision, parts, walls);
     }
 

@@ -1,12 +1,148 @@
 package steward.scene;
 
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import steward.physics.Advance;
 import steward.physics.Arithmetic;
+import steward.physics.EventAdvance;
+import steward.physics.PhysicsParts;
+import steward.physics.StepAdvance;
 
 /**
- * With how much care a scene is computed.
+ * With how much care a scene is computed: a rung of the ladder from {@code step/1}, the cheapest, to
+ * {@code event/exact}.
  *
- * @param advance    the way to advance a turn: {@code event}, from impact to impact at exact times
- * @param arithmetic how times of impact are computed
+ * @param way        how a turn is advanced
+ * @param steps      how many steps a turn has, 1..{@value StepAdvance#MOST_STEPS}; 0 where impacts are found by time
+ * @param arithmetic with how much care times of impact are computed; {@code DOUBLE} for steps, which have none
  */
-public record Accuracy(String advance, Arithmetic arithmetic) {
+public record Accuracy(Way way, int steps, Arithmetic arithmetic) {
+
+    /** How a turn is advanced. */
+    public enum Way {
+        /** From impact to impact at exact times. */
+        EVENT,
+        /** In fixed steps. */
+        STEP;
+
+        /** As it is written in a scene. */
+        public String text() {
+            return name().toLowerCase(Locale.ROOT);
+        }
+    }
+
+    /** @throws IllegalArgumentException if the values do not go together */
+    public Accuracy {
+        if (way == Way.EVENT && steps != 0) {
+            throw new IllegalArgumentException("accuracy: steps " + steps + ", expected 0 with advance event");
+        }
+        if (way == Way.STEP && (steps < 1 || steps > StepAdvance.MOST_STEPS)) {
+            throw new IllegalArgumentException(
+                "accuracy: steps " + steps + ", expected a whole number 1.." + StepAdvance.MOST_STEPS);
+        }
+        if (way == Way.STEP && arithmetic != Arithmetic.DOUBLE) {
+            throw new IllegalArgumentException(
+                "accuracy: arithmetic \"" + arithmetic.text() + "\", expected " + ONLY_DOUBLE);
+        }
+    }
+
+    /** Why steps have no choice of arithmetic. */
+    static final String ONLY_DOUBLE = "\"double\", because steps look for overlaps and compute no times of impact";
+
+    /** From impact to impact. */
+    public static Accuracy event(Arithmetic arithmetic) {
+        return new Accuracy(Way.EVENT, 0, arithmetic);
+    }
+
+    /** So many steps a turn. */
+    public static Accuracy step(int steps) {
+        return new Accuracy(Way.STEP, steps, Arithmetic.DOUBLE);
+    }
+
+    /**
+     * The rungs, cheapest first: {@code step/1}, {@code step/2}, {@code step/4}, ... {@code step/1024}, then the
+     * arithmetics of {@code event}.
+     */
+    public static List<Accuracy> ladder() {
+        List<Accuracy> rungs = new ArrayList<>();
+        for (int steps = 1; steps <= StepAdvance.MOST_STEPS; steps *= 2) {
+            rungs.add(step(steps));
+        }
+        Arrays.stream(Arithmetic.values()).map(Accuracy::event).forEach(rungs::add);
+        return List.copyOf(rungs);
+    }
+
+    /**
+     * A rung from its short form: {@code event/ARITHMETIC}, {@code step/K}, or an arithmetic alone, which means
+     * {@code event}; {@code event} alone means {@code event/double}.
+     *
+     * @throws IllegalArgumentException with what was found and expected, and the nearest name
+     */
+    public static Accuracy parse(String text) {
+        Map<String, Arithmetic> arithmetics = arithmetics();
+        if (arithmetics.containsKey(text)) {
+            return event(arithmetics.get(text));
+        }
+        int slash = text.indexOf('/');
+        String way = slash < 0 ? text : text.substring(0, slash);
+        String rest = slash < 0 ? "" : text.substring(slash + 1);
+        if (way.equals("step")) {
+            return step(parseSteps(text, rest));
+        }
+        if (way.equals("event")) {
+            if (slash >= 0 && !arithmetics.containsKey(rest)) {
+                throw refusal(text, "event/ and " + Wording.choice(rest, arithmetics.keySet()));
+            }
+            return event(slash < 0 ? Arithmetic.DOUBLE : arithmetics.get(rest));
+        }
+        List<String> known = new ArrayList<>(List.of("event", "step"));
+        known.addAll(arithmetics.keySet());
+        throw refusal(text, "event/ARITHMETIC, step/K or "
+            + Wording.oneOf(arithmetics.keySet())
+            + Nearest.of(way, known).map(near -> "; did you mean \"" + near + "\"?").orElse(""));
+    }
+
+    private static int parseSteps(String text, String steps) {
+        String expected = "step/ and a whole number 1.." + StepAdvance.MOST_STEPS;
+        if (!steps.matches("[0-9]{1,4}")) {
+            throw refusal(text, expected);
+        }
+        int count = Integer.parseInt(steps);
+        if (count < 1 || count > StepAdvance.MOST_STEPS) {
+            throw refusal(text, expected);
+        }
+        return count;
+    }
+
+    private static IllegalArgumentException refusal(String text, String expected) {
+        return new IllegalArgumentException("accuracy: found \"" + text + "\", expected " + expected);
+    }
+
+    /** The short form that {@link #parse} reads. */
+    public String text() {
+        return way.text() + "/" + (way == Way.STEP ? Integer.toString(steps) : arithmetic.text());
+    }
+
+    @Override
+    public String toString() {
+        return text();
+    }
+
+    /** The way to advance with this care. */
+    Advance advance(PhysicsParts parts) {
+        return way == Way.STEP ? new StepAdvance(parts, steps) : new EventAdvance(parts);
+    }
+
+    /** The arithmetics by their names, in the order of care. */
+    static Map<String, Arithmetic> arithmetics() {
+        Map<String, Arithmetic> names = new LinkedHashMap<>();
+        for (Arithmetic arithmetic : Arithmetic.values()) {
+            names.put(arithmetic.text(), arithmetic);
+        }
+        return names;
+    }
 }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
+import steward.physics.Advance;
 import steward.physics.Contacts;
 import steward.physics.Contacts.Meaning;
 import steward.physics.ImpactLaw;
@@ -61,6 +62,15 @@ public final class Plan {
         Restitution restitution = lowestRestitution < 1 ? Restitution.MINIMUM : Restitution.ELASTIC;
         return new PhysicsParts(scene.law().withRestitution(restitution), scene.accuracy().arithmetic(), contacts,
             walls, reaction, infiniteMasses);
+    }
+
+    /**
+     * The way to advance a turn that the scene's accuracy asks for.
+     *
+     * @param reaction as in {@link #physics}
+     */
+    public Advance advance(Reaction reaction) {
+        return scene.accuracy().advance(physics(reaction));
     }
 
     /** What happens to speeds and positions at the end of a turn. */
@@ -135,7 +145,7 @@ public final class Plan {
     }
 
     private Part broadPhase() {
-        return new Part("broad phase", false, "advance " + scene.accuracy().advance() + " looks at all pairs");
+        return new Part("broad phase", false, "advance " + scene.accuracy().way().text() + " looks at all pairs");
     }
 
     private static boolean bodiesMeet(Contacts contacts) {

@@ -2,7 +2,6 @@ package steward.scene;
 
 import java.util.Map;
 import java.util.Optional;
-import steward.physics.Arithmetic;
 import steward.physics.ImpactLaw;
 import steward.physics.ImpactLaw.Restitution;
 import steward.physics.ImpactLaw.ScanOrder;
@@ -34,14 +33,12 @@ public final class SceneReader {
         ImpactLaw law = root.optionalBlock("impacts").map(SceneReader::law).orElse(ImpactLaw.PHYSICS);
         Optional<Block> motion = root.optionalBlock("motion");
         Block time = root.block("time");
-        Block accuracy = root.block("accuracy");
         return new Scene(name, game, players, field, law,
             motion.map(block -> block.number("drag", 0, 1, 0)).orElse(0.0),
             motion.map(block -> block.choice("velocity", Map.of("truncate", true), false)).orElse(false),
             motion.map(block -> block.choice("position", Map.of("round", true), false)).orElse(false),
             new Time(time.integer("firstAnswerMs", 1, MOST_MS), time.integer("answerMs", 1, MOST_MS)),
-            new Accuracy(accuracy.choice("advance", Map.of("event", "event")),
-                accuracy.choice("arithmetic", Map.of("official", Arithmetic.OFFICIAL, "double", Arithmetic.DOUBLE))),
+            AccuracyReader.read(root.block("accuracy")),
             root);
     }
 

@@ -173,15 +173,34 @@ class SceneErrorsTest {
 
         "event"
         "evnet"
-        11:28: accuracy.advance: found "evnet", expected "event"; did you mean "event"?
+        11:28: accuracy.advance: found "evnet", expected one of "event", "step"; did you mean "event"?
 
         "double"
         "offical"
-        11:51: accuracy.arithmetic: found "offical", expected one of "double", "official"; did you mean "official"?
+        11:51: accuracy.arithmetic: found "offical", expected one of "official", "double", "compensated", \
+        "exact"; did you mean "official"?
 
         "double"
-        "exact"
-        11:51: accuracy.arithmetic: found "exact", expected one of "double", "official"
+        "exakt"
+        11:51: accuracy.arithmetic: found "exakt", expected one of "official", "double", "compensated", \
+        "exact"; did you mean "exact"?
+
+        "event", "arithmetic": "double"
+        "step", "arithmetic": "double"
+        11:15: accuracy.steps: found nothing, expected a whole number 1..1024
+
+        "event"
+        "step", "steps": 0
+        11:45: accuracy.steps: found 0, expected a whole number 1..1024
+
+        "event"
+        "step", "steps": 1025
+        11:45: accuracy.steps: found 1025, expected a whole number 1..1024
+
+        "event", "arithmetic": "double"
+        "step", "steps": 4, "arithmetic": "exact"
+        11:62: accuracy.arithmetic: found "exact", expected "double", because steps look for overlaps and compute no \
+        times of impact
 
         "accuracy"
         "acuracy"

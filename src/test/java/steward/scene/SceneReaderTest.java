@@ -36,7 +36,7 @@ class SceneReaderTest {
         assertEquals(0, scene.drag());
         assertEquals(List.of(false, false), List.of(scene.truncateVelocity(), scene.roundPosition()));
         assertEquals(new Time(1000, 75), scene.time());
-        assertEquals(new Accuracy("event", Arithmetic.OFFICIAL), scene.accuracy());
+        assertEquals(Accuracy.event(Arithmetic.OFFICIAL), scene.accuracy());
     }
 
     @Test

@@ -9,7 +9,6 @@ import steward.numerics.SplitMix64;
 import steward.numerics.StateHash;
 import steward.physics.Advance;
 import steward.physics.Bodies;
-import steward.physics.EventAdvance;
 import steward.physics.Motion;
 import steward.physics.TurnLog;
 import steward.scene.Bumper;
@@ -80,7 +79,7 @@ public final class PodRace implements Game {
         List<Bumper> bumpers = scene.field().map(field -> field.bumpers()).orElse(List.of());
         int pods = settings.pods();
         bodies = new Bodies(pods + bumpers.size());
-        advance = new EventAdvance(plan.physics(null));
+        advance = plan.advance(null);
         motion = plan.motion();
         heading = new double[pods];
         shieldTimer = new int[pods];
