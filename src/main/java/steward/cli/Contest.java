@@ -47,8 +47,8 @@ record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double
      * Reads the scene and finds the bots; nothing is started.
      *
      * @param usual the protocol of bots without a prefix
-     * @throws InputException                if the bots are not as many as the players, one cannot be started, or the scene
-     *                                       does not have its protocol
+     * @throws InputException                if the bots are not as many as the players, one cannot be started, or the
+     *                                       scene does not have its protocol
      * @throws steward.scene.SceneException if the scene cannot be used
      */
     static Contest of(String scene, List<String> bots, Protocol usual, double timeFactor) {

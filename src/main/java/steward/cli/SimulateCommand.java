@@ -12,8 +12,8 @@ import steward.game.podrace.PodRaceType;
 import steward.game.podrace.SimulatorProtocol;
 
 /** {@code steward simulate}: answers the community's tests of pod-race simulators. */
-@Command(name = "simulate", description = "Reads states and commands of the pod race from the standard input, plays one "
-    + "turn of each by the official rules, and prints the states after it.",
+@Command(name = "simulate", description = "Reads states and commands of the pod race from the standard input, plays "
+    + "one turn of each by the official rules, and prints the states after it.",
     footer = {"", "Input, until its end, any number of games, each",
         "  checkpointCount",
         "  x y                                                     for each checkpoint",

@@ -10,7 +10,8 @@ import tools.jackson.core.JsonGenerator;
 
 /**
  * What CodinGame's server saw of a game, in the form of a replay. Of the shield it shows only the turn in which it was
- * raised, of the boost nothing, of the checkpoints the next one: timers, boosts and checkpoints passed are counted here.
+ * raised, of the boost nothing, of the checkpoints the next one: timers, boosts and passed checkpoints are counted
+ * here.
  */
 final class ObservedGame implements Observations {
 

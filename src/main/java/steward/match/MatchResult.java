@@ -36,8 +36,8 @@ public record MatchResult(int turns, String ending, List<PlayerResult> players, 
      * @param worstNanos   longest answer time, likewise
      * @param firstNanos   time of the first answer, which includes a process's start
      * @param earlyTurns   in how many turns there were further lines beyond the answer, which wait for later turns
-     * @param data         what the bot reported about itself: {@code [PDATA] key = value} on stderr, the last value, and
-     *                     {@code [PDATA+] key = value}, the sum
+     * @param data         what the bot reported about itself on stderr: {@code [PDATA] key = value}, the last value,
+     *                     and {@code [PDATA+] key = value}, the sum
      */
     public record PlayerResult(String name, int rank, double score, String fault, String out, int answers,
                                long averageNanos, long worstNanos, long firstNanos, int earlyTurns,

@@ -136,7 +136,8 @@ final class PodRaceText implements TextCodec {
             String[] words = lines[k].strip().split("\\s+", 4);
             String where = "line " + (k + 1) + " of " + lines.length + ": ";
             if (words.length < 2) {
-                return where + "found \"" + shorten(lines[k].strip()) + "\", expected X Y and a thrust, SHIELD or BOOST";
+                return where + "found \"" + shorten(lines[k].strip())
+                    + "\", expected X Y and a thrust, SHIELD or BOOST";
             }
             x[k] = decimal(words[0]);
             y[k] = decimal(words[1]);
