@@ -69,7 +69,8 @@ class ProtocolTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"json, codingame:, ''", "codingame, '', json:", "json, codingame:, json:", "codingame, codingame:, json:"})
+    @CsvSource({"json, codingame:, ''", "codingame, '', json:", "json, codingame:, json:",
+        "codingame, codingame:, json:"})
     void prefixesAndTheOptionSayWhatABotSpeaks(String usual, String linesPrefix, String jsonPrefix) {
         JsonNode result = match("--protocol", usual, "--bot", "a=" + linesPrefix + lines,
             "--bot", shell.driver("b", ShellBots.CHECKPOINT).replace("b=", "b=" + jsonPrefix));
@@ -88,7 +89,8 @@ class ProtocolTest {
     @Test
     void theWrongProtocolIsAFault() {
         JsonNode result = match("--bot", lines, "--bot", "codingame:" + lines);
-        assertTrue(result.get("players").get(0).get("fault").stringValue().startsWith("found 10500, expected"), result.toString());
+        String fault = result.get("players").get(0).get("fault").stringValue();
+        assertTrue(fault.startsWith("found 10500, expected an object"), fault);
         assertEquals(1, result.get("winner").intValue());
     }
 
@@ -149,8 +151,8 @@ class ProtocolTest {
         List<Contest.Entrant> mixed = List.of(new Contest.Entrant("a", "./a", Protocol.JSON, List.of("./a")),
             new Contest.Entrant("b", "codingame:./b", Protocol.CODINGAME, List.of("./b")));
         InputException problem = assertThrows(InputException.class, () -> Contest.checkProtocols(mute, mixed));
-        assertEquals("bot 'codingame:./b': the scene \"duel\" has no codingame protocol, expected a bot that speaks json",
-            problem.getMessage());
+        assertEquals("bot 'codingame:./b': the scene \"duel\" has no codingame protocol, "
+            + "expected a bot that speaks json", problem.getMessage());
         Contest.checkProtocols(mute, mixed.subList(0, 1));
         List<Seat> seats = mixed.stream().map(entrant ->
             new Seat(new BotProcess(entrant.name(), entrant.words()), entrant.protocol())).toList();

@@ -55,29 +55,30 @@ class GameRecordingReaderTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
-        "1000 1000 9000       | 1000 1000             | frame 0, view line 3: found \"1000 1000 1000 5000 5000\", "
+        "1000 1000 9000 | 1000 1000 | frame 0, view line 3: found \"1000 1000 1000 5000 5000\", "
             + "expected x y of two or more checkpoints",
-        "9000 1000 5000       | 9000 NaN 5000         | frame 0, view line 3: found \"NaN\", expected a finite number",
-        "\\nc\\n1000 2000     | \\nc\\n1000 y         | frame 0, view line 5: found \"y\", expected a finite number",
-        "2\\n1000 2000        | 2\\n1000 2000 \\n     | frame 2, view line 1: found \"1000 2000 \", expected pod 0: x y",
-        "0:100                | x y z                 | frame 2, view line 9: found \"x y z\", expected an impact: id",
-        "0 0.25 3             | 0 soon 3              | frame 2, view line 11: found \"soon\", expected a finite number",
-        "0.25 3 1             | 0.25 4 1              | frame 2, view line 11: found \"4\", expected a whole number 0..3",
-        "5 6 240.5 1 -2       | 5 6                   | frame 2, view line 11: found \"0 0.25 3 1 2 1 5 6\", expected an",
-        "false},{\"stdout\"   | true},{\"stdout\"     | frame 1, keyframe: found true, expected false, because player 1",
-        "\"keyframe\":true,   | \"keyframe\":false,   | frame 2, keyframe: found false, expected true, because both",
-        "\"keyframe\":false   | \"keyframe\":\"no\"   | frame 1, keyframe: found \"no\", expected true or false",
+        "9000 1000 5000 | 9000 NaN 5000 | frame 0, view line 3: found \"NaN\", expected a finite number",
+        "\\nc\\n1000 2000 | \\nc\\n1000 y | frame 0, view line 5: found \"y\", expected a finite number",
+        "2\\n1000 2000 | 2\\n1000 2000 \\n | frame 2, view line 1: found \"1000 2000 \", expected pod 0: x y",
+        "0:100 | x y z | frame 2, view line 9: found \"x y z\", expected an impact: id",
+        "0 0.25 3 | 0 soon 3 | frame 2, view line 11: found \"soon\", expected a finite number",
+        "0.25 3 1 | 0.25 4 1 | frame 2, view line 11: found \"4\", expected a whole number 0..3",
+        "5 6 240.5 1 -2 | 5 6 | frame 2, view line 11: found \"0 0.25 3 1 2 1 5 6\", expected an",
+        "false},{\"stdout\" | true},{\"stdout\" | frame 1, keyframe: found true, expected false, because player 1",
+        "\"keyframe\":true, | \"keyframe\":false, | frame 2, keyframe: found false, expected true, because both",
+        "\"keyframe\":false | \"keyframe\":\"no\" | frame 1, keyframe: found \"no\", expected true or false",
         "false},{\"stdout\":\"1 2 3\\n1 2 3\\n\" | false},{\"stdout\":5 | frame 2, stdout: found 5, expected a text",
         "true,\"view\":       | true,\"view\":[1],\"v\": | frame 2, view: found [1], expected a text",
-        "\"ranks\":[0,1]      | \"ranks\":[\"a\",1]   | ranks: found \"[\"a\",1]\", expected an array of 2 whole numbers",
-        "\"ranks\":[0,1]      | \"ranks\":[0]         | ranks: found \"[0]\", expected an array of 2 whole numbers",
-        "\"frames\"           | \"frame\"             | found no frames, expected CodinGame's game result with an array",
+        "\"ranks\":[0,1] | \"ranks\":[\"a\",1] | ranks: found \"[\"a\",1]\", expected an array of 2 whole numbers",
+        "\"ranks\":[0,1] | \"ranks\":[0] | ranks: found \"[0]\", expected an array of 2 whole numbers",
+        "\"frames\" | \"frame\" | found no frames, expected CodinGame's game result with an array",
         "\"ranks\":[0,1]}     | \"ranks\":[0,1]       | 1:"})
     void whatIsWrongIsToldWithItsFrameAndLine(String from, String to, String expected) {
         String json = GAME.replace(from, to);
         assertTrue(GAME.contains(from), "there is no " + from);
         String problem = problemOf(json);
-        assertTrue(problem.startsWith("game.json: " + expected) || problem.startsWith("game.json:" + expected), problem);
+        assertTrue(problem.startsWith("game.json: " + expected) || problem.startsWith("game.json:" + expected),
+            problem);
     }
 
     @ParameterizedTest

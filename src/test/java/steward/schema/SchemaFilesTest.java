@@ -45,7 +45,8 @@ class SchemaFilesTest {
         List<String> open = new ArrayList<>();
         closed("", JsonMapper.shared().readTree(Schemas.text(name)), open);
 
-        assertEquals(name.equals("replay") ? List.of("/$defs/header/properties/scene", "/$defs/data") : List.of(), open);
+        assertEquals(name.equals("replay") ? List.of("/$defs/header/properties/scene", "/$defs/data") : List.of(),
+            open);
     }
 
     private static int inspect(String path, JsonNode schema, List<String> bare) {
