@@ -21,8 +21,8 @@ public final class Main {
 
     private static final int WIDTH = 100;
 
-    private static final List<String> COMMANDS = List.of("match", "replay", "explain", "demo", "simulate", "import",
-        "referee", "play", CompletionCommand.NAME);
+    private static final List<String> COMMANDS = List.of("match", "replay", "feed", "explain", "demo", "simulate",
+        "import", "referee", "play", CompletionCommand.NAME);
 
     private Main() {
     }
@@ -87,6 +87,7 @@ public final class Main {
         return switch (name) {
             case "match" -> new MatchCommand(streams);
             case "replay" -> new ReplayCommand(streams);
+            case "feed" -> new FeedCommand(streams);
             case "explain" -> new ExplainCommand(streams);
             case "demo" -> new DemoCommand(streams);
             case "simulate" -> new SimulateCommand(streams);

@@ -3,7 +3,7 @@ package steward.match;
 import java.nio.charset.StandardCharsets;
 
 /** Texts that came from a player, made fit to be shown on a terminal and kept in a replay. */
-final class Quote {
+public final class Quote {
 
     /** How much of a line is quoted, in characters. */
     private static final int MOST = 120;
@@ -15,7 +15,7 @@ final class Quote {
     }
 
     /** The beginning of a line, control characters as question marks. */
-    static String line(byte[] bytes, int length) {
+    public static String line(byte[] bytes, int length) {
         String line = new String(bytes, 0, Math.min(length, BYTES_PER_CHARACTER * MOST), StandardCharsets.UTF_8)
             .replaceAll("\\p{Cntrl}", "?");
         if (line.length() <= MOST) {

@@ -1,14 +1,15 @@
 package steward.match;
 
-/** Sums up one player's answer times. */
-final class Stopwatch {
+/** Sums up one player's answer times, in nanoseconds. */
+public final class Stopwatch {
 
     private int answers;
     private long first;
     private long laterSum;
     private long laterWorst;
 
-    void add(long nanos) {
+    /** One more answer. */
+    public void add(long nanos) {
         if (answers++ == 0) {
             first = nanos;
         } else {
@@ -17,19 +18,23 @@ final class Stopwatch {
         }
     }
 
-    int answers() {
+    /** How many there were. */
+    public int answers() {
         return answers;
     }
 
-    long firstNanos() {
+    /** That of the first answer, which includes a process's start. */
+    public long firstNanos() {
         return first;
     }
 
-    long averageNanos() {
+    /** The mean, the first answer left out when there are more. */
+    public long averageNanos() {
         return answers > 1 ? laterSum / (answers - 1) : first;
     }
 
-    long worstNanos() {
+    /** The longest, likewise. */
+    public long worstNanos() {
         return answers > 1 ? laterWorst : first;
     }
 }

@@ -3,7 +3,7 @@ package steward.match;
 import steward.bot.Answer;
 
 /**
- * What the players did in one turn; reused from turn to turn. Arrays are indexed by player.
+ * What the players did in one turn; the referee reuses it from turn to turn. Arrays are indexed by player.
  */
 public final class Turn {
 
@@ -24,6 +24,30 @@ public final class Turn {
         messages = new String[players];
         stderr = new String[players];
         nanos = new long[players];
+    }
+
+    /** A turn that no referee asks for, such as one that was recorded; nobody has been asked yet. */
+    public static Turn of(int number, int players) {
+        Turn turn = new Turn(players);
+        turn.begin(number);
+        return turn;
+    }
+
+    /** The player gave a good command; message and stderr may be {@code null}. */
+    public void answer(int player, String message, String error, long answerNanos) {
+        asked[player] = true;
+        answered[player] = true;
+        messages[player] = Quote.wellFormed(message);
+        stderr[player] = Quote.wellFormed(error);
+        nanos[player] = answerNanos;
+    }
+
+    /** The player failed; stderr may be {@code null}. */
+    public void fail(int player, String fault, String error, long answerNanos) {
+        asked[player] = true;
+        faults[player] = Quote.wellFormed(fault);
+        stderr[player] = Quote.wellFormed(error);
+        nanos[player] = answerNanos;
     }
 
     void begin(int turnNumber) {

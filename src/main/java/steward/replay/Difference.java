@@ -36,8 +36,9 @@ public record Difference(int turn, String field, String recorded, String found) 
      * they are written: two texts can mean the same double, but only one of them was recorded.
      */
     static Difference between(int turn, byte[] recorded, byte[] found) {
-        Difference difference = between(turn, "", read(recorded), read(found), false);
-        return difference != null ? difference
+        List<Difference> differences = new ArrayList<>();
+        new Comparer(turn, false, 1, differences).compare("", read(recorded), read(found));
+        return !differences.isEmpty() ? differences.get(0)
             : new Difference(turn, "spelling", "other blanks, escapes or order", "the spelling of a fresh recording");
     }
 
@@ -46,38 +47,50 @@ public record Difference(int turn, String field, String recorded, String found) 
      * that it says is empty may be left out. {@code null} if all that was recorded agrees.
      */
     static Difference fromObserved(int turn, byte[] recorded, byte[] found) {
-        return between(turn, "", read(recorded), read(found), true);
+        List<Difference> differences = new ArrayList<>();
+        new Comparer(turn, true, 1, differences).compare("", read(recorded), read(found));
+        return differences.isEmpty() ? null : differences.get(0);
     }
 
-    private static Difference between(int turn, String path, Object recorded, Object found, boolean observed) {
-        if (recorded instanceof Map<?, ?> recordedFields && found instanceof Map<?, ?> foundFields) {
-            Map<Object, Object> all = new LinkedHashMap<>(observed ? recordedFields : foundFields);
-            recordedFields.forEach(all::putIfAbsent);
-            for (Object name : all.keySet()) {
-                Difference inside = between(turn, path.isEmpty() ? name.toString() : path + "." + name,
-                    recordedFields.get(name), foundFields.get(name), observed);
-                if (inside != null) {
-                    return inside;
-                }
+    /** All differences between two JSON values, whose path begins with {@code name}. */
+    static List<Difference> all(int turn, String name, byte[] recorded, byte[] found) {
+        List<Difference> differences = new ArrayList<>();
+        new Comparer(turn, false, Integer.MAX_VALUE, differences).compare(name, read(recorded), read(found));
+        return differences;
+    }
+
+    /**
+     * Walks two values side by side.
+     *
+     * @param observed whether fields that were not recorded are passed over
+     * @param most     how many differences are collected
+     */
+    private record Comparer(int turn, boolean observed, int most, List<Difference> into) {
+
+        void compare(String path, Object recorded, Object found) {
+            if (into.size() >= most) {
+                return;
             }
-            return null;
-        }
-        if (recorded instanceof List<?> recordedValues && found instanceof List<?> foundValues) {
-            for (int k = 0; k < Math.max(recordedValues.size(), foundValues.size()); k++) {
-                Difference inside = between(turn, path + "[" + k + "]",
-                    k < recordedValues.size() ? recordedValues.get(k) : null,
-                    k < foundValues.size() ? foundValues.get(k) : null, observed);
-                if (inside != null) {
-                    return inside;
+            if (recorded instanceof Map<?, ?> recordedFields && found instanceof Map<?, ?> foundFields) {
+                Map<Object, Object> all = new LinkedHashMap<>(observed ? recordedFields : foundFields);
+                recordedFields.forEach(all::putIfAbsent);
+                for (Object name : all.keySet()) {
+                    compare(path.isEmpty() ? name.toString() : path + "." + name, recordedFields.get(name),
+                        foundFields.get(name));
                 }
+            } else if (recorded instanceof List<?> recordedValues && found instanceof List<?> foundValues) {
+                for (int k = 0; k < Math.max(recordedValues.size(), foundValues.size()); k++) {
+                    compare(path + "[" + k + "]", k < recordedValues.size() ? recordedValues.get(k) : null,
+                        k < foundValues.size() ? foundValues.get(k) : null);
+                }
+            } else if (!isLeftOut(recorded, found) && (recorded == null || !recorded.equals(found))) {
+                into.add(new Difference(turn, path, shown(recorded), shown(found)));
             }
-            return null;
         }
-        if (observed && found == null && recorded instanceof List<?> none && none.isEmpty()) {
-            return null;
+
+        private boolean isLeftOut(Object recorded, Object found) {
+            return observed && found == null && recorded instanceof List<?> none && none.isEmpty();
         }
-        return recorded != null && recorded.equals(found) ? null
-            : new Difference(turn, path, shown(recorded), shown(found));
     }
 
     private static String shown(Object value) {

@@ -54,6 +54,15 @@ public final class Resimulation {
      * @return {@code null}, or the difference because of which it cannot be played
      */
     public Difference play(RecordedTurn turn) {
+        Difference difference = prepare(turn);
+        if (difference == null) {
+            game.play();
+        }
+        return difference;
+    }
+
+    /** All of a turn but playing it: commands are read, and who failed is out. */
+    Difference prepare(RecordedTurn turn) {
         int expected = game.turn() + 1;
         if (game.isOver()) {
             return new Difference(turn.number(), "turn", Integer.toString(turn.number()),
@@ -71,7 +80,6 @@ public final class Resimulation {
                 game.eliminate(player, turn.faults()[player]);
             }
         }
-        game.play();
         return null;
     }
 

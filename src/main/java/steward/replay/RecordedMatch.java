@@ -1,0 +1,50 @@
+package steward.replay;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * A replay read whole.
+ *
+ * @param source  the name of the file, for errors
+ * @param header  what it says of the match
+ * @param turns   in order, from the first
+ * @param ending  how the match ended, or {@code null} if there is no result
+ * @param warning where the file was cut off, or {@code null}
+ */
+public record RecordedMatch(String source, ReplayHeader header, List<RecordedTurn> turns, String ending,
+                            String warning) {
+
+    /** Copies the list. */
+    public RecordedMatch {
+        turns = List.copyOf(turns);
+    }
+
+    /**
+     * Reads a replay.
+     *
+     * @param replay just opened; not closed
+     * @throws ReplayException if it is damaged before its end, or cut off within its header
+     */
+    public static RecordedMatch read(ReplayReader replay) {
+        if (replay.header() == null) {
+            throw new ReplayException(replay.warning());
+        }
+        List<RecordedTurn> turns = new ArrayList<>();
+        for (RecordedTurn turn = replay.next(); turn != null; turn = replay.next()) {
+            turns.add(turn);
+        }
+        return new RecordedMatch(replay.source(), replay.header(), turns, replay.ending(), replay.warning());
+    }
+
+    /** The last turn that a player was asked in, counted from 1; 0 if it never was. */
+    public int lastAsked(int player) {
+        int last = 0;
+        for (RecordedTurn turn : turns) {
+            if (turn.faults()[player] != null || turn.hasCommand(player)) {
+                last = turn.number();
+            }
+        }
+        return last;
+    }
+}
