@@ -29,7 +29,7 @@ final class RecordedResult {
                 (int) Json.number(place.get("rank")), Json.number(place.get("score")), text(words.get("fault")),
                 text(place.get("out")), 0, nanos(times.get("averageNanos"), player),
                 nanos(times.get("worstNanos"), player), nanos(times.get("firstNanos"), player),
-                (int) Json.number(words.get("earlyTurns"))));
+                (int) nanos(times.get("earlyTurns"), player)));
         }
         return new MatchResult((int) Json.number(line.get("turns")), replay.ending(), players);
     }

@@ -3,9 +3,9 @@ package steward.replay;
 import steward.numerics.StateHash;
 
 /**
- * A hash of what went into a turn: the bytes of its commands as they are written, then per player the fault (its
- * length and characters, or -1 for none). The state's hash does not cover them: a target that is a little off may leave
- * no trace in the turn.
+ * A hash of what is recorded but does not follow from the game: of the header, and of what the players did in a turn.
+ * Verification plays the game again and compares its outcome; what leaves no trace there (a target that is a little
+ * off, a message, the name of a bot) is held by this hash.
  */
 final class InputHash {
 
@@ -13,20 +13,24 @@ final class InputHash {
     }
 
     /**
-     * @param bytes  hold the JSON array of commands
-     * @param from   its first byte
-     * @param to     the byte behind its last
-     * @param faults per player, or {@code null}
+     * The bytes, then every text: its length and characters, or -1 for none.
+     *
+     * @param bytes hold JSON as it is written
+     * @param from  the first byte that counts
+     * @param to    the byte behind the last
+     * @param texts per kind (faults, messages, stderr) and player, or {@code null}
      */
-    static String of(byte[] bytes, int from, int to, String[] faults) {
+    static String of(byte[] bytes, int from, int to, String[]... texts) {
         StateHash hash = new StateHash();
         for (int k = from; k < to; k++) {
             hash.add((long) bytes[k]);
         }
-        for (String fault : faults) {
-            hash.add(fault == null ? -1L : fault.length());
-            if (fault != null) {
-                fault.chars().forEach(c -> hash.add((long) c));
+        for (String[] ofPlayers : texts) {
+            for (String text : ofPlayers) {
+                hash.add(text == null ? -1L : text.length());
+                if (text != null) {
+                    text.chars().forEach(c -> hash.add((long) c));
+                }
             }
         }
         return StateHash.toHex(hash.value());

@@ -19,9 +19,10 @@ import tools.jackson.core.ObjectReadContext;
 final class JsonLine {
 
     /**
-     * A value: the text of a scalar (null for JSON null), or where an object or array stands in the line.
+     * A field: where its name stands, and the text of a scalar (null for JSON null), or where an object or array
+     * stands in the line.
      */
-    private record Value(JsonToken token, String text, int from, int to) {
+    private record Value(int nameFrom, JsonToken token, String text, int from, int to) {
     }
 
     private final String where;
@@ -42,7 +43,8 @@ final class JsonLine {
             }
             while (in.nextToken() == JsonToken.PROPERTY_NAME) {
                 String name = in.currentName();
-                if (values.put(name, value(in, in.nextToken())) != null) {
+                int nameFrom = (int) in.currentTokenLocation().getByteOffset();
+                if (values.put(name, value(in, nameFrom, in.nextToken())) != null) {
                     throw new ReplayException(where + ": " + name + ": found twice, expected once");
                 }
             }
@@ -52,13 +54,18 @@ final class JsonLine {
         }
     }
 
-    private static Value value(JsonParser in, JsonToken token) {
+    private static Value value(JsonParser in, int nameFrom, JsonToken token) {
         if (token != null && token.isStructStart()) {
             int from = (int) in.currentTokenLocation().getByteOffset();
             in.skipChildren();
-            return new Value(token, null, from, (int) in.currentLocation().getByteOffset());
+            return new Value(nameFrom, token, null, from, (int) in.currentLocation().getByteOffset());
         }
-        return new Value(token, token == JsonToken.VALUE_NULL ? null : in.getString(), -1, -1);
+        return new Value(nameFrom, token, token == JsonToken.VALUE_NULL ? null : in.getString(), -1, -1);
+    }
+
+    /** The hash of all that stands before a field, without the comma between. */
+    String hashBefore(String name) {
+        return InputHash.of(bytes, 0, Math.max(0, values.get(name).nameFrom() - 1));
     }
 
     boolean has(String name) {

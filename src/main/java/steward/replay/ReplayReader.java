@@ -133,6 +133,11 @@ public final class ReplayReader implements AutoCloseable {
         return headerLine.object("drawing");
     }
 
+    /** The line of the header; only with a header. */
+    JsonLine headerLine() {
+        return headerLine;
+    }
+
     /** State and hash before the first turn, as JSON; only with a header. */
     public byte[] start() {
         return headerLine.object("start");

@@ -4,7 +4,9 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
+import java.util.Arrays;
 import java.util.Map;
+import java.util.Objects;
 import java.util.function.ToLongFunction;
 import steward.game.FrameCodec;
 import steward.game.Game;
@@ -74,6 +76,8 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
         } else {
             writeObservedOpening(out);
         }
+        out.flush();
+        out.writeStringProperty("headerHash", line.hash(0));
         close(out);
     }
 
@@ -108,9 +112,7 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
         turnLine.flush();
         int from = line.size();
         turnLine.writeStartArray();
-        String[] faults = new String[turn.players()];
         for (int player = 0; player < turn.players(); player++) {
-            faults[player] = turn.fault(player);
             if (turn.answered(player)) {
                 codec.writeCommand(turnLine, player);
             } else {
@@ -119,7 +121,8 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
         }
         turnLine.writeEndArray();
         turnLine.flush();
-        String inputHash = line.inputHash(from, faults);
+        String inputHash = line.hash(from, texts(turn, Turn::fault), texts(turn, Turn::message),
+            texts(turn, Turn::stderr));
         writeTexts(turnLine, "faults", turn, Turn::fault);
         turnLine.writeStringProperty("inputHash", inputHash);
     }
@@ -167,18 +170,18 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
             if (player.fault() != null) {
                 out.writeStringProperty("fault", player.fault());
             }
-            if (player.earlyTurns() > 0) {
-                out.writeNumberProperty("earlyTurns", player.earlyTurns());
-            }
             writeData(out, player.data());
             out.writeEndObject();
         }
         out.writeEndArray();
         writeData(out, result.data());
+        out.flush();
+        out.writeStringProperty("resultHash", line.hash(0));
         out.writeObjectPropertyStart("times");
-        writeNanos(out, "averageNanos", result, MatchResult.PlayerResult::averageNanos);
-        writeNanos(out, "worstNanos", result, MatchResult.PlayerResult::worstNanos);
-        writeNanos(out, "firstNanos", result, MatchResult.PlayerResult::firstNanos);
+        writeNumbers(out, "averageNanos", result, MatchResult.PlayerResult::averageNanos);
+        writeNumbers(out, "worstNanos", result, MatchResult.PlayerResult::worstNanos);
+        writeNumbers(out, "firstNanos", result, MatchResult.PlayerResult::firstNanos);
+        writeNumbers(out, "earlyTurns", result, MatchResult.PlayerResult::earlyTurns);
         out.writeEndObject();
         close(out);
     }
@@ -223,11 +226,11 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
         out.writeEndArray();
     }
 
-    private static void writeNanos(JsonGenerator out, String name, MatchResult result,
-                                   ToLongFunction<MatchResult.PlayerResult> nanos) {
+    private static void writeNumbers(JsonGenerator out, String name, MatchResult result,
+                                   ToLongFunction<MatchResult.PlayerResult> number) {
         out.writeArrayPropertyStart(name);
         for (MatchResult.PlayerResult player : result.players()) {
-            out.writeNumber(nanos.applyAsLong(player));
+            out.writeNumber(number.applyAsLong(player));
         }
         out.writeEndArray();
     }
@@ -237,23 +240,28 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
         String of(Turn turn, int player);
     }
 
+    private static String[] texts(Turn turn, Text text) {
+        String[] texts = new String[turn.players()];
+        for (int player = 0; player < texts.length; player++) {
+            texts[player] = text.of(turn, player);
+        }
+        return texts;
+    }
+
     private static void writeTexts(JsonGenerator out, String name, Turn turn, Text text) {
-        boolean any = false;
-        for (int player = 0; player < turn.players(); player++) {
-            any |= text.of(turn, player) != null;
+        String[] texts = texts(turn, text);
+        if (Arrays.stream(texts).allMatch(Objects::isNull)) {
+            return;
         }
-        if (any) {
-            out.writeArrayPropertyStart(name);
-            for (int player = 0; player < turn.players(); player++) {
-                String value = text.of(turn, player);
-                if (value == null) {
-                    out.writeNull();
-                } else {
-                    out.writeString(value);
-                }
+        out.writeArrayPropertyStart(name);
+        for (String value : texts) {
+            if (value == null) {
+                out.writeNull();
+            } else {
+                out.writeString(value);
             }
-            out.writeEndArray();
         }
+        out.writeEndArray();
     }
 
     private JsonGenerator open(String type) {
@@ -291,9 +299,9 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
             super(8192);
         }
 
-        /** The hash of the array that is the last value so far; {@code from} may be a colon before it. */
-        String inputHash(int from, String[] faults) {
-            return InputHash.of(buf, buf[from] == ':' ? from + 1 : from, count, faults);
+        /** The hash of what is written from there on, a colon left out, and of texts. */
+        String hash(int from, String[]... texts) {
+            return InputHash.of(buf, buf[from] == ':' ? from + 1 : from, count, texts);
         }
     }
 }

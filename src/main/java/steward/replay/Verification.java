@@ -42,6 +42,7 @@ public record Verification(int turns, Difference difference, String warning) {
         byte[] recorded = opening(replay);
         boolean observed = replay.imported();
         Difference difference = compare(0, recorded, start, observed);
+        difference = difference != null ? difference : compareHash(0, "headerHash", replay.headerLine());
         String[] faults = new String[again.game().players()];
         int turns = 0;
         while (difference == null) {
@@ -76,10 +77,11 @@ public record Verification(int turns, Difference difference, String warning) {
         if (difference != null) {
             return difference;
         }
-        String inputHash = InputHash.of(turn.commands(), 0, turn.commands().length, turn.faults());
+        String inputHash = InputHash.of(turn.commands(), 0, turn.commands().length, turn.faults(), turn.messages(),
+            turn.stderr());
         return inputHash.equals(turn.inputHash())
             ? compare(turn.number(), turn.outcome(), outcome(again), observed)
-            : new Difference(turn.number(), "inputHash", turn.inputHash(), inputHash + " of the commands and faults");
+            : new Difference(turn.number(), "inputHash", turn.inputHash(), inputHash + " of what the players did and wrote");
     }
 
     private static byte[] outcome(Resimulation again) {
@@ -126,7 +128,16 @@ public record Verification(int turns, Difference difference, String warning) {
             out.writeRawValue(new String(result.array("standing"), StandardCharsets.UTF_8));
         });
         Difference difference = compare(game.turn(), recorded, standing, observed);
-        return difference != null ? difference : comparePlayers(result, game.turn(), names, faults);
+        difference = difference != null ? difference : comparePlayers(result, game.turn(), names, faults);
+        return difference != null ? difference : compareHash(game.turn(), "resultHash", result);
+    }
+
+    /** Nothing before the field was altered, not even what has no effect on the game. */
+    private static Difference compareHash(int turn, String field, JsonLine line) {
+        String recorded = line.text(field);
+        String found = line.hashBefore(field);
+        return recorded.equals(found) ? null
+            : new Difference(turn, field, recorded, found + " of the line as it stands");
     }
 
     /** Names and faults of the result are those of the header and the turns. */

@@ -42,8 +42,9 @@ class ProtocolTest {
           echo "[PDATA] turn = $turn" >&2
           echo "[PDATA+] asked = 1" >&2
           echo "[TDATA] scene = silver" >&2
-          [ $turn != 4 ] || echo "10500 3500 90 early"
-          echo "10500 3500 100 message $turn"
+          early=
+          [ $turn != 4 ] || early="10500 3500 90 early\\n"
+          printf "${early}10500 3500 100 message $turn\\n"
         done
         """;
 

@@ -54,7 +54,7 @@ class AnswerSchemaTest {
     @ValueSource(strings = {
         "", "'x':1,'y':2", "'x':1,'thrust':1", "'y':1,'thrust':1", "'x':'1','y':2,'thrust':1",
         "'x':null,'y':2,'thrust':1",
-        "'x':true,'y':2,'thrust':1", "'x':[1],'y':2,'thrust':1", "'x':1,'y':2,'thrust':201", "'x':1,'y':2,'thrust':-1",
+        "'x':true,'y':2,'thrust':1", "'x':[1],'y':2,'thrust':1", "'x':1,'y':2,'thrust':651", "'x':1,'y':2,'thrust':-1",
         "'x':1,'y':2,'thrust':1.5", "'x':1,'y':2,'thrust':'100'", "'x':1,'y':2,'thrust':null",
         "'x':1,'y':2,'thrust':99999999999999999999", "'x':1,'y':2,'shield':false", "'x':1,'y':2,'shield':1",
         "'x':1,'y':2,'shield':'true'", "'x':1,'y':2,'boost':false", "'x':1,'y':2,'boost':null",
