@@ -27,8 +27,15 @@ public final class JsonNumbers {
         write(out, value);
     }
 
-    /** A finite number; -0.0 keeps its sign. */
+    /**
+     * A finite number; -0.0 keeps its sign.
+     *
+     * @throws IllegalStateException if it is infinite or NaN: no frame and no replay may ever hold that
+     */
     public static void write(JsonGenerator out, double value) {
+        if (!Double.isFinite(value)) {
+            throw new IllegalStateException("the number " + value + " cannot be written: the state is damaged");
+        }
         long whole = (long) value;
         if (whole == value && Math.abs(value) <= EXACT && (whole != 0 || 1 / value > 0)) {
             out.writeNumber(whole);

@@ -133,11 +133,17 @@ final class Collision {
     }
 
     private static void endApproachToWall(Bodies bodies, int a, Wall wall, double nx, double ny) {
-        double step = -Math.ulp(Math.abs(bodies.vx[a]) + Math.abs(bodies.vy[a]));
+        double speed = Math.abs(bodies.vx[a]) + Math.abs(bodies.vy[a]);
+        double step = -Math.ulp(speed);
         while (wall.timeOfImpact(bodies.x[a], bodies.y[a], bodies.vx[a], bodies.vy[a], bodies.radius[a]) == 0) {
             bodies.vx[a] += nx * step;
             bodies.vy[a] += ny * step;
             step *= 2;
+            if (-step > speed) {                      // a wall that leaves no way out: nothing but rest ends this
+                bodies.vx[a] = 0;
+                bodies.vy[a] = 0;
+                return;
+            }
         }
     }
 

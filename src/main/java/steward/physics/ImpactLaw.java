@@ -16,7 +16,9 @@ package steward.physics;
  *                              time, ties going to the lowest pair of ids
  * @param scanOrder             the order in which pairs are looked at; decides ties within a batch
  * @param pushOut               {@code NaN} for none. Otherwise bodies that touch after an impact are moved apart, half
- *                              of the overlap plus this much each (all of it the movable one against infinite mass)
+ *                              of the overlap plus this much each (all of it the movable one against infinite mass).
+ *                              Caveat: a body far behind a wall is moved by all that depth at once, into whatever is
+ *                              there
  * @param maximumImpacts        the bound on impacts in a turn; 0 for the default, 10,000 + 1,000 per body
  */
 public record ImpactLaw(Restitution restitution, double minimumImpulse, boolean minimumImpulseAtWalls, double deadZone,

@@ -119,7 +119,7 @@ abstract sealed class Scan {
         void find(Bodies bodies, double now, ImpactQueue queue) {
             double left = 1 - now;
             for (int i = 0; i < bodies.size(); i++) {
-                if (bodies.inverseMass[i] == 0 || contacts != null && !isMeant(bodies, i)) {
+                if (contacts == null ? bodies.inverseMass[i] == 0 : !isMeant(bodies, i)) {
                     continue;
                 }
                 for (int w = 0; w < walls.length; w++) {
@@ -133,7 +133,11 @@ abstract sealed class Scan {
         }
 
         private boolean isMeant(Bodies bodies, int i) {
-            return contacts.withWall(bodies.kind[i]) != Contacts.Meaning.NONE;
+            return switch (contacts.withWall(bodies.kind[i])) {
+                case NONE -> false;
+                case BOUNCE -> bodies.inverseMass[i] > 0;
+                case ASK -> true;
+            };
         }
 
         private boolean isPassing(Bodies bodies, int i, int w) {

@@ -25,11 +25,13 @@ public final class TimeOfImpact {
      *
      *     D = a s^2 - (d x v)^2 = (|v| s - |d x v|)(|v| s + |d x v|),
      *
-     * in which the distance no longer appears: only s against the impact parameter |d x v| / |v|.
+     * in which the distance no longer appears: only s against the impact parameter |d x v| / |v|. What is left are the
+     * two differences that the question itself is about, |d| - s and |v| s - |d x v|: near a touch and near a graze
+     * they are known only as well as their terms.
      */
 
     /**
-     * Circle and circle, in the form without cancellation.
+     * Circle and circle, in the form that loses nothing to squares and distances.
      *
      * @param dx    from the centre of one to the centre of the other
      * @param dvx   velocity of that other relative to the one

@@ -64,7 +64,7 @@ abstract sealed class Touch {
             }
             switch (reaction.on(time, a, b, bodies)) {
                 case BOUNCE -> {
-                    if (b < 0 || bodies.inverseMass[a] + bodies.inverseMass[b] > 0) {
+                    if (bodies.inverseMass[a] + (b < 0 ? 0 : bodies.inverseMass[b]) > 0) {
                         collision.react(bodies, a, b, time, sink);
                     } else {
                         bodies.passing().add(idA, idB);         // two infinite masses cannot bounce

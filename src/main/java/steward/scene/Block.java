@@ -25,6 +25,10 @@ import steward.scene.JsonValue.JsonText;
  */
 public final class Block {
 
+    /** The largest length, mass, speed or impulse that a scene may state; see {@link #positive}. */
+    static final double MOST = 1e12;
+
+
     private final String source;
     private final String path;
     private final JsonObject object;
@@ -82,26 +86,28 @@ public final class Block {
         return has(name) ? number(name, low, high) : whenAbsent;
     }
 
-    /** A finite number above 0. */
+    /** A number above 0, neither so small nor so large that arithmetic with it could end in infinity: 1e-12..1e12. */
     public double positive(String name) {
-        double value = finite(name, "above 0");
+        return sized(name, finite(name, "above 0"), "above 0");
+    }
+
+    private double sized(String name, double value, String expected) {
         if (!(value > 0)) {
-            throw unexpected(name, "above 0");
+            throw unexpected(name, expected);
+        }
+        if (value < 1 / MOST || value > MOST) {
+            throw unexpected(name, "1e-12..1e12");
         }
         return value;
     }
 
-    /** A mass: a finite number above 0, or the string {@code "infinite"} for {@code POSITIVE_INFINITY}. */
+    /** A mass: a number as {@link #positive}, or the string {@code "infinite"} for {@code POSITIVE_INFINITY}. */
     public double mass(String name) {
         if (ask(name) instanceof JsonText text && text.text().equals("infinite")) {
             return Double.POSITIVE_INFINITY;
         }
         String expected = "above 0 or \"infinite\"";
-        double value = finite(name, expected);
-        if (!(value > 0)) {
-            throw unexpected(name, expected);
-        }
-        return value;
+        return sized(name, finite(name, expected), expected);
     }
 
     /** A whole number, however it is written (1e3 is one), from low to high. */

@@ -82,7 +82,7 @@ final class FieldReader {
     }
 
     private static double finite(Block block, String name) {
-        return block.number(name, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
+        return block.number(name, -Block.MOST, Block.MOST);
     }
 
     private static double restitution(Block block) {

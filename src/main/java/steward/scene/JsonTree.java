@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.regex.Pattern;
 import steward.scene.JsonValue.Entry;
 import steward.scene.JsonValue.JsonArray;
 import steward.scene.JsonValue.JsonLiteral;
@@ -25,10 +24,6 @@ final class JsonTree {
 
     /** Names and texts are written in ASCII: a scene then survives any encoding. */
     private static final JsonFactory JSON = JsonFactory.builder().enable(JsonWriteFeature.ESCAPE_NON_ASCII).build();
-
-    /** What the parser says to programmers: descriptions of its source, and settings it could be given. */
-    private static final Pattern FOR_PROGRAMMERS =
-        Pattern.compile(" \\(start marker at \\[Source: .*?]\\)|: enable `[^`]*` to allow|, from `[^`]*`");
 
     private final String source;
     private final JsonParser json;
@@ -63,7 +58,7 @@ final class JsonTree {
             return onlyObject();
         } catch (JacksonException e) {
             Place place = Place.of(e.getLocation() == null ? json.currentLocation() : e.getLocation());
-            String why = FOR_PROGRAMMERS.matcher(e.getOriginalMessage()).replaceAll("");
+            String why = JsonProblem.words(e);
             throw SceneException.at(source, place, "", "found malformed JSON (" + why + "), expected a scene in JSON");
         }
     }

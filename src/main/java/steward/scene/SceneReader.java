@@ -27,6 +27,9 @@ public final class SceneReader {
     public static Scene read(String text, String source) {
         Block root = new Block(source, "", JsonTree.read(text, source));
         String name = root.text("name");
+        if (name.isBlank() || name.chars().anyMatch(Character::isISOControl)) {
+            throw root.error("name", root.shown("name"), "a name without control characters");
+        }
         String game = root.text("game");
         int players = root.integer("players", 1, MOST_PLAYERS);
         Optional<Field> field = root.optionalBlock("field").map(FieldReader::read);
@@ -44,15 +47,19 @@ public final class SceneReader {
 
     /** What the block does not name stays as in {@link ImpactLaw#PHYSICS}. */
     private static ImpactLaw law(Block block) {
-        double minimumImpulse = block.number("minimumImpulse", 0, Double.POSITIVE_INFINITY, 0);
+        double minimumImpulse = block.number("minimumImpulse", 0, Block.MOST, 0);
         boolean atWalls = block.flag("minimumImpulseAtWalls", false);
-        double deadZone = block.number("deadZone", 0, Double.POSITIVE_INFINITY, Double.NaN);
+        double deadZone = block.number("deadZone", 0, Block.MOST, Double.NaN);
         boolean react = block.choice("separatingPairs", Map.of("ignore", false, "react", true), false);
         double batchWindow = block.number("batchWindow", 0, 1, 0);
         ScanOrder order = block.choice("scanOrder",
             Map.of("ascending", ScanOrder.ASCENDING, "descending", ScanOrder.DESCENDING), ScanOrder.ASCENDING);
-        double pushOut = block.number("pushOut", 0, Double.POSITIVE_INFINITY, Double.NaN);
+        double pushOut = block.number("pushOut", 0, Block.MOST, Double.NaN);
         int maximumImpacts = block.integer("maximumImpactsPerTurn", 1, Integer.MAX_VALUE, 0);
+        if (minimumImpulse == 0 && !react && (atWalls || !Double.isNaN(deadZone))) {
+            throw block.error(atWalls ? "minimumImpulseAtWalls" : "deadZone", "no minimumImpulse to go with it",
+                "a minimumImpulse above 0");
+        }
         try {
             return new ImpactLaw(Restitution.ELASTIC, minimumImpulse, atWalls, deadZone, react, batchWindow, order,
                 pushOut, maximumImpacts);

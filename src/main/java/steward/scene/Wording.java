@@ -12,7 +12,7 @@ final class Wording {
 
     /** The shortest usual way to write it: 120, 0.15, 1e-5. */
     static String number(double value) {
-        if (value == Math.rint(value) && Math.abs(value) < 1e15) {
+        if (value == Math.rint(value) && Math.abs(value) < 1e9) {
             return Long.toString((long) value);
         }
         return Double.toString(value).replace(".0E", "E").toLowerCase(Locale.ROOT);

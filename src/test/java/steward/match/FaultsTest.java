@@ -80,6 +80,7 @@ class FaultsTest {
             received(pod("\"y\":2,\"thrust\":1"), "pods[0].x: found nothing, expected a number"),
             received(pod("\"x\":1,\"thrust\":1"), "pods[0].y: found nothing, expected a number"),
             received(pod("\"x\":1,\"x\":1"), "pods[0].x: found twice, expected once"),
+            received("{\"message\":\"a\",\"message\":\"b\"}", "message: found twice, expected once"),
             received(pod("\"x\":\"1\""), "pods[0].x: found \"1\", expected a finite number"),
             received(pod("\"x\":1e999"), "pods[0].x: found 1e999, expected a finite number"),
             received(pod("\"thrust\":201"), "pods[0].thrust: found 201, expected a whole number 0..200"),

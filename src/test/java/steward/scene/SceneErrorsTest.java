@@ -70,6 +70,14 @@ class SceneErrorsTest {
         2:23: field.width: found 1e999, expected above 0
 
         "width": 16000
+        "width": 1e13
+        2:23: field.width: found 1e13, expected 1e-12..1e12
+
+        "name": "walls"
+        "name": "a\\u001b[31mred"
+        1:11: name: found "a?[31mred", expected a name without control characters
+
+        "width": 16000
         "width": []
         2:23: field.width: found an empty array, expected above 0
 
@@ -121,7 +129,7 @@ class SceneErrorsTest {
 
         "ax": 0
         "ax": "left"
-        3:43: field.walls[0].ax: found "left", expected a finite number
+        3:43: field.walls[0].ax: found "left", expected a number -1e12..1e12
 
         "bumpers": [ {
         "bumpers": [ 4, {
@@ -131,7 +139,7 @@ class SceneErrorsTest {
     private static final String IMPACTS = """
         "minimumImpulse": 120
         "minimumImpulse": -1
-        7:34: impacts.minimumImpulse: found -1, expected a number of at least 0
+        7:34: impacts.minimumImpulse: found -1, expected a number 0..1e12
 
         "minimumImpulse": 120
         "minimumImpulse": 0.0

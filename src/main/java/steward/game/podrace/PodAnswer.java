@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import steward.game.JsonNumbers;
+import steward.scene.JsonProblem;
 import steward.scene.Nearest;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonParser;
@@ -73,7 +74,7 @@ final class PodAnswer {
         } catch (JacksonException problem) {
             // The reader's own limits (digits of a number, length of a name) come without a place.
             String column = problem.getLocation() == null ? "" : ", column " + problem.getLocation().getColumnNr();
-            return "not JSON" + column + ": " + problem.getOriginalMessage();
+            return "not JSON" + column + ": " + JsonProblem.words(problem);
         }
     }
 
@@ -101,6 +102,9 @@ final class PodAnswer {
     private String readMessage(JsonParser in) {
         if (in.currentToken() != JsonToken.VALUE_STRING) {
             return "message: found " + describe(in) + ", expected a string";
+        }
+        if (message != null) {
+            return "message: found twice, expected once";
         }
         message = in.getString();
         return null;

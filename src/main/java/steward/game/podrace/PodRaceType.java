@@ -7,7 +7,9 @@ import steward.game.Game;
 import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.TextCodec;
+import steward.physics.Arena;
 import steward.physics.Contacts;
+import steward.physics.Wall;
 import steward.scene.Part;
 import steward.scene.Plan;
 import steward.scene.Scene;
@@ -23,12 +25,25 @@ public final class PodRaceType implements GameType {
     @Override
     public PodRaceSetup open(Scene scene) {
         PodRaceSettings settings = PodRaceSettings.read(scene);
+        checkRoom(scene, settings);
         scene.root().done();
         boolean bumpers = scene.field().map(field -> !field.bumpers().isEmpty()).orElse(false);
         Plan plan = Plan.of(scene, new Contacts(1), settings.restitution(), bumpers, List.of(
             new Part("headings", true, "pods turn at most 18 degrees a turn"),
             new Part("checkpoint sweeps", true, "checkpoints count along the whole path of a turn")));
         return new PodRaceSetup(scene, settings, plan);
+    }
+
+    private static void checkRoom(Scene scene, PodRaceSettings settings) {
+        if (scene.field().isEmpty()) {
+            return;
+        }
+        for (Wall wall : scene.field().get().walls()) {
+            if (wall instanceof Arena arena && arena.radius() <= settings.radius()) {
+                throw scene.root().block("pods").error("radius", Double.toString(settings.radius()),
+                    "less than the radius of the arena, " + arena.radius());
+            }
+        }
     }
 
     /**
