@@ -2,6 +2,7 @@ package steward.bot;
 
 import java.io.IOException;
 import java.io.OutputStream;
+import java.io.UncheckedIOException;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
@@ -187,14 +188,14 @@ public final class BotProcess implements Player {
         try {
             stderr = StderrFile.create();
         } catch (IOException e) {
-            return "could not be started: no temporary file for its stderr: " + e;
+            throw new UncheckedIOException("no temporary file for the stderr of " + name + ": " + e.getMessage(), e);
         }
         clock = Watchdog.now();
         ProcessGroup started;
         try {
             started = ProcessGroup.start(command, stderr);
         } catch (IOException e) {
-            return "could not be started: " + e.getMessage();
+            throw new UncheckedIOException(name + " could not be started: " + e.getMessage(), e);
         } finally {
             stderr.unlink();
         }

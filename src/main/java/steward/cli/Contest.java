@@ -98,14 +98,26 @@ record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double
         }
         List<Entrant> entrants = new ArrayList<>();
         for (int k = 0; k < bots.size(); k++) {
-            String name = names.get(k);
-            boolean shared = names.indexOf(name) != names.lastIndexOf(name);
+            String name = unlikeOthers(names, k);
             Protocol protocol = commands.get(k).prefix() == BotCommand.Prefix.CODINGAME ? Protocol.CODINGAME
                 : Protocol.JSON;
-            entrants.add(new Entrant(shared ? name + "-" + k : name, commands.get(k).toString(), protocol,
+            entrants.add(new Entrant(name, commands.get(k).toString(), protocol,
                 words.get(k)));
         }
         return entrants;
+    }
+
+    /** The bot's own name, or with its number where several have it, or where that would be another's. */
+    private static String unlikeOthers(List<String> names, int k) {
+        String name = names.get(k);
+        if (names.indexOf(name) == names.lastIndexOf(name)) {
+            return name;
+        }
+        String numbered = name + "-" + k;
+        while (names.contains(numbered)) {
+            numbered += "-" + k;
+        }
+        return numbered;
     }
 
     /** Refuses bots that speak what the scene's game does not. */
