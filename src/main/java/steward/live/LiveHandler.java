@@ -24,6 +24,7 @@ final class LiveHandler implements HttpHandler {
     private static final String HTML = "text/html; charset=utf-8";
     private static final String TEXT = "text/plain; charset=utf-8";
 
+    private static final int NO_BODY = -1;
     private static final int OK = 200;
     private static final int FORBIDDEN = 403;
     private static final int NOT_FOUND = 404;
@@ -80,8 +81,11 @@ final class LiveHandler implements HttpHandler {
 
     private static void send(HttpExchange exchange, int status, String type, byte[] body) throws IOException {
         describe(exchange, type);
-        exchange.sendResponseHeaders(status, body.length);
-        exchange.getResponseBody().write(body);
+        boolean head = exchange.getRequestMethod().equals("HEAD");
+        exchange.sendResponseHeaders(status, head ? NO_BODY : body.length);
+        if (!head) {
+            exchange.getResponseBody().write(body);
+        }
     }
 
     /** What comes is as it says, of this moment, and for nobody's frames. */
