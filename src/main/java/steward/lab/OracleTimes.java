@@ -83,7 +83,7 @@ final class OracleTimes {
         return gap.signum() <= 0 ? BigDecimal.ZERO : Digits.divide(gap, closing);
     }
 
-    /** From inside onto the circle of radius (arena - body); where there is no room, to the point nearest the centre. */
+    /** From inside onto the circle of radius (arena - body); without room, to the point nearest the centre. */
     private static BigDecimal arena(OracleBody body, Arena arena) {
         BigDecimal px = body.x.subtract(Digits.of(arena.x()));
         BigDecimal py = body.y.subtract(Digits.of(arena.y()));

@@ -15,8 +15,8 @@ import steward.numerics.ErrorFree;
  * Analysis of Kahan's Algorithm for the Accurate Computation of 2x2 Determinants", 2013, theorem 1.1: 2 u always). D
  * is the difference of two products of such double-double values, with k at most 24.
  *
- * While M / |value| < 2^46, the second terms are below u / 4. Then sqrt D is off by 0.63 u + u, b by 1.25 u, and as both
- * summands of sqrt D - b are positive, that by 1.63 u + u, c by 1.25 u, and with the division t by at most
+ * While M / |value| < 2^46, the second terms are below u / 4. Then sqrt D is off by 0.63 u + u, b by 1.25 u, and as
+ * both summands of sqrt D - b are positive, that by 1.63 u + u, c by 1.25 u, and with the division t by at most
  * 1.63 + 1 + 1.25 + 1 < 5 u: five units in the last place at the most, whatever cancels.
  */
 

@@ -81,7 +81,8 @@ public record Verification(int turns, Difference difference, String warning) {
             turn.stderr());
         return inputHash.equals(turn.inputHash())
             ? compare(turn.number(), turn.outcome(), outcome(again), observed)
-            : new Difference(turn.number(), "inputHash", turn.inputHash(), inputHash + " of what the players did and wrote");
+            : new Difference(turn.number(), "inputHash", turn.inputHash(),
+                inputHash + " of what the players did and wrote");
     }
 
     private static byte[] outcome(Resimulation again) {

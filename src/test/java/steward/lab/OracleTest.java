@@ -88,7 +88,7 @@ class OracleTest {
         assertNear("2.25", state.get(1).vx);
     }
 
-    /** 900 apart, 400 u per turn toward each other: at t = 1/4 they touch, f = 200, J = 400, speeds swap, pushed 1e-5. */
+    /** 900 apart, 400 u per turn toward each other: at t = 1/4 they touch, f = 200, J = 400, pushed 1e-5. */
     @Test
     void twoOfficialPodsByHand() {
         Bodies bodies = new Bodies(2);

@@ -47,6 +47,7 @@ public final class PodRace implements Game {
     private final TurnLog log = new TurnLog();
     private final List<TurnEvent> events = new ArrayList<>();
     private final StateHash hash = new StateHash();
+    private final RaceStanding standing = new RaceStanding(this);
 
     private final double[] heading;
     private final int[] shieldTimer;
@@ -69,7 +70,7 @@ public final class PodRace implements Game {
      * checkpoint, 0..n-1; if it jitters, for each checkpoint in the shifted order x, then y, -jitter..jitter.
      */
     PodRace(PodRaceSettings settings, Scene scene, Plan plan, long seed) {
-        this(settings, scene, plan, drawMap(settings, new SplitMix64(seed)));
+        this(settings, scene, plan, settings.drawMap(new SplitMix64(seed)));
     }
 
     /** A race on a given map, {@code [n][x, y]}. */
@@ -103,20 +104,6 @@ public final class PodRace implements Game {
             int body = bodies.add(bumper.x(), bumper.y(), bumper.radius(), Double.POSITIVE_INFINITY);
             bodies.setRestitution(body, bumper.restitution());
         }
-    }
-
-    private static double[][] drawMap(PodRaceSettings settings, SplitMix64 random) {
-        double[][] map = settings.maps().get(random.nextInt(settings.maps().size()));
-        int first = settings.shift() ? random.nextInt(map.length) : 0;
-        double[][] drawn = new double[map.length][];
-        for (int k = 0; k < drawn.length; k++) {
-            drawn[k] = map[(first + k) % map.length].clone();
-            if (settings.jitter() > 0) {
-                drawn[k][0] += random.nextInt(-settings.jitter(), settings.jitter());
-                drawn[k][1] += random.nextInt(-settings.jitter(), settings.jitter());
-            }
-        }
-        return drawn;
     }
 
     /** Side by side across checkpoint 0, facing checkpoint 1: offsets -500, +500, -1500, +1500, ... */
@@ -171,11 +158,7 @@ public final class PodRace implements Game {
 
     /** Shield, boost, heading and thrust of one pod: step 1 of the official turn. */
     private void steer(int pod, int command) {
-        if (command == SHIELD) {
-            shieldTimer[pod] = PodRaceSettings.SHIELD_TURNS;
-        } else if (shieldTimer[pod] > 0) {
-            shieldTimer[pod]--;
-        }
+        shieldTimer[pod] = command == SHIELD ? PodRaceSettings.SHIELD_TURNS : Math.max(0, shieldTimer[pod] - 1);
         bodies.setMass(pod, command == SHIELD ? PodRaceSettings.SHIELD_MASS_FACTOR * settings.mass() : settings.mass());
         int power = Math.max(0, command);
         if (command == BOOST) {
@@ -239,10 +222,10 @@ public final class PodRace implements Game {
         int in = 0;
         int finished = 0;
         for (int player = 0; player < settings.players(); player++) {
-            finished += hasFinished(player) ? 1 : 0;
-            if (isIn(player) && turnsLeft[player] <= 0 && !hasFinished(player)) {
+            finished += standing.hasFinished(player) ? 1 : 0;
+            if (isIn(player) && turnsLeft[player] <= 0 && !standing.hasFinished(player)) {
                 eliminate(player, "no checkpoint in " + settings.turnsWithoutCheckpoint() + " turns", turn);
-                int pod = bestPod(player);
+                int pod = standing.bestPod(player);
                 events.add(new TurnEvent(TurnEvent.Kind.MARK, 1, pod, bodies.x[pod], bodies.y[pod],
                     "player " + player + " is out: " + outReason[player], true));
             }
@@ -294,39 +277,15 @@ public final class PodRace implements Game {
         return ending;
     }
 
-    /** Finished, else out later, else more checkpoints passed by the best pod, else nearer to the next. */
     @Override
     public int[] ranks() {
-        int[] ranks = new int[players()];
-        for (int player = 0; player < ranks.length; player++) {
-            for (int other = 0; other < ranks.length; other++) {
-                ranks[player] += isAhead(other, player) ? 1 : 0;
-            }
-        }
-        return ranks;
-    }
-
-    private boolean isAhead(int one, int other) {
-        if (hasFinished(one) || hasFinished(other)) {
-            return hasFinished(one) && !hasFinished(other);
-        }
-        if (!isIn(one) || !isIn(other)) {
-            return outTurn[one] > outTurn[other];
-        }
-        int best = bestPod(one);
-        int otherBest = bestPod(other);
-        return passed[best] != passed[otherBest] ? passed[best] > passed[otherBest]
-            : toNext(best) < toNext(otherBest);
+        return standing.ranks();
     }
 
     /** Checkpoints passed by the best pod; -1 for a player who is out. */
     @Override
     public double[] scores() {
-        double[] scores = new double[players()];
-        for (int player = 0; player < scores.length; player++) {
-            scores[player] = isIn(player) ? passed[bestPod(player)] : -1;
-        }
-        return scores;
+        return standing.scores();
     }
 
     @Override
@@ -367,11 +326,7 @@ public final class PodRace implements Game {
 
     /** A copy of the checkpoints, {@code [n][x, y]}. */
     public double[][] checkpoints() {
-        double[][] copy = new double[checkpoints.length][];
-        for (int k = 0; k < copy.length; k++) {
-            copy[k] = checkpoints[k].clone();
-        }
-        return copy;
+        return Arrays.stream(checkpoints).map(double[]::clone).toArray(double[][]::new);
     }
 
     /** How many turns the player has left to pass a checkpoint. */
@@ -421,26 +376,23 @@ public final class PodRace implements Game {
         return thrust[pod];
     }
 
-    private int toFinish() {
+    /** Checkpoints that a pod has passed. */
+    int passed(int pod) {
+        return passed[pod];
+    }
+
+    /** The turn in which a player went out, 2^31 - 1 while in. */
+    int outTurn(int player) {
+        return outTurn[player];
+    }
+
+    /** How many checkpoints make the race. */
+    int toFinish() {
         return settings.laps() * checkpoints.length;
     }
 
-    private boolean hasFinished(int player) {
-        return isIn(player) && passed[bestPod(player)] >= toFinish();
-    }
-
-    /** The pod that has passed more checkpoints, then the one nearer to the next. */
-    private int bestPod(int player) {
-        int best = player * settings.podsPerPlayer();
-        for (int pod = best + 1; pod < (player + 1) * settings.podsPerPlayer(); pod++) {
-            if (passed[pod] > passed[best] || passed[pod] == passed[best] && toNext(pod) < toNext(best)) {
-                best = pod;
-            }
-        }
-        return best;
-    }
-
-    private double toNext(int pod) {
+    /** The distance of a pod from its next checkpoint, in u. */
+    double toNext(int pod) {
         double dx = checkpoints[nextCheckpoint(pod)][0] - bodies.x[pod];
         double dy = checkpoints[nextCheckpoint(pod)][1] - bodies.y[pod];
         return Math.sqrt(dx * dx + dy * dy);

@@ -2,6 +2,8 @@ package steward.game.podrace;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import steward.numerics.SplitMix64;
 import steward.scene.Block;
 import steward.scene.Scene;
 
@@ -43,6 +45,21 @@ public record PodRaceSettings(int players, int podsPerPlayer, double radius, dou
         return players * podsPerPlayer;
     }
 
+    /** Draws in this order: the map; if the scene shifts, the first checkpoint; if it jitters, each x, then y. */
+    double[][] drawMap(SplitMix64 random) {
+        double[][] map = maps.get(random.nextInt(maps.size()));
+        int first = shift ? random.nextInt(map.length) : 0;
+        double[][] drawn = new double[map.length][];
+        for (int k = 0; k < drawn.length; k++) {
+            drawn[k] = map[(first + k) % map.length].clone();
+            if (jitter > 0) {
+                drawn[k][0] += random.nextInt(-jitter, jitter);
+                drawn[k][1] += random.nextInt(-jitter, jitter);
+            }
+        }
+        return drawn;
+    }
+
     /** Reads the blocks {@code pods} and {@code race}. */
     static PodRaceSettings read(Scene scene) {
         Block pods = scene.root().block("pods");
@@ -67,7 +84,7 @@ public record PodRaceSettings(int players, int podsPerPlayer, double radius, dou
 
     private static List<double[][]> readMaps(Block race) {
         if (race.isText("maps")) {
-            race.choice("maps", java.util.Map.of("official", true));
+            race.choice("maps", Map.of("official", true));
             return OfficialMaps.all();
         }
         List<double[][]> maps = new ArrayList<>();
