@@ -8,6 +8,7 @@ import java.util.function.Consumer;
 import steward.game.JsonNumbers;
 import steward.match.MatchResult;
 import steward.match.MatchResult.PlayerResult;
+import steward.replay.KeptOpen;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.ObjectWriteContext;
 
@@ -81,7 +82,7 @@ final class MatchJson {
     /** One object with its line end. */
     static void printObject(Streams streams, Consumer<JsonGenerator> fields) {
         try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(),
-                new Unclosed(streams.out()))) {
+                new KeptOpen(streams.out()))) {
             out.writeStartObject();
             fields.accept(out);
             out.writeEndObject();

@@ -16,7 +16,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.openqa.selenium.Keys;
 import tools.jackson.databind.JsonNode;
 
-/** The page in a real browser: what it draws, against the numbers of the replay. */
+/**
+ * The page in a real browser: what it draws, against the numbers of the replay. One long file, because starting a
+ * browser is what costs and all of its tests share one.
+ */
 class PageTest {
 
     /** Places are computed in doubles from whole pixels; a hundredth of a pixel is far below what can be seen. */

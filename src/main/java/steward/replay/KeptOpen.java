@@ -1,13 +1,13 @@
-package steward.cli;
+package steward.replay;
 
 import java.io.FilterOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 
-/** Lets a generator be closed without closing what it writes to. */
-final class Unclosed extends FilterOutputStream {
+/** Lets a writer be closed without closing what it writes to: the end of its part is not the end of the whole. */
+public final class KeptOpen extends FilterOutputStream {
 
-    Unclosed(OutputStream out) {
+    public KeptOpen(OutputStream out) {
         super(out);
     }
 
