@@ -135,6 +135,13 @@ public final class DoubleDouble {
         return normalize(root, rest / (2 * root));
     }
 
+    /** Times 2^exponent: exact unless it leaves the range; from 2^-968 downward the low part is dropped. */
+    public DoubleDouble scale(int exponent) {
+        high = Math.scalb(high, exponent);
+        low = Math.abs(high) < 0x1p-968 ? 0 : Math.scalb(low, exponent);
+        return this;
+    }
+
     private DoubleDouble normalize(double head, double tail) {
         high = head + tail;
         low = ErrorFree.fastSumError(head, tail, high);

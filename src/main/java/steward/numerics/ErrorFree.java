@@ -72,7 +72,7 @@ public final class ErrorFree {
         c = SPLITTER * b;
         double bh = c - (c - b);
         double bl = b - bh;
-        return al * bl - (((p - ah * bh) - al * bh) - ah * bl);
+        return al * bl - (((p - ah * bh) - al * bh) - ah * bl) + 0.0;      // no error is 0.0, as of an fma
     }
 
     /** Takes factors between 1 and 2 in place of these; scaling back rounds once, as fma does. */
@@ -82,10 +82,10 @@ public final class ErrorFree {
         }
         int exponentA = exponent(a);
         int exponentB = exponent(b);
-        double scaledA = scale(a, -exponentA);
-        double scaledB = scale(b, -exponentB);
+        double scaledA = Math.scalb(a, -exponentA);
+        double scaledB = Math.scalb(b, -exponentB);
         double product = scaledA * scaledB;
-        double wanted = scale(scale(p, -exponentA), -exponentB);
+        double wanted = Math.scalb(p, -exponentA - exponentB);
         double error = (product - wanted) + split(scaledA, scaledB, product);
         return Math.scalb(error, exponentA + exponentB);
     }
@@ -94,9 +94,5 @@ public final class ErrorFree {
     private static int exponent(double value) {
         int exponent = Math.getExponent(value);
         return exponent >= Double.MIN_EXPONENT ? exponent : Math.getExponent(value * 0x1p54) - 54;
-    }
-
-    private static double scale(double value, int exponent) {
-        return Math.scalb(value, exponent);
     }
 }
