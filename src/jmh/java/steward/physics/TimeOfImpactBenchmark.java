@@ -13,10 +13,13 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
+import steward.numerics.DoubleDouble;
 import steward.numerics.SplitMix64;
 
 /**
- * What one circle-circle time of impact costs, in either arithmetic: {@code ./gradlew jmh -Pbench=TimeOfImpact}.
+ * What looking for the impact of one pair costs, in every arithmetic; in {@code EXACT} that is the lower bound with
+ * its exact decision, and {@code exactTimes} is the time itself, which only impacts that happen pay:
+ * {@code ./gradlew jmh -Pbench=TimeOfImpact}.
  */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)
@@ -32,7 +35,10 @@ public class TimeOfImpactBenchmark {
     @Param
     Arithmetic arithmetic;
 
-    private final double[] numbers = new double[4 * PAIRS];
+    private final Bodies bodies = new Bodies(2 * PAIRS);
+    private final DoubleDouble exactTime = new DoubleDouble();
+    private final ExactPairs exact = new ExactPairs(ImpactLaw.PHYSICS);
+    private PairTime pairs;
 
     /** Pairs a few radii apart, most of them approaching, about a third of them hitting. */
     @Setup
@@ -41,20 +47,31 @@ public class TimeOfImpactBenchmark {
         for (int k = 0; k < PAIRS; k++) {
             double dx = (random.nextDouble() - 0.5) * 6000;
             double dy = (random.nextDouble() - 0.5) * 6000;
-            numbers[4 * k] = dx;
-            numbers[4 * k + 1] = dy;
-            numbers[4 * k + 2] = -dx + (random.nextDouble() - 0.5) * 3000;
-            numbers[4 * k + 3] = -dy + (random.nextDouble() - 0.5) * 3000;
+            bodies.add(dx, dy, TOUCH / 2, 1);
+            bodies.add(0, 0, TOUCH / 2, 1);
+            bodies.setVelocity(2 * k, -dx + (random.nextDouble() - 0.5) * 3000,
+                -dy + (random.nextDouble() - 0.5) * 3000);
         }
+        pairs = arithmetic == Arithmetic.EXACT ? exact : PairTime.of(ImpactLaw.PHYSICS, arithmetic);
     }
 
     @Benchmark
     @OperationsPerInvocation(PAIRS)
     public double circles() {
         double sum = 0;
-        for (int k = 0; k < numbers.length; k += 4) {
-            double time = arithmetic.circles(numbers[k], numbers[k + 1], numbers[k + 2], numbers[k + 3], TOUCH);
+        for (int k = 0; k < 2 * PAIRS; k += 2) {
+            double time = pairs.until(bodies, k, k + 1);
             sum += time < 1 ? time : 0;
+        }
+        return sum;
+    }
+
+    @Benchmark
+    @OperationsPerInvocation(PAIRS)
+    public double exactTimes() {
+        double sum = 0;
+        for (int k = 0; k < 2 * PAIRS; k += 2) {
+            sum += exact.exact(bodies, k, k + 1, exactTime) ? exactTime.high() : 0;
         }
         return sum;
     }

@@ -1,6 +1,7 @@
 package steward.physics;
 
 import java.util.Locale;
+import steward.numerics.DoubleDouble;
 
 /** With how much care a time of impact between two circles is computed. */
 public enum Arithmetic {
@@ -46,16 +47,23 @@ public enum Arithmetic {
         }
     },
 
-    /** Exact decisions, and times of impact, positions and impulses that are rounded once, when stored. */
+    /**
+     * Exact decisions, {@link ExactCircles}: who touches, approaches or meets is a matter of exact signs, and times of
+     * impact, positions at impacts, impulses and new velocities are computed in double-double and rounded once, when
+     * they are stored. An {@link EventAdvance} does this for the impacts that happen, on lower bounds for the others;
+     * here each call computes a time, and allocates.
+     */
     EXACT {
         @Override
         double circles(double dx, double dy, double dvx, double dvy, double touch) {
-            return CompensatedTime.circles(dx, dy, dvx, dvy, touch);
+            DoubleDouble time = new DoubleDouble();
+            boolean hit = new ExactCircles().load(dx, 0, dy, 0, dvx, 0, dvy, 0, touch, 0).first(time);
+            return hit ? time.high() : Double.POSITIVE_INFINITY;
         }
 
         @Override
         double approachingCircles(double dx, double dy, double dvx, double dvy, double touch) {
-            return CompensatedTime.circles(dx, dy, dvx, dvy, touch);
+            return circles(dx, dy, dvx, dvy, touch);
         }
     };
 

@@ -1,19 +1,19 @@
 package steward.physics;
 
 /** Lets a pair, or a body and a wall, react under a law: impulse, push-out, record. */
-final class Collision {
+sealed class Collision permits ExactCollision {
 
-    private static final double ELASTIC = 1;
+    static final double ELASTIC = 1;
     /** A body so far behind a wall, relative to its coordinates, is there by rounding: some units in the last place. */
     private static final double ROUNDING = 0x1p-46;
 
-    private final Impulse pairImpulse;
-    private final Impulse wallImpulse;
-    private final boolean elastic;
-    private final boolean partsForGood;
-    private final boolean pushes;
-    private final double pushOut;
-    private final Wall[] walls;
+    final Impulse pairImpulse;
+    final Impulse wallImpulse;
+    final boolean elastic;
+    final boolean partsForGood;
+    final boolean pushes;
+    final double pushOut;
+    final Wall[] walls;
 
     Collision(ImpactLaw law, Wall[] walls) {
         pairImpulse = Impulse.of(law, true);
@@ -35,7 +35,7 @@ final class Collision {
     }
 
     /** Centres that coincide have no direction: they part along x. */
-    private void reactPair(Bodies bodies, int a, int b, double time, TurnSink sink) {
+    void reactPair(Bodies bodies, int a, int b, double time, TurnSink sink) {
         double ax = bodies.x[a];
         double ay = bodies.y[a];
         double bx = bodies.x[b];
@@ -76,7 +76,7 @@ final class Collision {
         }
     }
 
-    private void reactWall(Bodies bodies, int a, int w, double time, TurnSink sink) {
+    void reactWall(Bodies bodies, int a, int w, double time, TurnSink sink) {
         Wall wall = walls[w];
         double ax = bodies.x[a];
         double ay = bodies.y[a];

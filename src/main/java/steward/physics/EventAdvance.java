@@ -17,22 +17,35 @@ public final class EventAdvance implements Advance {
     private final ImpactLaw law;
     private final Scan[] scans;
     private final ImpactQueue queue;
+    private final Flight flight;
     private final Touch touch;
     private final Standstill standstill;
 
     public EventAdvance(PhysicsParts parts) {
         Wall[] walls = parts.walls().toArray(new Wall[0]);
         law = parts.law();
-        scans = Scan.of(parts, PairTime.of(law, parts.arithmetic()));
-        queue = ImpactQueue.of(law);
-        touch = Touch.of(parts, new Collision(law, walls), walls);
+        if (parts.arithmetic() == Arithmetic.EXACT) {
+            ExactPairs pairs = new ExactPairs(law);
+            ExactWalls wallTimes = new ExactWalls(walls);
+            RefiningQueue refining = new RefiningQueue(law, pairs, wallTimes);
+            ExactFlight exact = new ExactFlight(refining);
+            scans = Scan.of(parts, pairs, wallTimes);
+            queue = refining;
+            flight = exact;
+            touch = Touch.of(parts, new ExactCollision(law, walls, pairs, wallTimes, exact), walls);
+        } else {
+            scans = Scan.of(parts, PairTime.of(law, parts.arithmetic()));
+            queue = ImpactQueue.of(law);
+            flight = new Flight.Plain();
+            touch = Touch.of(parts, new Collision(law, walls), walls);
+        }
         standstill = new Standstill(parts);
     }
 
     @Override
     public void turn(Bodies bodies, TurnSink sink) {
         int left = law.impactLimit(bodies.size());
-        double now = 0;
+        double now = flight.begin(bodies);
         for (;;) {
             queue.clear();
             for (Scan scan : scans) {
@@ -40,7 +53,7 @@ public final class EventAdvance implements Advance {
             }
             int together = queue.next();
             if (together == 0) {
-                fly(bodies, 1 - now);
+                flight.toEnd(bodies, now);
                 touch.flown(bodies);
                 return;
             }
@@ -49,9 +62,7 @@ public final class EventAdvance implements Advance {
                 touch.flown(bodies);
                 return;
             }
-            double time = queue.time(0);
-            fly(bodies, time - now);
-            now = time;
+            now = flight.toImpact(bodies, now, queue);
             touch.flown(bodies);
             left -= together;
             boolean unaltered = true;

@@ -3,7 +3,7 @@ package steward.physics;
 import java.util.Arrays;
 
 /** Collects the impacts found by a scan and says which of them happen next. */
-abstract sealed class ImpactQueue {
+abstract sealed class ImpactQueue permits ImpactQueue.OneAtATime, ImpactQueue.WithinWindow, RefiningQueue {
 
     /** Offers an impact at an absolute time within the turn; b is an index, or {@code ~wall}. */
     abstract void offer(double time, int a, int b);
@@ -45,7 +45,7 @@ abstract sealed class ImpactQueue {
         }
 
         /** Orders pairs by their lower body, then by the other; walls come behind all bodies, in their own order. */
-        private static long rank(int a, int b) {
+        static long rank(int a, int b) {
             int low = b < 0 ? a : Math.min(a, b);
             long other = b < 0 ? (1L << 31) + ~b : Math.max(a, b);
             return (long) low << 32 | other;

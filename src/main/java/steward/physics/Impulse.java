@@ -1,5 +1,7 @@
 package steward.physics;
 
+import steward.numerics.DoubleDouble;
+
 /*
  * Two bodies a, b with unit normal n from a to b, w = 1 / mass and approach speed u = (va - vb).n. An impulse j
  * along n,
@@ -29,6 +31,9 @@ sealed interface Impulse {
      */
     double secondStep(double first, double restitution);
 
+    /** The same in double-double: the first step becomes the second. */
+    void toSecondStep(DoubleDouble step, double restitution);
+
     /** The second step that a law asks for. */
     static Impulse of(ImpactLaw law, boolean withMinimum) {
         boolean elastic = law.restitution() == ImpactLaw.Restitution.ELASTIC;
@@ -41,11 +46,22 @@ sealed interface Impulse {
         return elastic ? new ElasticAtLeast(law.minimumImpulse()) : new AtLeast(law.minimumImpulse());
     }
 
+    private static void raise(DoubleDouble step, double minimum) {
+        if (step.high() < minimum) {
+            step.set(minimum);
+        }
+    }
+
     /** j2 = j1. */
     record Elastic() implements Impulse {
         @Override
         public double secondStep(double first, double restitution) {
             return first;
+        }
+
+        @Override
+        public void toSecondStep(DoubleDouble step, double restitution) {
+            // as it is
         }
     }
 
@@ -55,6 +71,11 @@ sealed interface Impulse {
         public double secondStep(double first, double restitution) {
             return restitution * first;
         }
+
+        @Override
+        public void toSecondStep(DoubleDouble step, double restitution) {
+            step.multiply(restitution);
+        }
     }
 
     /** j2 = max(j1, minimum). */
@@ -62,6 +83,11 @@ sealed interface Impulse {
         @Override
         public double secondStep(double first, double restitution) {
             return Math.max(minimum, first);
+        }
+
+        @Override
+        public void toSecondStep(DoubleDouble step, double restitution) {
+            raise(step, minimum);
         }
     }
 
@@ -71,13 +97,30 @@ sealed interface Impulse {
         public double secondStep(double first, double restitution) {
             return Math.max(minimum, restitution * first);
         }
+
+        @Override
+        public void toSecondStep(DoubleDouble step, double restitution) {
+            raise(step.multiply(restitution), minimum);
+        }
     }
 
     /** j2 = e j1, its magnitude raised to the minimum unless it lies in the dead zone; the sign stays. */
     record ByMagnitude(double minimum, double deadZone) implements Impulse {
         @Override
         public double secondStep(double first, double restitution) {
-            double second = restitution * first;
+            return raised(restitution * first);
+        }
+
+        @Override
+        public void toSecondStep(DoubleDouble step, double restitution) {
+            double second = step.multiply(restitution).high();
+            double raised = raised(second);
+            if (raised != second) {
+                step.set(raised);
+            }
+        }
+
+        private double raised(double second) {
             double magnitude = Math.abs(second);
             return magnitude > deadZone && magnitude < minimum ? Math.copySign(minimum, second) : second;
         }

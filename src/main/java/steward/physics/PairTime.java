@@ -2,7 +2,7 @@ package steward.physics;
 
 /** When a pair of circles next has an impact under a law: touching pairs are the law's affair, the rest geometry. */
 abstract sealed class PairTime permits PairTime.TouchIsImpact, PairTime.ApproachIsImpact, PairTime.Overlap,
-    PairTime.ClosingOverlap {
+    PairTime.ClosingOverlap, ExactPairs {
 
     private static final double NEVER = Double.POSITIVE_INFINITY;
 

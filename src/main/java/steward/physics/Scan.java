@@ -11,6 +11,11 @@ abstract sealed class Scan {
 
     /** The scans that a scene needs: pairs, and walls if there are any. */
     static Scan[] of(PhysicsParts parts, PairTime time) {
+        return of(parts, time, new WallTime.Plain(parts.walls().toArray(new Wall[0])));
+    }
+
+    /** The same with another time of impact at walls. */
+    static Scan[] of(PhysicsParts parts, PairTime time, WallTime wallTime) {
         List<Scan> scans = new ArrayList<>();
         boolean plain = parts.contacts().allBounce() && !parts.infiniteMasses();
         boolean descending = parts.law().scanOrder() == ImpactLaw.ScanOrder.DESCENDING;
@@ -20,7 +25,7 @@ abstract sealed class Scan {
             scans.add(new SelectedPairs(time, parts.contacts(), descending));
         }
         if (!parts.walls().isEmpty()) {
-            scans.add(new Walls(parts.walls().toArray(new Wall[0]),
+            scans.add(new Walls(wallTime, parts.walls().size(),
                 parts.contacts().allBounce() ? null : parts.contacts()));
         }
         return scans.toArray(new Scan[0]);
@@ -106,12 +111,14 @@ abstract sealed class Scan {
     /** Every body against every wall. */
     static final class Walls extends Scan {
 
-        private final Wall[] walls;
+        private final WallTime time;
+        private final int count;
         private final Contacts contacts;
 
         /** @param contacts {@code null} when every body bounces off walls */
-        Walls(Wall[] walls, Contacts contacts) {
-            this.walls = walls;
+        Walls(WallTime time, int count, Contacts contacts) {
+            this.time = time;
+            this.count = count;
             this.contacts = contacts;
         }
 
@@ -122,9 +129,8 @@ abstract sealed class Scan {
                 if (contacts == null ? bodies.inverseMass[i] == 0 : !isMeant(bodies, i)) {
                     continue;
                 }
-                for (int w = 0; w < walls.length; w++) {
-                    double until = walls[w].timeOfImpact(bodies.x[i], bodies.y[i], bodies.vx[i], bodies.vy[i],
-                        bodies.radius[i]);
+                for (int w = 0; w < count; w++) {
+                    double until = time.until(bodies, i, w);
                     if (until <= left && !isPassing(bodies, i, w)) {
                         queue.offer(now + until, i, ~w);
                     }

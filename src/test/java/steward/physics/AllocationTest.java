@@ -28,16 +28,29 @@ class AllocationTest {
         check(Scenes.WITH_RESTITUTION.withMinimumImpulse(120, false), Arithmetic.DOUBLE, WALLS, false);
     }
 
+    /** Compensated and exact times too, in either law; the searches' steps by their own test. */
+    @Test
+    void theHigherRungsAllocateNothing() {
+        for (Arithmetic arithmetic : List.of(Arithmetic.COMPENSATED, Arithmetic.EXACT)) {
+            check(ImpactLaw.OFFICIAL_POD_RACE, arithmetic, NO_WALLS, false);
+            check(Scenes.WITH_RESTITUTION, arithmetic, WALLS, false);
+        }
+        check(ImpactLaw.PHYSICS, Arithmetic.EXACT, WALLS, true);
+    }
+
+    @Test
+    void stepsAllocateNothing() {
+        PhysicsParts parts = new PhysicsParts(Scenes.WITH_RESTITUTION, Arithmetic.DOUBLE, new Contacts(1),
+            List.of(WALLS), null, false);
+        check(new StepAdvance(parts, 1));
+        check(new StepAdvance(parts, 16));
+    }
+
     @Test
     void askingAllocatesNothing() {
         check(ImpactLaw.PHYSICS, Arithmetic.DOUBLE, WALLS, true);
     }
 
-    /**
-     * 6 pods, started anew every 10 turns; 2,000 turns to warm up, then 1,000 counted. They are the same turns every
-     * time, so that whatever they allocate shows in every count; what the JVM itself once adds (resolving, compiling)
-     * does not, and one of five counts must be 0.
-     */
     private static void check(ImpactLaw law, Arithmetic arithmetic, Wall[] walls, boolean asks) {
         Contacts contacts = new Contacts(1);
         if (asks) {
@@ -45,8 +58,15 @@ class AllocationTest {
         }
         Reaction reaction = asks ? (time, a, b, bodies) -> (a + b) % 2 == 0 ? Reaction.Verdict.PASS
             : Reaction.Verdict.BOUNCE : null;
-        EventAdvance advance = new EventAdvance(
-            new PhysicsParts(law, arithmetic, contacts, List.of(walls), reaction, false));
+        check(new EventAdvance(new PhysicsParts(law, arithmetic, contacts, List.of(walls), reaction, false)));
+    }
+
+    /**
+     * 6 pods, started anew every 10 turns; 2,000 turns to warm up, then 1,000 counted. They are the same turns every
+     * time, so that whatever they allocate shows in every count; what the JVM itself once adds (resolving, compiling)
+     * does not, and one of five counts must be 0.
+     */
+    private static void check(Advance advance) {
         SplitMix64 random = new SplitMix64(1);
         Bodies start = new Bodies(6);
         for (int k = 0; k < 6; k++) {
@@ -65,7 +85,7 @@ class AllocationTest {
         assertEquals(0, allocated, "bytes in 1,000 turns");
     }
 
-    private static long play(EventAdvance advance, Bodies start, Bodies bodies, TurnLog log, int turns,
+    private static long play(Advance advance, Bodies start, Bodies bodies, TurnLog log, int turns,
                              ThreadMXBean threads) {
         long before = threads.getCurrentThreadAllocatedBytes();
         for (int turn = 0; turn < turns; turn++) {

@@ -13,6 +13,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 import steward.numerics.SplitMix64;
+import steward.scene.Accuracy;
 import steward.scene.SceneFiles;
 import steward.scene.SceneReader;
 import steward.scene.SceneText;
@@ -20,7 +21,7 @@ import steward.scene.SceneText;
 /**
  * What one whole turn of four pods costs, from given states, impacts and checkpoints included:
  * {@code ./gradlew jmh -Pbench=PodTurn}. In {@code race} the pods are spread over the map, in {@code brawl} they crowd
- * around one place.
+ * around one place; {@code accuracy} is the rung.
  */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)
@@ -36,6 +37,9 @@ public class PodTurnBenchmark {
     @Param({"race", "brawl"})
     String crowd;
 
+    @Param({"event/official", "event/double", "event/compensated", "event/exact", "step/1", "step/4"})
+    String accuracy;
+
     private PodRaceType.PodRaceSetup setup;
     private PodRace race;
     private PodState[] states;
@@ -45,7 +49,11 @@ public class PodTurnBenchmark {
     @Setup
     public void fill() {
         SceneText text = SceneFiles.load("mad-pod-racing");
-        setup = new PodRaceType().open(SceneReader.read(text.text(), text.source()));
+        Accuracy rung = Accuracy.parse(accuracy);
+        String block = "\"advance\": \"" + rung.way().text() + "\", \"arithmetic\": \""
+            + rung.arithmetic().text() + "\"" + (rung.steps() > 0 ? ", \"steps\": " + rung.steps() : "");
+        setup = new PodRaceType().open(SceneReader.read(
+            text.text().replaceFirst("\"accuracy\": *\\{[^}]*", "\"accuracy\": {" + block), text.source()));
         SplitMix64 random = new SplitMix64(1);
         double width = crowd.equals("race") ? 16000 : 2400;
         states = new PodState[4 * STATES];

@@ -1,0 +1,156 @@
+package steward.physics;
+
+import steward.numerics.DoubleDouble;
+import steward.numerics.Expansion;
+
+/**
+ * A wall for the arithmetic {@code EXACT}: whether a body approaches, touches and hits is decided by exact signs, times
+ * are computed in double-double. The numbers of the wall count as they are stored: a half-plane's unit vector, of
+ * length 1 only to rounding, as the measure of distances from it (the direction of an impulse is made a unit vector again).
+ * Where a segment ends, the round end and the flat side go over into each other, and which of the two is hit there,
+ * with the same time and normal to the last bits, is decided in double-double.
+ *
+ * <p>Lengths and speeds have to be from 1e-60 to 1e60 (or 0) for half-planes and segments; arenas take any.
+ */
+abstract sealed class ExactWall permits ExactWall.Plane, ExactWall.Ring, ExactSegment {
+
+    static final double NEVER = Double.POSITIVE_INFINITY;
+    static final double U = 0x1p-53;
+
+    private final DoubleDouble time = new DoubleDouble();
+
+    static ExactWall of(Wall wall) {
+        if (wall instanceof HalfPlane plane) {
+            return new Plane(plane);
+        }
+        return wall instanceof Segment segment ? new ExactSegment(segment) : new Ring((Arena) wall);
+    }
+
+    /** At most the time of impact, 0 or above; infinite only if there is none. */
+    abstract double lowerBound(double x, double y, double vx, double vy, double radius);
+
+    /** The time of impact. @return false if there is none */
+    abstract boolean time(double x, double y, double vx, double vy, double radius, DoubleDouble until);
+
+    /** The unit vector from a place straight to the wall. */
+    abstract void normal(DoubleDouble x, DoubleDouble y, DoubleDouble normalX, DoubleDouble normalY);
+
+    /** The lower bound where only the time itself will do. */
+    double exactBound(double x, double y, double vx, double vy, double radius) {
+        return time(x, y, vx, vy, radius, time) ? late(time.high()) : NEVER;
+    }
+
+    /** A time made smaller by what the sum of two times within a turn can lose. */
+    static double late(double until) {
+        return Math.max(0, until * (1 - 4 * U) - ExactPairs.ROUNDING);
+    }
+
+    /** Makes a vector a unit vector; of no length, it becomes (1, 0). */
+    static void normalize(DoubleDouble x, DoubleDouble y, DoubleDouble length) {
+        if (x.high() == 0 && y.high() == 0) {
+            length.set(0);
+            x.set(1);
+            return;
+        }
+        int scale = Math.getExponent(Math.max(Math.abs(x.high()), Math.abs(y.high())));
+        x.scale(-scale);
+        y.scale(-scale);
+        double squareHigh = length.set(x).square().high();
+        double squareLow = length.low();
+        length.set(y).square().add(squareHigh).add(squareLow).squareRoot();
+        x.divide(length);
+        y.divide(length);
+        length.scale(scale);
+    }
+
+    /** g / w with g = (p - q).n - radius, w = -v.n: the signs of both are exact. */
+    static final class Plane extends ExactWall {
+
+        private final HalfPlane plane;
+        private final Expansion sum = new Expansion();
+        private final DoubleDouble part = new DoubleDouble();
+        private final DoubleDouble length = new DoubleDouble();
+
+        Plane(HalfPlane plane) {
+            this.plane = plane;
+        }
+
+        @Override
+        double lowerBound(double x, double y, double vx, double vy, double radius) {
+            double alongX = (x - plane.x()) * plane.insideX();
+            double alongY = (y - plane.y()) * plane.insideY();
+            double gap = alongX + alongY - radius;
+            double gapError = 8 * U * (Math.abs(alongX) + Math.abs(alongY) + radius);
+            double closingX = vx * plane.insideX();
+            double closingY = vy * plane.insideY();
+            double closing = -(closingX + closingY);
+            double closingError = 3 * U * (Math.abs(closingX) + Math.abs(closingY));
+            if (closing < -closingError) {
+                return NEVER;
+            }
+            return gap > gapError && closing > closingError ? late((gap - gapError) / (closing + closingError))
+                : exactBound(x, y, vx, vy, radius);
+        }
+
+        @Override
+        boolean time(double x, double y, double vx, double vy, double radius, DoubleDouble until) {
+            sum.clear().addProduct(-vx, plane.insideX()).addProduct(-vy, plane.insideY());
+            if (sum.sign() <= 0) {
+                return false;
+            }
+            sum.to(length);
+            part.setDifference(x, plane.x());
+            sum.clear().add(-radius).addProduct(part.high(), plane.insideX()).addProduct(part.low(), plane.insideX());
+            part.setDifference(y, plane.y());
+            sum.addProduct(part.high(), plane.insideY()).addProduct(part.low(), plane.insideY());
+            if (sum.sign() <= 0) {
+                until.set(0);
+                return true;
+            }
+            sum.to(until).divide(length);
+            return until.high() < NEVER;
+        }
+
+        @Override
+        void normal(DoubleDouble x, DoubleDouble y, DoubleDouble normalX, DoubleDouble normalY) {
+            normalX.set(-plane.insideX());
+            normalY.set(-plane.insideY());
+            normalize(normalX, normalY, length);
+        }
+    }
+
+    /** The later root of the quadratic of {@link ExactCircles} with the radii's difference as touching distance. */
+    static final class Ring extends ExactWall {
+
+        private final Arena arena;
+        private final ExactCircles circles = new ExactCircles();
+        private final DoubleDouble length = new DoubleDouble();
+
+        Ring(Arena arena) {
+            this.arena = arena;
+        }
+
+        /** Straight to the nearest point of the wall. */
+        @Override
+        double lowerBound(double x, double y, double vx, double vy, double radius) {
+            double gap = arena.gap(x, y, radius) - 16 * U * (arena.radius() + radius + Math.abs(x) + Math.abs(y)
+                + Math.abs(arena.x()) + Math.abs(arena.y()));
+            double speed = Math.sqrt(vx * vx + vy * vy);
+            return gap > 0 && speed > 0x1p-450 ? late(gap / speed * (1 - 8 * U)) : exactBound(x, y, vx, vy, radius);
+        }
+
+        @Override
+        boolean time(double x, double y, double vx, double vy, double radius, DoubleDouble until) {
+            boolean room = radius <= arena.radius();
+            return circles.load(x, arena.x(), y, arena.y(), vx, 0, vy, 0, room ? arena.radius() : 0,
+                room ? -radius : 0).last(until);
+        }
+
+        @Override
+        void normal(DoubleDouble x, DoubleDouble y, DoubleDouble normalX, DoubleDouble normalY) {
+            normalX.set(x).add(-arena.x());
+            normalY.set(y).add(-arena.y());
+            normalize(normalX, normalY, length);
+        }
+    }
+}
