@@ -1,0 +1,76 @@
+package steward.lab;
+
+import steward.numerics.SplitMix64;
+import steward.physics.Advance;
+import steward.physics.Bodies;
+import steward.physics.ImpactLaw;
+
+/**
+ * Pairs on a lattice that all meet at the same instant, no body being in two of them: whatever the numbering, each body
+ * ends in the same place. Under the official law they react in one batch, so that all 10,000 can be asked; one at
+ * a time means a scan of all bodies for each.
+ */
+final class LatticeCase implements StabilityCase {
+
+    private static final long SEED = 13;
+    private static final double CELL = 4000;
+
+    @Override
+    public String name() {
+        return "lattice of pairs";
+    }
+
+    @Override
+    public String demand() {
+        return "10,000 simultaneous pairs: each has its impact, and the result does not depend on the numbering, bit "
+            + "for bit, on every event rung";
+    }
+
+    @Override
+    public Seen run(Rung rung, Size size) {
+        int batch = size.pick(500, 10_000, 10_000);
+        int single = size.pick(60, 300, 2000);
+        boolean together = agrees(rung, ImpactLaw.OFFICIAL_POD_RACE, batch);
+        boolean alone = agrees(rung, ImpactLaw.PHYSICS, single);
+        return Seen.of(rung.isEvent(), together && alone, batch + " pairs in a batch " + (together ? "agree" : "differ")
+            + ", " + single + " one at a time " + (alone ? "agree" : "differ"));
+    }
+
+    private static boolean agrees(Rung rung, ImpactLaw law, int pairs) {
+        int[] place = new int[2 * pairs];
+        for (int k = 0; k < place.length; k++) {
+            place[k] = k;
+        }
+        Bodies plain = lattice(place);
+        SplitMix64 random = new SplitMix64(SEED);
+        for (int k = place.length - 1; k > 0; k--) {
+            int other = random.nextInt(k + 1);
+            int kept = place[k];
+            place[k] = place[other];
+            place[other] = kept;
+        }
+        Bodies shuffled = lattice(place);
+        Advance advance = rung.advance(law.withMaximumImpacts(2 * pairs));
+        Probe probe = new Probe();
+        advance.turn(plain, probe);
+        advance.turn(shuffled, probe);
+        boolean same = probe.impacts == 2L * pairs && probe.limited == 0;
+        for (int k = 0; k < place.length; k++) {
+            same &= Probe.same(plain, place[k], shuffled, k);
+        }
+        return same;
+    }
+
+    /** Body k is that of the given place: the left (even) or right (odd) of a pair, which meet at t = 1/2. */
+    private static Bodies lattice(int[] place) {
+        Bodies bodies = new Bodies(place.length);
+        int perRow = (int) Math.ceil(Math.sqrt(place.length / 2.0));
+        for (int body : place) {
+            int pair = body / 2;
+            int side = body % 2 == 0 ? -1 : 1;
+            int k = bodies.add(CELL * (pair % perRow) + side * 600, CELL * (pair / perRow), 400, 1);
+            bodies.setVelocity(k, -side * 400, 0);
+        }
+        return bodies;
+    }
+}

@@ -1,0 +1,82 @@
+package steward.lab;
+
+import java.math.BigDecimal;
+import java.util.Locale;
+import steward.numerics.SplitMix64;
+import steward.physics.Advance;
+import steward.physics.Bodies;
+import steward.physics.ImpactLaw;
+import steward.physics.Wall;
+
+/** Many elastic impacts in a box: what becomes of the energy, and whether the books of momentum are whole. */
+final class LongRunCase implements StabilityCase {
+
+    private static final long SEED = 16;
+    private static final double BOOKS = 1e-28;
+
+    private final int bodies;
+    private final double drift;
+
+    /** @param drift the most that the energy may change, relative to itself, after a million impacts */
+    LongRunCase(int bodies, double drift) {
+        this.bodies = bodies;
+        this.drift = drift;
+    }
+
+    @Override
+    public String name() {
+        return "long run of " + bodies;
+    }
+
+    @Override
+    public String demand() {
+        return String.format(Locale.ROOT, "energy within %.0e after 10^6 elastic impacts; momentum between the walls "
+            + "accounted for to %.0e by m (v after - v before); on every event rung", drift, BOOKS);
+    }
+
+    @Override
+    public Seen run(Rung rung, Size size) {
+        int small = bodies == 10 ? 100_000 : bodies == 100 ? 5_000 : 100;
+        int normal = bodies == 10 ? 1_000_000 : bodies == 100 ? 1_000_000 : 2_000;
+        long wanted = rung.isEvent() ? size.pick(small, normal, 10_000_000) : 1;
+        Bodies gas = gas();
+        Ledger ledger = new Ledger(gas);
+        Advance advance = rung.advance(ImpactLaw.PHYSICS, Wall.box(side(), side(), 1));
+        BigDecimal energy = Probe.energy(gas);
+        double atMillion = Double.NaN;
+        while (ledger.impacts < wanted) {
+            advance.turn(gas, ledger);
+            if (Double.isNaN(atMillion) && ledger.impacts >= 1_000_000) {
+                atMillion = drift(gas, energy);
+            }
+        }
+        double last = drift(gas, energy);
+        double judged = Double.isNaN(atMillion) ? last : atMillion;
+        double gap = ledger.gap(gas);
+        return Seen.of(rung.isEvent(), judged <= drift && gap <= BOOKS, String.format(Locale.ROOT,
+            "%d impacts: energy %.1e%s, books %.1e", ledger.impacts, last,
+            judged != last ? String.format(Locale.ROOT, " (%.1e after 10^6)", judged) : "", gap));
+    }
+
+    private static double drift(Bodies gas, BigDecimal energy) {
+        return Probe.energy(gas).subtract(energy).abs().doubleValue() / energy.doubleValue();
+    }
+
+    private double side() {
+        return 100 * Math.ceil(Math.sqrt(bodies));
+    }
+
+    /** On a grid of 100 u, radius 20, masses 1 to 4. */
+    private Bodies gas() {
+        SplitMix64 random = new SplitMix64(SEED + bodies);
+        Bodies gas = new Bodies(bodies);
+        int perRow = (int) Math.ceil(Math.sqrt(bodies));
+        double speed = 2000.0 / bodies;                        // at most some ten impacts a turn, however many bodies
+        for (int k = 0; k < bodies; k++) {
+            gas.add(100 * (k % perRow) + 25 + 50 * random.nextDouble(),
+                100 * (k / perRow) + 25 + 50 * random.nextDouble(), 20, 1 + 3 * random.nextDouble());
+            gas.setVelocity(k, speed * (random.nextDouble() - 0.5), speed * (random.nextDouble() - 0.5));
+        }
+        return gas;
+    }
+}

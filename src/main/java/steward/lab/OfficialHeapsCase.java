@@ -1,0 +1,61 @@
+package steward.lab;
+
+import java.util.Locale;
+import steward.numerics.SplitMix64;
+import steward.physics.Advance;
+import steward.physics.Bodies;
+import steward.physics.ImpactLaw;
+
+/** Four pods in the space of one to four, under the official law: the minimum impulse drives them apart. */
+final class OfficialHeapsCase implements StabilityCase {
+
+    private static final long SEED = 14;
+
+    @Override
+    public String name() {
+        return "four dense pods";
+    }
+
+    @Override
+    public String demand() {
+        return "official rules, 8 million random states: no NaN, no turn at the bound on impacts, on every event rung; "
+            + "the most impacts in a turn is reported";
+    }
+
+    @Override
+    public Seen run(Rung rung, Size size) {
+        int states = size.pick(20_000, 1_000_000, 8_000_000);
+        Advance advance = rung.advance(ImpactLaw.OFFICIAL_POD_RACE);
+        SplitMix64 random = new SplitMix64(SEED);
+        Probe probe = new Probe();
+        Bodies bodies = new Bodies(4);
+        long most = 0;
+        int notFinite = 0;
+        for (int n = 0; n < states; n++) {
+            heap(random, bodies, n);
+            long before = probe.impacts;
+            advance.turn(bodies, probe);
+            notFinite += Probe.finite(bodies) ? 0 : 1;
+            most = Math.max(most, probe.impacts - before);
+        }
+        return Seen.of(rung.isEvent(), notFinite == 0 && probe.limited == 0, String.format(Locale.ROOT,
+            "%d states, %d impacts, at most %d in a turn, %d at the bound, %d not finite", states, probe.impacts, most,
+            probe.limited, notFinite));
+    }
+
+    /** A quarter stands on whole numbers, a quarter of the pods is shielded, speeds are 0, ordinary or wild. */
+    private static void heap(SplitMix64 random, Bodies bodies, int n) {
+        while (bodies.size() > 0) {
+            bodies.remove(bodies.size() - 1);
+        }
+        double side = n % 3 == 0 ? 400 + 800 * random.nextDouble() : 1000 + 2000 * random.nextDouble();
+        double speed = n % 5 == 0 ? 0 : n % 5 == 1 ? 6000 : 1200;
+        boolean whole = n % 4 == 0;
+        for (int k = 0; k < 4; k++) {
+            double x = side * random.nextDouble();
+            double y = side * random.nextDouble();
+            bodies.add(whole ? Math.rint(x) : x, whole ? Math.rint(y) : y, 400, random.nextInt(4) == 0 ? 10 : 1);
+            bodies.setVelocity(k, speed * (2 * random.nextDouble() - 1), speed * (2 * random.nextDouble() - 1));
+        }
+    }
+}

@@ -1,0 +1,85 @@
+package steward.lab;
+
+import java.math.BigDecimal;
+import java.util.List;
+import java.util.Locale;
+import steward.physics.Bodies;
+import steward.physics.ImpactLaw;
+import steward.physics.Wall;
+
+/**
+ * Plays one turn of many small worlds on a rung and by the oracle: the engine must come to the same impacts and, to a
+ * tolerance relative to the largest number of its kind in the world, the same end; or refuse by an exception that names
+ * what it cannot do. NaN, infinity and another answer are failures.
+ */
+final class OracleCheck {
+
+    private final Rung rung;
+    private final double tolerance;
+    private int worlds;
+    private int right;
+    private int refused;
+    private double worst;
+    private String failures = "";
+
+    OracleCheck(Rung rung, double tolerance) {
+        this.rung = rung;
+        this.tolerance = tolerance;
+    }
+
+    /** @param what names the world if it fails */
+    void add(String what, ImpactLaw law, Bodies bodies, Wall... walls) {
+        worlds++;
+        List<OracleBody> truth = OracleBody.of(bodies);
+        Probe probe = new Probe();
+        try {
+            rung.advanceOfAnyMass(law, walls).turn(bodies, probe);
+        } catch (IllegalArgumentException refusal) {
+            refused++;
+            return;
+        }
+        int impacts = new Oracle(law, List.of(walls)).turn(truth).size();
+        if (!Probe.finite(bodies)) {
+            fail(what + ": not finite");
+            return;
+        }
+        double error = error(bodies, truth);
+        if (probe.impacts != impacts || probe.limited > 0 || !(error <= tolerance)) {
+            fail(String.format(Locale.ROOT, "%s: %d impacts for %d, off by %.1e", what, probe.impacts, impacts, error));
+            return;
+        }
+        worst = Math.max(worst, error);
+        right++;
+    }
+
+    private void fail(String what) {
+        failures += (failures.isEmpty() ? "" : " | ") + what;
+    }
+
+    private static double error(Bodies bodies, List<OracleBody> truth) {
+        BigDecimal place = BigDecimal.ZERO;
+        BigDecimal speed = BigDecimal.ZERO;
+        for (OracleBody body : truth) {
+            place = place.max(body.x.abs()).max(body.y.abs()).max(body.radius);
+            speed = speed.max(body.vx.abs()).max(body.vy.abs());
+        }
+        double worst = 0;
+        for (int k = 0; k < truth.size(); k++) {
+            OracleBody body = truth.get(k);
+            worst = Math.max(worst, Math.max(
+                Math.max(Digits.relative(bodies.x[k], body.x, place), Digits.relative(bodies.y[k], body.y, place)),
+                Math.max(Digits.relative(bodies.vx[k], body.vx, speed),
+                    Digits.relative(bodies.vy[k], body.vy, speed))));
+        }
+        return worst;
+    }
+
+    boolean met() {
+        return right + refused == worlds;
+    }
+
+    String text() {
+        return String.format(Locale.ROOT, "%d worlds, %d right to %.1e, %d refused, %d wrong", worlds, right, worst,
+            refused, worlds - right - refused) + (met() ? "" : ": " + failures);
+    }
+}
