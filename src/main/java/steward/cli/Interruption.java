@@ -13,9 +13,14 @@ final class Interruption implements AutoCloseable {
 
     /** @param file the replay, or {@code null}: then there is nothing to say */
     Interruption(Streams streams, Path file) {
-        hook = file == null ? null : new Thread(() -> {
+        this(streams, file == null ? null : "the turns so far are in " + file);
+    }
+
+    /** @param kept says where what was done so far is, or {@code null}: then there is nothing to say */
+    Interruption(Streams streams, String kept) {
+        hook = kept == null ? null : new Thread(() -> {
             if (!over) {
-                streams.err().println("steward: interrupted; the turns so far are in " + file);
+                streams.err().println("steward: interrupted; " + kept);
             }
         }, "interruption");
         if (hook != null) {

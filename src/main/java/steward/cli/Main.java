@@ -22,7 +22,7 @@ public final class Main {
     private static final int WIDTH = 100;
 
     private static final List<String> COMMANDS = List.of("match", "replay", "feed", "explain", "demo", "simulate",
-        "import", "referee", "play", CompletionCommand.NAME);
+        "import", "referee", "play", "stability", CompletionCommand.NAME);
 
     private Main() {
     }
@@ -94,6 +94,7 @@ public final class Main {
             case "import" -> new ImportCommand(streams);
             case "referee" -> RefereeCommand.spec(streams);
             case "play" -> new PlayCommand(streams);
+            case "stability" -> new StabilityCommand(streams);
             default -> new CompletionCommand(streams);
         };
     }

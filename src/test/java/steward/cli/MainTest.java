@@ -25,7 +25,8 @@ class MainTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"match", "replay", "feed", "explain", "demo", "simulate", "import", "completion"})
+    @ValueSource(strings = {"match", "replay", "feed", "explain", "demo", "simulate", "import", "stability",
+        "completion"})
     void everyCommandHasHelpWithAnExampleAndAVersion(String command) {
         Cli help = Cli.run(command, "--help");
         assertEquals(ExitStatus.DONE, help.status());

@@ -1,0 +1,131 @@
+package steward.cli;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import steward.lab.Golden;
+import steward.lab.Rung;
+import steward.lab.Size;
+import steward.lab.StabilityCase;
+import steward.lab.StabilityCases;
+import steward.lab.StabilityFiles;
+import steward.lab.StabilityRow;
+import steward.numerics.StateHash;
+import steward.scene.Nearest;
+
+/** {@code steward stability}: what the physics does at the numerical extremes, held against what is demanded. */
+@Command(name = "stability", description = "Tries the physics at the numerical extremes, on every rung of accuracy, "
+    + "and says what was demanded and what was seen.",
+    footer = {"", "Examples:", "  steward stability",
+        "  steward stability --quick --case masses --case 'extreme speeds'",
+        "  steward stability --long --out results",
+        "", "Exit status: 0 every demand is met; 1 one is not, or the run was interrupted; 2 the call cannot be used."})
+final class StabilityCommand implements Callable<Integer> {
+
+    private final Streams streams;
+
+    @Option(names = "--long", description = "The long versions: hours.")
+    private boolean full;
+
+    @Option(names = "--quick", description = "The short versions, as in the tests: about a minute.")
+    private boolean quick;
+
+    @Option(names = "--case", paramLabel = "NAME", description = "Only this case; can be repeated.")
+    private List<String> names = new ArrayList<>();
+
+    @Option(names = "--out", paramLabel = "DIR", description = "Writes the table to " + StabilityFiles.CSV + " and "
+        + StabilityFiles.JSON + " in a folder too, row by row.")
+    private String out;
+
+    @Option(names = "--overwrite", description = "Replaces the files if they exist.")
+    private boolean overwrite;
+
+    @Option(names = "--golden", description = "Prints the hash of all that is computed instead; it must be the same on "
+        + "every machine.")
+    private boolean golden;
+
+    StabilityCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() {
+        if (full && quick) {
+            throw new InputException("--long and --quick exclude each other");
+        }
+        if (overwrite && out == null) {
+            throw new InputException("--overwrite: expected --out");
+        }
+        Size size = full ? Size.LONG : quick ? Size.SMALL : Size.NORMAL;
+        if (golden) {
+            if (out != null || !names.isEmpty()) {
+                throw new InputException("--golden goes with --quick or --long only");
+            }
+            return golden(size);
+        }
+        List<StabilityCase> cases = cases();
+        if (out == null) {
+            return table(cases, size, null);
+        }
+        Path folder = OutputFiles.path(out);
+        try (StabilityFiles files = files(folder, size); Interruption interruption = new Interruption(
+            streams, "the rows so far are in " + folder)) {
+            int status = table(cases, size, files);
+            interruption.over();
+            return status;
+        }
+    }
+
+    private int golden(Size size) {
+        List<Golden.Part> parts = GoldenSuite.parts(size);
+        for (Golden.Part part : parts) {
+            streams.out().println(StateHash.toHex(part.hash()) + "  " + part.name());
+        }
+        streams.out().println(StateHash.toHex(Golden.total(parts)) + "  all");
+        return ExitStatus.DONE;
+    }
+
+    private List<StabilityCase> cases() {
+        List<StabilityCase> all = StabilityCases.all();
+        List<String> known = all.stream().map(StabilityCase::name).toList();
+        for (String name : names) {
+            if (!known.contains(name)) {
+                throw new InputException("--case: found '" + name + "', expected one of " + String.join("; ", known)
+                    + Nearest.of(name, known).map(near -> "; did you mean '" + near + "'?").orElse(""));
+            }
+        }
+        return names.isEmpty() ? all : all.stream().filter(each -> names.contains(each.name())).toList();
+    }
+
+    private StabilityFiles files(Path folder, Size size) {
+        OutputFiles.prepareFolder(folder);
+        for (String name : List.of(StabilityFiles.CSV, StabilityFiles.JSON)) {
+            Path file = folder.resolve(name);
+            if (Files.exists(file) && !overwrite) {
+                throw OutputFiles.exists(file);
+            }
+        }
+        try {
+            return new StabilityFiles(folder, size);
+        } catch (IOException problem) {
+            throw new InputException(folder + ": cannot be written into: " + problem.getMessage());
+        }
+    }
+
+    private int table(List<StabilityCase> cases, Size size, StabilityFiles files) {
+        List<Rung> rungs = Rung.all();
+        StabilityTable table = new StabilityTable(streams, cases.size() * rungs.size());
+        StabilityRow.tryAll(cases, rungs, size, (each, rung) -> table.about(each.name(), rung.name()), row -> {
+            if (files != null) {
+                files.add(row);
+            }
+            table.add(row);
+        });
+        return table.end() ? ExitStatus.DONE : ExitStatus.FAILED;
+    }
+}
