@@ -54,9 +54,10 @@ final class OfficialEdgesCase implements StabilityCase {
         Probe probe = new Probe();
         rung.advance(ImpactLaw.OFFICIAL_POD_RACE).turn(bodies, probe);
         double impulse = f + Math.max(120, f);
+        double after = rung.isExact() ? -Math.max(120, f) : f - impulse;       // f - J, with J whole or as stored
         text.append("; f = ").append(f).append(": J = ").append(probe.impulse);
-        return probe.impacts == 1 && probe.impulse == impulse && bodies.vx[0] == f - impulse
-            && bodies.vx[1] == -f + impulse;
+        return probe.impacts == 1 && probe.impulse == impulse && bodies.vx[0] == after
+            && bodies.vx[1] == -after;
     }
 
     private static boolean squeeze(Rung rung, StringBuilder text) {
