@@ -52,6 +52,11 @@ public final class DoubleDouble {
         return this;
     }
 
+    /** Two doubles of which the first is the larger in magnitude (or 0), as their exact sum. */
+    public DoubleDouble setFastSum(double large, double small) {
+        return normalize(large, small);
+    }
+
     /** The exact difference. */
     public DoubleDouble setDifference(double a, double b) {
         return setSum(a, -b);

@@ -1,5 +1,5 @@
 /**
- * Small, static, exact things that everything above relies on: the random numbers of a match and the hash of a
- * state. This room knows nothing else of Steward.
+ * Small, exact things that everything above relies on: the random numbers of a match, the hash of a state, and
+ * arithmetic beyond doubles (errors of sums and products, double-doubles, exact sums). This room knows nothing else of Steward.
  */
 package steward.numerics;

@@ -1,16 +1,17 @@
 package steward.physics;
 
 import steward.numerics.DoubleDouble;
+import steward.numerics.ErrorFree;
 import steward.numerics.Expansion;
 
 /*
  * |d + v t| = s with a = v.v, b = d.v, c = d.d - s^2, D = a s^2 - (d x v)^2, as in TimeOfImpact. The differences d and
  * v of two doubles and the sum s of two are exactly two doubles each. b and c are sums of products of these, D has one
- * more level of products. Each is computed in double-double first; where more than 36 bits cancel, which leaves 66
- * sure ones, and also before any decision in which they count, the exact expansion takes its place. So signs are right,
- * and relative errors are below 2^-64:
+ * more level of products. First each is computed as the rounded value and the sum of all errors and low parts, which is
+ * good to some units of u^2 = 2^-106 of the terms; where 36 bits or more of these cancel, the exact expansion takes its
+ * place. So signs are right, and relative errors are below 40 * 2^-106 * 2^36 < 2^-64:
  *
- *     b: 13 u^2 per |dx vx| + |dy vy|        c: 18 u^2 per d.d + s^2        D: 40 u^2 per a s^2 + (d x v)^2
+ *     b: 12 u^2 per |dx vx| + |dy vy|        c: 20 u^2 per d.d + s^2        D: 40 u^2 per a s^2 + (d x v)^2
  *
  * d x v itself can cancel, when the flight is almost central; then its square is small against a s^2, and what the
  * products lost counts relative to (|dx vy| + |dy vx|)^2. This is the magnitude that D is measured against.
@@ -105,41 +106,68 @@ final class ExactCircles {
     }
 
     private void computeB() {
-        work.set(dy).multiply(vy);
-        b.set(dx).multiply(vx);
-        double size = Math.abs(b.high()) + Math.abs(work.high());
-        b.add(work);
-        if (Math.abs(b.high()) <= CANCELLED * size) {
+        double xvx = dx.high() * vx.high();
+        double yvy = dy.high() * vy.high();
+        double rounded = xvx + yvy;
+        double errors = ErrorFree.sumError(xvx, yvy, rounded) + (ErrorFree.productError(dx.high(), vx.high(), xvx)
+            + ErrorFree.productError(dy.high(), vy.high(), yvy));
+        double lows = (dx.high() * vx.low() + dx.low() * vx.high()) + (dy.high() * vy.low() + dy.low() * vy.high());
+        b.setFastSum(rounded, errors + lows);
+        if (Math.abs(rounded) <= CANCELLED * (Math.abs(xvx) + Math.abs(yvy))) {
             sum.clear().addProduct(dx, vx).addProduct(dy, vy).to(b);
         }
     }
 
     private void computeC() {
-        c.set(dx).square();
-        c.add(work.set(dy).square());
-        work.set(s).square();
-        double size = c.high() + work.high();
-        c.subtract(work);
-        if (Math.abs(c.high()) <= CANCELLED * size) {
+        double xx = dx.high() * dx.high();
+        double yy = dy.high() * dy.high();
+        double ss = s.high() * s.high();
+        double squared = xx + yy;
+        double rounded = squared - ss;
+        double errors = ErrorFree.sumError(squared, -ss, rounded) + (ErrorFree.sumError(xx, yy, squared)
+            + (ErrorFree.productError(dx.high(), dx.high(), xx) + ErrorFree.productError(dy.high(), dy.high(), yy)
+            - ErrorFree.productError(s.high(), s.high(), ss)));
+        double lows = dx.high() * dx.low() + dy.high() * dy.low() - s.high() * s.low();
+        c.setFastSum(rounded, errors + 2 * lows);
+        if (Math.abs(rounded) <= CANCELLED * (squared + ss)) {
             sum.clear().addProduct(dx, dx).addProduct(dy, dy).subtractProduct(s, s).to(c);
         }
     }
 
     private void computeA() {
-        a.set(vx).square();
-        a.add(work.set(vy).square());
+        double xx = vx.high() * vx.high();
+        double yy = vy.high() * vy.high();
+        double rounded = xx + yy;
+        a.setFastSum(rounded, ErrorFree.sumError(xx, yy, rounded)
+            + (ErrorFree.productError(vx.high(), vx.high(), xx) + ErrorFree.productError(vy.high(), vy.high(), yy)
+            + 2 * (vx.high() * vx.low() + vy.high() * vy.low())));
+    }
+
+    /** d x v, and the largest magnitude of its terms. */
+    private double computeCross() {
+        double xvy = dx.high() * vy.high();
+        double yvx = dy.high() * vx.high();
+        double rounded = xvy - yvx;
+        double errors = ErrorFree.sumError(xvy, -yvx, rounded) + (ErrorFree.productError(dx.high(), vy.high(), xvy)
+            - ErrorFree.productError(dy.high(), vx.high(), yvx));
+        double lows = (dx.high() * vy.low() + dx.low() * vy.high()) - (dy.high() * vx.low() + dy.low() * vx.high());
+        work.setSum(rounded, errors + lows);
+        return Math.abs(xvy) + Math.abs(yvx);
     }
 
     private void computeDiscriminant() {
         computeA();
-        discriminant.set(dx).multiply(vy);
-        work.set(dy).multiply(vx);
-        double size = Math.abs(discriminant.high()) + Math.abs(work.high());
-        discriminant.subtract(work).square();
-        work.set(s).square().multiply(a);
-        size = size * size + work.high();
-        discriminant.negate().add(work);
-        if (Math.abs(discriminant.high()) <= CANCELLED * size) {
+        double size = computeCross();
+        double cross = work.high();
+        double crossSquared = cross * cross;
+        double crossLow = ErrorFree.productError(cross, cross, crossSquared) + 2 * cross * work.low();
+        double ss = s.high() * s.high();
+        double ssLow = ErrorFree.productError(s.high(), s.high(), ss) + 2 * s.high() * s.low();
+        double ass = a.high() * ss;
+        double assLow = ErrorFree.productError(a.high(), ss, ass) + (a.high() * ssLow + a.low() * ss);
+        double rounded = ass - crossSquared;
+        discriminant.setFastSum(rounded, ErrorFree.sumError(ass, -crossSquared, rounded) + (assLow - crossLow));
+        if (Math.abs(rounded) <= CANCELLED * (size * size + ass)) {
             squares.clear().addProduct(vx, vx).addProduct(vy, vy);
             others.clear().addProduct(s, s);
             sum.clear().addProduct(squares, others);

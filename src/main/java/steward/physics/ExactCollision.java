@@ -48,7 +48,7 @@ final class ExactCollision extends Collision {
         double by = bodies.y[b];
         normalX.setDifference(bx, ax).add(work.setDifference(flight.lowX(b), flight.lowX(a)));
         normalY.setDifference(by, ay).add(work.setDifference(flight.lowY(b), flight.lowY(a)));
-        ExactWall.normalize(normalX, normalY, distance);
+        ExactWall.normalize(normalX, normalY, distance, work);
         double vax = bodies.vx[a];
         double vay = bodies.vy[a];
         double vbx = bodies.vx[b];
@@ -57,7 +57,8 @@ final class ExactCollision extends Collision {
         invert(bodies.mass[b], inverseB);
         inverse.set(inverseA).add(inverseB);
         first.setDifference(vax, vbx).multiply(normalX)
-            .add(work.setDifference(vay, vby).multiply(normalY)).divide(inverse);
+            .add(work.setDifference(vay, vby).multiply(normalY));
+        divideByInverse();
         takeSecondStep(pairImpulse, elastic ? ELASTIC : Math.min(bodies.restitution[a], bodies.restitution[b]));
         push(bodies, a, inverseA, -1);
         push(bodies, b, inverseB, 1);
@@ -91,7 +92,7 @@ final class ExactCollision extends Collision {
             endApproachToWall(bodies, a, w);
             return;
         }
-        first.divide(inverse);
+        divideByInverse();
         takeSecondStep(wallImpulse, elastic ? ELASTIC : Math.min(bodies.restitution[a], wall.restitution()));
         push(bodies, a, inverse, -1);
         endApproachToWall(bodies, a, w);
@@ -115,6 +116,16 @@ final class ExactCollision extends Collision {
         }
     }
 
+    /** The first step of the impulse from the approach speed; a power of two divides exactly. */
+    private void divideByInverse() {
+        boolean powerOfTwo = inverse.low() == 0 && (Double.doubleToRawLongBits(inverse.high()) << 12) == 0;
+        if (powerOfTwo) {
+            first.multiply(1 / inverse.high());
+        } else {
+            first.divide(inverse);
+        }
+    }
+
     private void takeSecondStep(Impulse law, double restitution) {
         law.toSecondStep(second.set(first), restitution);
         impulse.set(first).add(second);
@@ -123,15 +134,20 @@ final class ExactCollision extends Collision {
     /** Velocities change by the impulse over the mass along the normal. */
     private void push(Bodies bodies, int body, DoubleDouble inverseMass, int sign) {
         if (inverseMass.high() > 0) {
-            work.set(impulse).multiply(inverseMass).multiply(sign);
+            work.set(impulse);
+            if (inverseMass.high() != 1 || inverseMass.low() != 0) {
+                work.multiply(inverseMass);
+            }
+            if (sign < 0) {
+                work.negate();
+            }
             bodies.vx[body] = other.set(work).multiply(normalX).add(bodies.vx[body]).high();
             bodies.vy[body] = other.set(work).multiply(normalY).add(bodies.vy[body]).high();
         }
     }
 
     private double energy() {
-        return work.set(second).subtract(first).multiply(other.set(second).add(first)).multiply(inverse)
-            .multiply(0.5).high();
+        return inverse.high() * work.set(second).subtract(first).high() * (second.high() + first.high()) / 2;
     }
 
     /** Along the line between the stored places, for it is there that they must not approach. */

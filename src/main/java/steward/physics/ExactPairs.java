@@ -87,7 +87,7 @@ final class ExactPairs extends PairTime {
                                      double error) {
         double root = Math.sqrt(discriminant);
         double sum = root - b;
-        double relative = cError / c + (2 * error / root + bError) / sum + 4 * U;
+        double relative = (cError * root * sum + (2 * error + bError * root) * c) / (c * root * sum) + 4 * U;
         return relative < 1 ? Math.max(0, c / sum * (1 - relative) - ROUNDING) : 0;
     }
 

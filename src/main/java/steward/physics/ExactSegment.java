@@ -133,6 +133,6 @@ final class ExactSegment extends ExactWall {
                 normalY.negate();
             }
         }
-        normalize(normalX, normalY, other);
+        normalize(normalX, normalY, other, inverse);
     }
 }

@@ -1,14 +1,15 @@
 package steward.physics;
 
 import steward.numerics.DoubleDouble;
+import steward.numerics.ErrorFree;
 import steward.numerics.Expansion;
 
 /**
  * A wall for the arithmetic {@code EXACT}: whether a body approaches, touches and hits is decided by exact signs, times
  * are computed in double-double. The numbers of the wall count as they are stored: a half-plane's unit vector, of
- * length 1 only to rounding, as the measure of distances from it (the direction of an impulse is made a unit vector again).
- * Where a segment ends, the round end and the flat side go over into each other, and which of the two is hit there,
- * with the same time and normal to the last bits, is decided in double-double.
+ * length 1 only to rounding, as the measure of distances from it (the direction of an impulse is made a unit vector
+ * again). Where a segment ends, the round end and the flat side go over into each other, and which of the two is hit
+ * there, with the same time and normal to the last bits, is decided in double-double.
  *
  * <p>Lengths and speeds have to be from 1e-60 to 1e60 (or 0) for half-planes and segments; arenas take any.
  */
@@ -18,6 +19,7 @@ abstract sealed class ExactWall permits ExactWall.Plane, ExactWall.Ring, ExactSe
     static final double U = 0x1p-53;
 
     private final DoubleDouble time = new DoubleDouble();
+    final DoubleDouble inverse = new DoubleDouble();
 
     static ExactWall of(Wall wall) {
         if (wall instanceof HalfPlane plane) {
@@ -45,22 +47,36 @@ abstract sealed class ExactWall permits ExactWall.Plane, ExactWall.Ring, ExactSe
         return Math.max(0, until * (1 - 4 * U) - ExactPairs.ROUNDING);
     }
 
-    /** Makes a vector a unit vector; of no length, it becomes (1, 0). */
-    static void normalize(DoubleDouble x, DoubleDouble y, DoubleDouble length) {
+    /**
+     * Makes a vector a unit vector; of no length, it becomes (1, 0).
+     *
+     * @param length  becomes the length that it had
+     * @param inverse for use in between
+     */
+    static void normalize(DoubleDouble x, DoubleDouble y, DoubleDouble length, DoubleDouble inverse) {
         if (x.high() == 0 && y.high() == 0) {
             length.set(0);
             x.set(1);
             return;
         }
-        int scale = Math.getExponent(Math.max(Math.abs(x.high()), Math.abs(y.high())));
-        x.scale(-scale);
-        y.scale(-scale);
-        double squareHigh = length.set(x).square().high();
-        double squareLow = length.low();
-        length.set(y).square().add(squareHigh).add(squareLow).squareRoot();
-        x.divide(length);
-        y.divide(length);
-        length.scale(scale);
+        double size = Math.max(Math.abs(x.high()), Math.abs(y.high()));
+        int scale = size > 0x1p-300 && size < 0x1p300 ? 0 : Math.getExponent(size);
+        if (scale != 0) {
+            x.scale(-scale);
+            y.scale(-scale);
+        }
+        double xx = x.high() * x.high();
+        double yy = y.high() * y.high();
+        double squared = xx + yy;
+        length.setFastSum(squared, ErrorFree.sumError(xx, yy, squared)
+            + (ErrorFree.productError(x.high(), x.high(), xx) + ErrorFree.productError(y.high(), y.high(), yy)
+            + 2 * (x.high() * x.low() + y.high() * y.low()))).squareRoot();
+        inverse.set(1).divide(length);
+        x.multiply(inverse);
+        y.multiply(inverse);
+        if (scale != 0) {
+            length.scale(scale);
+        }
     }
 
     /** g / w with g = (p - q).n - radius, w = -v.n: the signs of both are exact. */
@@ -115,7 +131,7 @@ abstract sealed class ExactWall permits ExactWall.Plane, ExactWall.Ring, ExactSe
         void normal(DoubleDouble x, DoubleDouble y, DoubleDouble normalX, DoubleDouble normalY) {
             normalX.set(-plane.insideX());
             normalY.set(-plane.insideY());
-            normalize(normalX, normalY, length);
+            normalize(normalX, normalY, length, inverse);
         }
     }
 
@@ -150,7 +166,7 @@ abstract sealed class ExactWall permits ExactWall.Plane, ExactWall.Ring, ExactSe
         void normal(DoubleDouble x, DoubleDouble y, DoubleDouble normalX, DoubleDouble normalY) {
             normalX.set(x).add(-arena.x());
             normalY.set(y).add(-arena.y());
-            normalize(normalX, normalY, length);
+            normalize(normalX, normalY, length, inverse);
         }
     }
 }
