@@ -163,13 +163,29 @@ function traceWall(ctx, view, wall, field) {
   } else if (wall.radius !== undefined) {
     circle(ctx, view.x(wall.x), view.y(wall.y), wall.radius * view.scale);
   } else if (wall.insideX !== undefined) {
-    const far = 2 * Math.max(field.width, field.height) / Math.hypot(wall.insideX, wall.insideY);
-    moveTo(ctx, view, wall.x - wall.insideY * far, wall.y + wall.insideX * far);
-    lineTo(ctx, view, wall.x + wall.insideY * far, wall.y - wall.insideX * far);
+    const [from, to] = partWithin(field, wall.x, wall.y, -wall.insideY, wall.insideX);
+    if (from > to) return;
+    moveTo(ctx, view, wall.x - wall.insideY * from, wall.y + wall.insideX * from);
+    lineTo(ctx, view, wall.x - wall.insideY * to, wall.y + wall.insideX * to);
   } else if (wall.ax !== undefined) {
     moveTo(ctx, view, wall.ax, wall.ay);
     lineTo(ctx, view, wall.bx, wall.by);
   }
+}
+
+/** The part of a straight line that is in the field, edges included: from and to, in steps (dx, dy) from (x, y). */
+function partWithin(field, x, y, dx, dy) {
+  let [from, to] = [-Infinity, Infinity];
+  for (const [at, step, low, high] of [[x, dx, field.left, field.right], [y, dy, field.top, field.bottom]]) {
+    if (step === 0) {
+      if (at < low || at > high) return [1, 0];
+    } else {
+      const [one, other] = [(low - at) / step, (high - at) / step];
+      from = Math.max(from, Math.min(one, other));
+      to = Math.min(to, Math.max(one, other));
+    }
+  }
+  return [from, to];
 }
 
 /** Words around a point, readable on any ground; given a view, they are moved into it. */
