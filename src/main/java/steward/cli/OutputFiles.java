@@ -33,9 +33,7 @@ final class OutputFiles {
      * @throws InputException if it cannot be written, or exists and is not to be overwritten
      */
     static OutputStream open(Path file, boolean overwrite) {
-        if (Files.isDirectory(file)) {
-            throw new InputException(file + ": found a folder, expected the name of a file");
-        }
+        check(file, overwrite);
         OpenOption[] options = overwrite
             ? new OpenOption[] {StandardOpenOption.WRITE, StandardOpenOption.CREATE,
                 StandardOpenOption.TRUNCATE_EXISTING}
@@ -46,6 +44,20 @@ final class OutputFiles {
             throw exists(file);
         } catch (IOException problem) {
             throw new InputException(file + ": cannot be written: " + reason(file, problem));
+        }
+    }
+
+    /**
+     * Opens nothing.
+     *
+     * @throws InputException if it is a folder, or exists and is not to be overwritten
+     */
+    static void check(Path file, boolean overwrite) {
+        if (Files.isDirectory(file)) {
+            throw new InputException(file + ": found a folder, expected the name of a file");
+        }
+        if (!overwrite && Files.exists(file)) {
+            throw exists(file);
         }
     }
 

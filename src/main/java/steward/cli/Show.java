@@ -10,6 +10,7 @@ import java.net.URI;
 import java.net.UnknownHostException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.concurrent.CompletableFuture;
 import steward.live.LiveRecording;
 import steward.live.LiveServer;
@@ -37,8 +38,9 @@ final class Show implements AutoCloseable {
     private final boolean open;
     private final LiveRecording recording = new LiveRecording();
     private Path page;
+    /** Where the page is written: beside its place, or at it if that is a device. */
+    private Path part;
     private OutputStream pageFile;
-    private boolean pageWritten;
     private LiveServer server;
 
     private Show(Streams streams, PrintStream said, String title, boolean open) {
@@ -78,8 +80,19 @@ final class Show implements AutoCloseable {
         if (OutputFiles.isSame(path, replay)) {
             throw new InputException("--view: found the file of --out, expected another one");
         }
-        pageFile = OutputFiles.open(path, overwrite || typed == null);
+        OutputFiles.check(path, overwrite || typed == null);
         page = path;
+        // What is there stays until there is a new page: that is written beside it, and moved when it is whole.
+        part = Files.exists(path) && !Files.isRegularFile(path) ? path
+            : path.resolveSibling("." + path.getFileName() + "." + ProcessHandle.current().pid() + ".part");
+        try {
+            pageFile = OutputFiles.open(part, true);
+        } catch (InputException problem) {
+            throw new InputException(problem.getMessage().replace(part.toString(), path.toString()));
+        }
+        if (part != page) {
+            part.toFile().deleteOnExit();                                // also after Ctrl-C
+        }
     }
 
     private static LiveServer serve(ShowOptions options, String title, LiveRecording recording) {
@@ -128,7 +141,7 @@ final class Show implements AutoCloseable {
         recording.close();
         if (page != null) {
             Pages.write(pageFile, html(), page);
-            pageWritten = true;
+            movePage();
             said.println("Page: " + page);
             said.flush();
             if (open && server == null) {
@@ -138,6 +151,17 @@ final class Show implements AutoCloseable {
         }
         if (server != null) {
             server.awaitDelivery(DELIVERY_MS, COPY_MS);
+        }
+    }
+
+    private void movePage() {
+        try {
+            pageFile.close();
+            if (part != page) {
+                Files.move(part, page, StandardCopyOption.REPLACE_EXISTING);
+            }
+        } catch (IOException problem) {
+            throw new FailedException(page + ": cannot be written: " + problem.getMessage());
         }
     }
 
@@ -162,8 +186,8 @@ final class Show implements AutoCloseable {
             if (pageFile != null) {
                 pageFile.close();
             }
-            if (page != null && !pageWritten) {
-                Files.deleteIfExists(page);
+            if (part != null && part != page) {
+                Files.deleteIfExists(part);
             }
         } catch (IOException problem) {
             streams.warn(page + ": cannot be closed: " + problem.getMessage());

@@ -22,6 +22,8 @@ import steward.replay.ReplayPage;
  */
 public final class LiveServer implements AutoCloseable {
 
+    private static final String REQUEST_LIMIT = "sun.net.httpserver.maxReqTime";
+
     /** How many can follow a match at the same time. */
     public static final int MOST_VIEWERS = 16;
 
@@ -57,6 +59,11 @@ public final class LiveServer implements AutoCloseable {
      * @throws IOException if the host is not known or the port is taken
      */
     public static LiveServer start(String host, int port, String title, LiveRecording recording) throws IOException {
+        // Seconds for a whole request to come; read once by the JDK's server. Without it a few connections that send
+        // half a request would keep all others out.
+        if (System.getProperty(REQUEST_LIMIT) == null) {
+            System.setProperty(REQUEST_LIMIT, "2");
+        }
         InetAddress address = host == null ? InetAddress.getLoopbackAddress() : InetAddress.getByName(host);
         ByteArrayOutputStream page = new ByteArrayOutputStream();
         ReplayPage.writeLive(page, title, LiveHandler.FEED, LiveHandler.COPY);

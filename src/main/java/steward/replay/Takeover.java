@@ -114,13 +114,13 @@ public final class Takeover {
         return unfinished("the recording ends");
     }
 
-    /** Who of the others is in, but did nothing in this turn; or {@code null}. */
+    /** Who of the others is in, but neither did anything in this turn nor failed; or {@code null}. */
     private String missing(RecordedTurn recorded) {
         for (int other = 0; other < game.players(); other++) {
-            if (other != conversation.player() && game.isIn(other) && !recorded.hasCommand(other)) {
-                String fault = recorded.faults()[other];
+            if (other != conversation.player() && game.isIn(other) && !recorded.hasCommand(other)
+                && recorded.faults()[other] == null) {
                 return "of " + match.header().names().get(other) + " no command was recorded in turn "
-                    + recorded.number() + (fault == null ? "" : ": " + fault);
+                    + recorded.number();
             }
         }
         return null;
@@ -148,6 +148,9 @@ public final class Takeover {
             if (player != conversation.player()) {
                 if (game.isIn(player)) {
                     record(turn, recorded, player);
+                    if (turn.fault(player) != null) {
+                        game.eliminate(player, turn.fault(player));      // who failed then fails now
+                    }
                 }
             } else if (fed != null && fed.fault() == null) {
                 turn.answer(player, conversation.message(), conversation.answer().stderr(),

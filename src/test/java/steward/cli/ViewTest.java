@@ -11,6 +11,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -102,6 +104,23 @@ class ViewTest {
         assertPage(page, "pilot-0 against pilot-1");
         assertEquals(ExitStatus.DONE, Cli.run(match("--view", page.toString(), "--overwrite")).status());
         assertPage(page, "near against far");
+    }
+
+    /** The old page was gone although nothing was played. */
+    @Test
+    void aPageThatExistsStaysUntilThereIsANewOne() throws IOException {
+        Path page = Files.writeString(folder.resolve("x.html"), "precious");
+        refused("/nonexistent/a.jsonl",
+            match("--view", page.toString(), "--overwrite", "--out", "/nonexistent/a.jsonl"));
+        assertEquals("precious", Files.readString(page));
+        if (Files.isWritable(Path.of("/dev/full"))) {
+            assertEquals(ExitStatus.FAILED,
+                Cli.run(match("--view", page.toString(), "--out", "/dev/full", "--overwrite")).status());
+            assertEquals("precious", Files.readString(page));
+        }
+        try (Stream<Path> left = Files.list(folder)) {
+            assertEquals(List.of(), left.filter(file -> file.toString().endsWith(".part")).toList());
+        }
     }
 
     private void refused(String message, String... call) {

@@ -100,15 +100,15 @@ class TakeoverTest {
     }
 
     @Test
-    void anOpponentWhoFailedThenEndsTheMatchThere() {
+    void anOpponentWhoFailedThenFailsAgain() {
         Bot failing = new FeedTest.Altered(seeded(1), 9, answer -> "nonsense");
         Recorded recorded = Recorded.of(TestScenes.open("duel"), SEED, List.of(seeded(0), failing));
         Takeover.Outcome outcome = play(recorded, 0, 5, seeded(0));
-        assertNull(outcome.result());
-        assertTrue(outcome.reason().startsWith("of P1 no command was recorded in turn 9: "), outcome.reason());
-        assertEquals(8, outcome.turns());
-        assertEquals(8, written().verify().turns());
-        assertTrue(written().verify().verified());
+        assertNotNull(outcome.result());
+        assertEquals(0, outcome.result().winner());
+        assertEquals(recorded.result().players().get(1).fault(), outcome.result().players().get(1).fault());
+        assertEquals(9, outcome.turns());
+        assertEquals(new Verification(9, null, null), written().verify());
     }
 
     @Test
