@@ -5,8 +5,8 @@ import steward.numerics.ErrorFree;
 import steward.numerics.Expansion;
 
 /**
- * A wall for the arithmetic {@code EXACT}: whether a body approaches, touches and hits is decided by exact signs, times
- * are computed in double-double. The numbers of the wall count as they are stored: a half-plane's unit vector, of
+ * A wall for the arithmetic {@code EXACT}: whether a body approaches, touches and hits is decided by exact signs,
+ * times are computed in double-double. The numbers of the wall count as they are stored: a half-plane's unit vector, of
  * length 1 only to rounding, as the measure of distances from it (the direction of an impulse is made a unit vector
  * again). Where a segment ends, the round end and the flat side go over into each other, and which of the two is hit
  * there, with the same time and normal to the last bits, is decided in double-double.
