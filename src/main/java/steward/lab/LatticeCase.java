@@ -28,7 +28,7 @@ final class LatticeCase implements StabilityCase {
 
     @Override
     public Seen run(Rung rung, Size size) {
-        int batch = size.pick(500, 10_000, 10_000);
+        int batch = rung.isEvent() ? size.pick(500, 10_000, 10_000) : 500;
         int single = size.pick(60, 300, 2000);
         boolean together = agrees(rung, ImpactLaw.OFFICIAL_POD_RACE, batch);
         boolean alone = agrees(rung, ImpactLaw.PHYSICS, single);

@@ -36,7 +36,7 @@ final class LongRunCase implements StabilityCase {
 
     @Override
     public Seen run(Rung rung, Size size) {
-        int small = bodies == 10 ? 100_000 : bodies == 100 ? 5_000 : 100;
+        int small = bodies == 10 ? 100_000 : bodies == 100 ? 3_000 : 20;
         int normal = bodies == 10 ? 1_000_000 : bodies == 100 ? 1_000_000 : 2_000;
         long wanted = rung.isEvent() ? size.pick(small, normal, 10_000_000) : 1;
         Bodies gas = gas();
@@ -71,7 +71,7 @@ final class LongRunCase implements StabilityCase {
         SplitMix64 random = new SplitMix64(SEED + bodies);
         Bodies gas = new Bodies(bodies);
         int perRow = (int) Math.ceil(Math.sqrt(bodies));
-        double speed = 2000.0 / bodies;                        // at most some ten impacts a turn, however many bodies
+        double speed = 1000.0 / bodies;                        // at most some ten impacts a turn, however many bodies
         for (int k = 0; k < bodies; k++) {
             gas.add(100 * (k % perRow) + 25 + 50 * random.nextDouble(),
                 100 * (k / perRow) + 25 + 50 * random.nextDouble(), 20, 1 + 3 * random.nextDouble());

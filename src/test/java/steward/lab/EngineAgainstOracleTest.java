@@ -68,7 +68,7 @@ class EngineAgainstOracleTest {
     void physicsAmongWalls(Rung rung) {
         Wall[] box = Wall.box(320, 240, 0.9);
         Wall[] round = {new Arena(120, 80, 230, 1), new Segment(0, 70, 200, 75, 0.7)};
-        for (long seed = 1; seed <= 60; seed++) {
+        for (long seed = 1; seed <= 24; seed++) {
             SplitMix64 random = new SplitMix64(seed);
             Bodies bodies = crowd(random, 100, 300);
             for (int k = 0; k < 6; k++) {
@@ -87,7 +87,7 @@ class EngineAgainstOracleTest {
     @MethodSource("rungs")
     void theOfficialLaw(Rung rung) {
         int compared = 0;
-        for (long seed = 1; seed <= 300; seed++) {
+        for (long seed = 1; seed <= 100; seed++) {
             SplitMix64 random = new SplitMix64(seed);
             Bodies bodies = crowd(random, 75, 100);
             List<OracleBody> truth = OracleBody.of(bodies);
@@ -102,6 +102,6 @@ class EngineAgainstOracleTest {
             }
             compared += same ? 1 : 0;
         }
-        assertTrue(compared >= 285, compared + " of 300 turns agree");
+        assertTrue(compared >= 95, compared + " of 100 turns agree");
     }
 }

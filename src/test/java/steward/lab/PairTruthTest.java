@@ -37,12 +37,12 @@ class PairTruthTest {
         assertTrue(new PairTruth(pair(-1, 0, 4, 0, 1)).hit(), "overlapping and approaching");
     }
 
-    /** Both must say the same about 5,000 pairs, a third of them grazing, over exponents of +-900. */
+    /** Both must say the same about 2,000 pairs, a third of them grazing, over exponents of +-900. */
     @Test
     void agreesWithTheOracle() {
         Oracle oracle = new Oracle(ImpactLaw.PHYSICS.withMaximumImpacts(1), List.of());
         int hits = 0;
-        for (long seed = 1; seed <= 5000; seed++) {
+        for (long seed = 1; seed <= 2000; seed++) {
             SplitMix64 random = new SplitMix64(seed);
             double off = StrictMath.pow(10, -random.nextInt(1, 16));
             double share = seed % 3 == 0 ? 1 - off : seed % 3 == 1 ? 1 + off : random.nextDouble();
@@ -60,6 +60,6 @@ class PairTruthTest {
                 assertEquals(Digits.ulps(off2, time), truth.ulps(off2), 2, "seed " + seed);
             }
         }
-        assertTrue(hits > 2000, "hits " + hits);
+        assertTrue(hits > 800, "hits " + hits);
     }
 }
