@@ -3,6 +3,7 @@ package steward.lab;
 import java.util.Locale;
 import steward.numerics.SplitMix64;
 import steward.physics.Advance;
+import steward.physics.Arithmetic;
 import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 
@@ -24,7 +25,8 @@ final class OfficialHeapsCase implements StabilityCase {
 
     @Override
     public Seen run(Rung rung, Size size) {
-        int states = size.pick(20_000, 1_000_000, 8_000_000);
+        boolean official = rung.arithmetic() == Arithmetic.OFFICIAL;
+        int states = size.pick(20_000, official ? 8_000_000 : 1_000_000, 8_000_000);
         Advance advance = rung.advance(ImpactLaw.OFFICIAL_POD_RACE);
         SplitMix64 random = new SplitMix64(SEED);
         Probe probe = new Probe();
@@ -48,7 +50,11 @@ final class OfficialHeapsCase implements StabilityCase {
         while (bodies.size() > 0) {
             bodies.remove(bodies.size() - 1);
         }
-        double side = n % 3 == 0 ? 400 + 800 * random.nextDouble() : 1000 + 2000 * random.nextDouble();
+        double side = switch (n % 6) {
+            case 0 -> 100 * random.nextDouble();
+            case 1, 2 -> 400 + 800 * random.nextDouble();
+            default -> 1000 + 2000 * random.nextDouble();
+        };
         double speed = n % 5 == 0 ? 0 : n % 5 == 1 ? 6000 : 1200;
         boolean whole = n % 4 == 0;
         for (int k = 0; k < 4; k++) {
