@@ -3,6 +3,8 @@
 const MOST_SHAPES = 200;
 const MOST_WORDS = 80;
 const FARTHEST = 1e7;
+const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
+const NO_COLOUR = /^(inherit|initial|unset|revert)$/i;     // taken by styles, but no colours
 const SHAPES = { '@line': readLine, '@circle': readCircle, '@text': readText };
 
 /**
@@ -47,13 +49,14 @@ function readText([, x, y, ...words]) {
 }
 
 function readNumber(word) {
-  const number = word === undefined || word === '' ? NaN : Number(word);
+  const number = NUMBER.test(word) ? Number(word) : NaN;
   return Math.abs(number) <= FARTHEST ? number : null;
 }
 
 /** A name or #hex; none at all means the colour of the player. */
 function isColour(word) {
-  return word === undefined || (/^(#[0-9a-f]{3,8}|[a-z]{3,24})$/i.test(word) && CSS.supports('color', word));
+  return word === undefined || (/^(#[0-9a-f]{3,8}|[a-z]{3,24})$/i.test(word)
+    && !NO_COLOUR.test(word) && CSS.supports('color', word));
 }
 
 /** At most so many characters (emoji are not cut in half), with the number of those left out. */
