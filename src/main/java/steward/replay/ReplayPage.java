@@ -10,6 +10,7 @@ import java.util.Arrays;
 import java.util.Base64;
 import java.util.zip.Deflater;
 import java.util.zip.GZIPOutputStream;
+import tools.jackson.core.JacksonException;
 
 /**
  * Writes a replay as one HTML page that shows the match: page, styles, script and replay in a single file that opens
@@ -88,13 +89,23 @@ public final class ReplayPage {
         }
     }
 
-    /** Without the line that was cut. */
+    /** Without the line that was cut; a last line that only lacks its end is whole, as for the reader. */
     private static byte[] upToCut(byte[] replay) {
         int end = replay.length;
         while (end > 0 && replay[end - 1] != '\n') {
             end--;
         }
-        return Arrays.copyOf(replay, end);
+        boolean isWhole = end == replay.length || isObject(Arrays.copyOfRange(replay, end, replay.length));
+        return isWhole ? replay : Arrays.copyOf(replay, end);
+    }
+
+    private static boolean isObject(byte[] line) {
+        try {
+            new JsonLine("last line", line);
+            return true;
+        } catch (JacksonException problem) {
+            return false;
+        }
     }
 
     private static void embed(byte[] replay, OutputStream html) throws IOException {

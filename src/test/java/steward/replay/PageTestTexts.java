@@ -98,7 +98,8 @@ class PageTestTexts {
     void badDrawingsAreShownAsText() {
         List<String> bad = List.of("@line 1 2 3 red", "@line 1 2 3 4 red blue", "@circle 1 2 -3 red", "@circle a b c",
             "@line 1 2 3 NaN red", "@line 1 2 3 Infinity", "@text 5", "@circle 1 2 3 url(http://localhost/)",
-            "@circle 1 2 3 notacolour", "@arrow 1 2 3 4", "@constructor 1 2", "@line 1e300 0 0 0 red");
+            "@circle 1 2 3 notacolour", "@arrow 1 2 3 4", "@constructor 1 2", "@line 1e300 0 0 0 red",
+            "@circle 1 2 3 inherit", "@circle 1 2 3 revert", "@circle 1 2 3 revert-layer", "@circle 0x10 2 3 red");
         browser.open(pages.page(PageTestPages.withStderr(replay, String.join("\n", bad)), "t"), "#turn=3");
         assertEquals(bad, browser.text("#cards .stderr").lines().toList());
         assertHarmless();
@@ -136,6 +137,19 @@ class PageTestTexts {
         assertHarmless();
         browser.open(pages.page(Arrays.copyOf(replay, 200), "t"), "");
         assertTrue(browser.text("#notice").contains("cut off within the header"), browser.text("#notice"));
+        assertHarmless();
+    }
+
+    /** Cut exactly before a line end: that turn is complete, as the reader says. */
+    @Test
+    void aReplayThatWasCutOffBeforeALineEndKeepsItsLastTurn() {
+        String text = new String(replay, StandardCharsets.UTF_8);
+        List<String> lines = text.lines().toList();
+        browser.open(pages.page(String.join("\n", lines.subList(0, 6)).getBytes(StandardCharsets.UTF_8), "t"), "");
+        assertTrue(browser.text("#notice").contains("cut off after turn 5"), browser.text("#notice"));
+        assertEquals(5, browser.number("steward.lastTurn()"));
+        browser.open(pages.page(lines.get(0).getBytes(StandardCharsets.UTF_8), "t"), "");
+        assertTrue(browser.text("#scores").contains("steady"), "the header is complete");
         assertHarmless();
     }
 
