@@ -12,6 +12,7 @@ function momentAt(time) {
 class Match {
   header = null;
   result = null;
+  isAnotherPlayed = false;        // where this match came from
   turns = [];
   impacts = [];
   events = [];
@@ -37,8 +38,12 @@ class Match {
     return false;
   }
 
+  /** A second header, as after a reconnection, is the same or that of another match, which is left out. */
   #setHeader(header) {
-    if (this.header) return false;
+    if (this.header) {
+      this.isAnotherPlayed ||= header.headerHash !== this.header.headerHash;
+      return false;
+    }
     this.header = header;
     for (const description of header.drawing.bodies ?? []) {
       this.descriptions.set(description.id, description);
@@ -77,11 +82,11 @@ class Match {
 
   #collect(turn) {
     for (const impact of turn.impacts) {
-      this.impacts.push({ time: turn.number - 1 + impact.time, impact });
+      this.impacts.push({ time: turn.number - 1 + impact.time, turn: turn.number, impact });
       this.largestImpulse = Math.max(this.largestImpulse, Math.abs(impact.impulse));
     }
     for (const event of turn.events) {
-      this.events.push({ time: turn.number - 1 + event.time, event });
+      this.events.push({ time: turn.number - 1 + event.time, turn: turn.number, event });
     }
     turn.faults.forEach((fault, player) => {
       if (fault !== null) this.faults.push({ time: turn.number, player, fault });
@@ -111,9 +116,9 @@ class Match {
     };
   }
 
-  /** Owner of a body, or null if nobody owns it. */
-  ownerOf(id) {
-    return this.describe(id, this.start?.bodies.get(id)).owner;
+  /** What is known of a body in a turn: from its end, or from its start for a body that ceased to be in it. */
+  describeIn(id, number) {
+    return this.describe(id, this.turn(number)?.bodies.get(id) ?? this.turn(number - 1)?.bodies.get(id));
   }
 
   /** Whether the player was still asked for a command in that turn. */

@@ -5,6 +5,7 @@ const PANEL_MS = 100;           // while playing, texts change no more often tha
 const LINK_MS = 1000;           // nor does the link
 const LONGEST_FRAME = 0.25;     // seconds; a page that was hidden goes on where it was
 const TAP_PIXELS = 8;
+const LOST_MS = 20_000;         // without a connection for so long, a live match is given up
 
 const find = id => document.getElementById(id);
 
@@ -166,8 +167,9 @@ function connectControls(page) {
 }
 
 function onKey(event, actions) {
+  if (find('help').open) return;
   const { target, key } = event;
-  const isElsewhere = target.matches('select, dialog *, summary, input:not([type=range])')
+  const isElsewhere = target.matches('select, summary, input:not([type=range])')
     || (key === ' ' && target.matches('button:focus-visible'));
   if (event.ctrlKey || event.altKey || event.metaKey || isElsewhere || !actions[key]) return;
   event.preventDefault();
@@ -212,19 +214,35 @@ function followLive(page, feed) {
   page.playback.live = true;
   document.body.classList.add('live');
   const events = new EventSource(feed);
-  const stop = () => {
+  let lostSince = null;
+  const close = () => {
     events.close();
     page.playback.live = false;
     document.body.classList.remove('live');
+  };
+  const stop = () => {
+    close();
     keepCopy().catch(() => page.say('The connection is lost: this match can be watched, but no longer saved.'));
   };
+  const giveUp = words => {                      // what Save gives would be nothing, or another match
+    close();
+    document.querySelector('a[download]')?.remove();
+    page.say(words);
+  };
   events.addEventListener('message', event => {
+    lostSince = null;
     page.say('');
     page.addLine(event.data);
-    if (page.match.result) stop();
+    if (page.match.isAnotherPlayed) giveUp('Another match is played here now; reload to see it.');
+    else if (page.match.result) stop();
   });
   events.addEventListener('end', stop);
-  events.addEventListener('error', () => page.say('The connection is lost; trying again.'));
+  events.addEventListener('error', () => {
+    lostSince ??= performance.now();
+    const isOver = events.readyState === EventSource.CLOSED || performance.now() - lostSince > LOST_MS;
+    if (isOver) giveUp('The match has ended early.');
+    else page.say('The connection is lost; trying again.');
+  });
   page.playback.play();
 }
 
@@ -256,9 +274,9 @@ function hookOf(page) {
     },
     bodies: () => page.match.bodiesAt(page.playback.moment).map(body => ({ id: body.id, owner: body.owner,
       ...toWindow(body.x, body.y), radius: body.radius * page.stage.view.scale })),
-    impacts: () => page.match.impacts.map(({ time, impact }) => {
-      const { x, y } = contactOf(page.match, impact);
-      return { time, ...toWindow(x, y), radius: flashRadius(page.match, impact) * page.stage.view.scale };
+    impacts: () => page.match.impacts.map(met => {
+      const { x, y } = contactOf(page.match, met);
+      return { time: met.time, ...toWindow(x, y), radius: flashRadius(page.match, met) * page.stage.view.scale };
     }),
     field: () => {
       const { left, top, right, bottom } = page.stage.field;

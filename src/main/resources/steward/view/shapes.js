@@ -3,25 +3,25 @@
 
 const FONT = 'ui-sans-serif, system-ui, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif';
 
-/** Where two bodies, or a body and a wall, touched. */
-function contactOf(match, impact) {
+/** Where two bodies, or a body and a wall, touched in a turn. */
+function contactOf(match, { impact, turn }) {
   if (impact.wall !== undefined) return { x: impact.bx, y: impact.by };
-  const a = match.describe(impact.a, match.start.bodies.get(impact.a)).radius;
-  const b = match.describe(impact.b, match.start.bodies.get(impact.b)).radius;
+  const a = match.describeIn(impact.a, turn).radius;
+  const b = match.describeIn(impact.b, turn).radius;
   const share = a + b > 0 ? a / (a + b) : 0.5;
   return { x: impact.ax + (impact.bx - impact.ax) * share, y: impact.ay + (impact.by - impact.ay) * share };
 }
 
 /** A flash in units of the field: the stronger the impulse, the larger, against the strongest of the match. */
-function flashRadius(match, impact) {
-  const radius = match.describe(impact.a, match.start.bodies.get(impact.a)).radius;
+function flashRadius(match, { impact, turn }) {
+  const radius = match.describeIn(impact.a, turn).radius;
   const strength = match.largestImpulse > 0 ? Math.abs(impact.impulse) / match.largestImpulse : 0;
   return radius * (0.5 + 1.5 * Math.sqrt(strength));
 }
 
-function drawFlash({ ctx, view, paint, match, theme, turnsPerSecond }, impact, age) {
-  const { x, y } = contactOf(match, impact);
-  const full = Math.max(8, flashRadius(match, impact) * view.scale);
+function drawFlash({ ctx, view, paint, match, theme, turnsPerSecond }, met, age) {
+  const { x, y } = contactOf(match, met);
+  const full = Math.max(8, flashRadius(match, met) * view.scale);
   const radius = theme.isCalm ? full : full * (0.55 + 0.45 * Math.sqrt(age));
   ctx.save();
   ctx.translate(view.x(x), view.y(y));
@@ -40,7 +40,7 @@ function drawFlash({ ctx, view, paint, match, theme, turnsPerSecond }, impact, a
   traceRays(ctx, radius);
   ctx.stroke();
   if (turnsPerSecond <= TURNS_PER_SECOND && age < 0.6) {
-    write({ ctx, paint }, Math.round(Math.abs(impact.impulse)).toString(), 0, -radius - 8, 11, paint.ink, '600');
+    write({ ctx, paint }, Math.round(Math.abs(met.impact.impulse)).toString(), 0, -radius - 8, 11, paint.ink, '600');
   }
   ctx.restore();
 }
@@ -54,12 +54,12 @@ function traceRays(ctx, radius) {
   }
 }
 
-function drawMark({ ctx, view, paint, match, theme, show }, event, age, row) {
+function drawMark({ ctx, view, paint, match, theme, show }, { event, turn }, age, row) {
+  const body = event.body === undefined ? null : match.describeIn(event.body, turn);
   const x = view.x(event.x);
   const y = view.y(event.y);
-  const colour = theme.team(event.body === undefined ? null : match.ownerOf(event.body));
-  const radius = event.body === undefined ? 0 : match.describe(event.body, match.start.bodies.get(event.body)).radius;
-  const size = view.scale * Math.max(radius, 1) * (theme.isCalm ? 1.4 : 1.1 + age);
+  const colour = theme.team(body?.owner ?? null);
+  const size = view.scale * Math.max(body?.radius ?? 0, 1) * (theme.isCalm ? 1.4 : 1.1 + age);
   ctx.globalAlpha = (1 - age) ** 2;
   ctx.strokeStyle = colour;
   ctx.lineWidth = 2;

@@ -158,18 +158,18 @@ class Stage {
   #drawImpacts(scene) {
     const { match, moment, turnsPerSecond } = scene;
     const life = Math.max(FLASH_TURNS, FLASH_SECONDS * turnsPerSecond);
-    for (const { time, impact } of within(match.impacts, moment.time - life, moment.time)) {
-      drawFlash(scene, impact, (moment.time - time) / life);
+    for (const met of within(match.impacts, moment.time - life, moment.time)) {
+      drawFlash(scene, met, (moment.time - met.time) / life);
     }
   }
 
   #drawMarks(scene) {
     const { match, moment } = scene;
     const marks = within(match.events, moment.time - MARK_TURNS, moment.time);
-    marks.forEach(({ time, event }, k) => {
-      const age = (moment.time - time) / MARK_TURNS;
-      const same = marks.slice(0, k).filter(mark => mark.event.x === event.x && mark.event.y === event.y).length;
-      drawMark(scene, event, age, same);
+    marks.forEach((mark, k) => {
+      const age = (moment.time - mark.time) / MARK_TURNS;
+      const { x, y } = mark.event;
+      drawMark(scene, mark, age, marks.slice(0, k).filter(({ event }) => event.x === x && event.y === y).length);
     });
   }
 

@@ -41,8 +41,8 @@ class Timeline {
   }
 
   #drawMarks(ctx, height) {
-    for (const { time, event } of this.match.events) {
-      const owner = event.body === undefined ? null : this.match.ownerOf(event.body);
+    for (const { time, turn, event } of this.match.events) {
+      const owner = event.body === undefined ? null : this.match.describeIn(event.body, turn).owner;
       const row = owner === null ? 0 : owner % 3;
       ctx.fillStyle = this.theme.team(owner);
       circle(ctx, this.toX(time), height * LANE_MARKS + (row - 0.5) * 5, event.kind === 'mark' ? 2.2 : 3);

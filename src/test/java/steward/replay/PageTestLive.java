@@ -134,6 +134,17 @@ class PageTestLive {
         assertTrue(browser.text("#cards .card:nth-child(2)").contains("no answer"));
         assertTrue(browser.text("#cards .card:nth-child(1)").contains("{\"go\":1}"));
         assertTrue(browser.text("#state").contains("round"), browser.text("#state"));
+        addTurn("""
+            {"type":"turn","turn":2,"commands":[{"go":1},null,"wait"],
+             "outcome":{"impacts":[{"time":0.5,"a":9,"b":1,"ax":0,"ay":0,"bx":11,"by":0,"impulse":3,"energy":0}],
+              "state":{"bodies":[{"id":1,"x":-20,"y":30,"radius":9},
+               {"id":9,"x":10,"y":-40,"radius":2,"owner":2,"kind":"drop"}]},"hash":"02"}}
+            """);
+        browser.seek(2, 1);
+        assertEquals(2, browser.number("""
+            (steward.impacts()[1].x - steward.field().left) * 200 / (steward.field().right - steward.field().left)
+              - 100"""), 0.01, "a body that came later has its size");
+        browser.seek(1, 1);
         assertFalse((Boolean) browser.run("return steward.addTurn('{\"type\":\"turn\",\"turn\":1}') ?? false"),
             "a turn that is there already is left out");
     }
