@@ -64,8 +64,10 @@ class StabilityTest {
     void aRungThatMissesEverythingFails() {
         Rung real = Rung.all().get(Rung.all().size() - 1);
         Rung blind = new Rung("blind", true, true, real.arithmetic(), parts -> (bodies, sink) -> { });
-        List<String> unnoticed = StabilityCases.all().stream().filter(each -> !(each instanceof TimeReversalCase
-            || each instanceof LongRunCase || each instanceof RandomPairsCase)).filter(each -> !failsOn(each, blind)).map(StabilityCase::name).toList();
+        List<String> unnoticed = StabilityCases.all().stream()
+            .filter(each -> !(each instanceof TimeReversalCase || each instanceof LongRunCase))
+            .filter(each -> !(each instanceof RandomPairsCase))
+            .filter(each -> !failsOn(each, blind)).map(StabilityCase::name).toList();
         assertEquals(List.of("mirror images", "inelastic collapse", "four dense pods", "rounding"), unnoticed,
             "these only demand that something does not happen");
     }
