@@ -7,6 +7,7 @@ const MOST_MESSAGE = 280;
 const MOST_STDERR = 6000;
 const MOST_ROWS = 60;
 const MOST_ACROSS = 6;          // with more bodies than this, each has a row instead of a column
+const MOST_ABREAST = 6;         // with more players than this, their scores take several rows
 
 /** An element with a class, text and children. */
 function element(tag, className, text, ...children) {
@@ -32,6 +33,7 @@ class Scores {
     this.cells = match.players.map((_, player) => this.#makeCell(player));
     const middle = Math.ceil(this.cells.length / 2);
     root.classList.toggle('many', this.cells.length > 2);
+    root.classList.toggle('crowd', this.cells.length > MOST_ABREAST);
     root.replaceChildren(...this.cells.slice(0, middle), this.clock, ...this.cells.slice(middle));
   }
 
@@ -71,7 +73,8 @@ class Cards {
 
   #makeCard(player) {
     const card = { time: element('span', 'answer-time'), fault: element('p', 'fault'),
-      command: element('pre', 'command'), message: element('p', 'message'), stderr: element('pre', 'stderr') };
+      command: element('pre', 'command'), words: element('bdi'), stderr: element('pre', 'stderr') };
+    card.message = element('p', 'message', null, card.words);
     card.stderr.tabIndex = 0;
     card.stderr.setAttribute('aria-label', `stderr of ${nameOf(this.match, player)}`);
     card.root = element('article', `card ${teamClass(player)}`, null,
@@ -88,7 +91,8 @@ class Cards {
       show(card.time, this.#timeText(turn, player));
       show(card.fault, turn.faults?.[player] && shorten(turn.faults[player], MOST_MESSAGE));
       show(card.command, this.#commandText(turn, player, command));
-      show(card.message, message && shorten(message, MOST_MESSAGE));
+      show(card.words, message && shorten(message, MOST_MESSAGE));
+      card.message.hidden = card.words.hidden;
       show(card.stderr, shorten(readNotes(turn.stderr?.[player]).text, MOST_STDERR));
     });
   }
