@@ -64,6 +64,8 @@ public final class BotProcess implements Player {
     private int wanted;
     private boolean written;
 
+    private volatile String lastWords;
+
     /** No more questions. */
     private volatile boolean over;
 
@@ -267,8 +269,14 @@ public final class BotProcess implements Player {
             }
         }
         if (stderr != null) {
+            lastWords = polite ? stderr.collect(true) : lastWords;
             stderr.close();
         }
+    }
+
+    @Override
+    public String lastWords() {
+        return lastWords;
     }
 
     /**

@@ -59,6 +59,14 @@ public interface Player extends AutoCloseable {
      */
     void finish(byte[] lines, int length);
 
+    /**
+     * What the player wrote to its stderr after its last answer, bounded; {@code null} when nothing. Known once
+     * {@link #finish} has returned.
+     */
+    default String lastWords() {
+        return null;
+    }
+
     /** The same as {@code finish(null, 0)}. */
     @Override
     default void close() {

@@ -11,6 +11,7 @@ import steward.codingame.GameResultScores;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
 import steward.replay.ReplayPage;
+import tools.jackson.core.JacksonException;
 
 /**
  * One match for an arena tool. Files that exist are replaced: tools make empty ones beforehand.
@@ -37,25 +38,30 @@ record RefereeGame(Streams streams, Contest contest, Path log, Path replay, bool
              OutputStream replayStream = recording == null ? null : OutputFiles.open(recording, true)) {
             GameResultLog gameResult = logStream == null ? null : new GameResultLog();
             result = contest.play(seed, 0, replayStream, gameResult == null ? NOBODY : gameResult);
+            printScores(result, wanted == null ? "seed=" + seed : null);
             if (gameResult != null) {
                 gameResult.write(new BufferedOutputStream(logStream), contest.sceneName(), seed, result);
             }
-        } catch (UncheckedIOException problem) {
+        } catch (UncheckedIOException | JacksonException problem) {
             throw new FailedException("the match could not be brought to a result: " + problem.getMessage());
         } catch (IOException problem) {
             throw new FailedException("a file cannot be closed: " + problem.getMessage());
-        }
-        for (int score : GameResultScores.of(result)) {
-            streams.out().println(score);
-        }
-        if (wanted == null) {
-            streams.out().println("seed=" + seed);
         }
         if (page) {
             streams.out().println("replay: " + recording);
             streams.out().println("page: " + makePage(recording));
         }
         return ExitStatus.DONE;
+    }
+
+    /** At once: whatever becomes of the files, the match has its result. */
+    private void printScores(MatchResult result, String seed) {
+        for (int score : GameResultScores.of(result)) {
+            streams.out().println(score);
+        }
+        if (seed != null) {
+            streams.out().println(seed);
+        }
     }
 
     private static Path temporary() {

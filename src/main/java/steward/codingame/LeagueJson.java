@@ -3,7 +3,6 @@ package steward.codingame;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.regex.Pattern;
-import steward.game.JsonNumbers;
 import steward.match.MatchResult;
 import steward.match.MatchResult.PlayerResult;
 import tools.jackson.core.JsonGenerator;
@@ -17,7 +16,6 @@ public final class LeagueJson {
 
     private static final String SEED = "seed";
     private static final Pattern WHOLE = Pattern.compile("[-+]?\\d{1,18}");
-    private static final Pattern DECIMAL = Pattern.compile("[-+]?(\\d+\\.?\\d*|\\.\\d+)([eE][-+]?\\d{1,3})?");
 
     private LeagueJson() {
     }
@@ -61,10 +59,8 @@ public final class LeagueJson {
         out.writeName(name);
         if (WHOLE.matcher(value).matches()) {
             out.writeNumber(Long.parseLong(value));
-        } else if (DECIMAL.matcher(value).matches() && Double.isFinite(Double.parseDouble(value))) {
-            JsonNumbers.write(out, Double.parseDouble(value));
         } else {
-            out.writeString(value);
+            out.writeString(value);                   // decimals too: psyleague reads text right and truncates numbers
         }
     }
 

@@ -216,6 +216,11 @@ public final class Referee {
     private void finish() {
         int[] ranks = game.ranks();
         double[] scores = game.scores();
+        for (int player = 0; player < players.size(); player++) {
+            LineBuffer frame = dialogues[player].end(player);
+            players.get(player).finish(frame.bytes(), frame.size());
+            data.read(player, players.get(player).lastWords());
+        }
         data.end();
         List<MatchResult.PlayerResult> results = new ArrayList<>();
         for (int player = 0; player < players.size(); player++) {
@@ -226,10 +231,6 @@ public final class Referee {
         }
         MatchResult matchResult = new MatchResult(game.turn(), game.ending(), results, data.match());
         listener.end(matchResult);
-        for (int player = 0; player < players.size(); player++) {
-            LineBuffer frame = dialogues[player].end(player);
-            players.get(player).finish(frame.bytes(), frame.size());
-        }
         result.complete(matchResult);
     }
 }

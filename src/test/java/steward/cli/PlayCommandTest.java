@@ -47,7 +47,7 @@ class PlayCommandTest {
         assertEquals("[0,0]", json.get("errors").toString());
         assertEquals("{\"seed\":7}", json.get("test_data").toString());
         JsonNode data = json.get("player_data").get(1);
-        assertEquals("0.5", data.get("half").toString());
+        assertEquals("\"0.5\"", data.get("half").toString());
         assertTrue(data.get("turns").isInt());
         JsonNode last = json.get("attributes").get(json.get("attributes").size() - 1);
         assertEquals(List.of("name", "player", "turn", "value"), new ArrayList<>(last.propertyNames()));

@@ -31,20 +31,20 @@ class LeagueJsonTest {
     }
 
     @Test
-    void numbersAreNumbersAndAttributesAreTexts() {
+    void wholeNumbersAreNumbersAndAttributesAreTexts() {
         MatchResult result = new MatchResult(9, "over", List.of(player(1, "late", Map.of("depth", "12.50")),
             player(0, null, Map.of())), Map.of("map", "a\"b", "seed", "99"));
 
         assertEquals("{\"ranks\":[1,0],\"errors\":[1,0],\"test_data\":{\"seed\":-7,\"map\":\"a\\\"b\"},"
-            + "\"player_data\":[{\"depth\":12.5},{}],\"attributes\":["
+            + "\"player_data\":[{\"depth\":\"12.50\"},{}],\"attributes\":["
             + "{\"name\":\"map\",\"player\":null,\"turn\":null,\"value\":\"a\\\"b\"},"
             + "{\"name\":\"depth\",\"player\":0,\"turn\":null,\"value\":\"12.50\"}]}",
             json(-7, result, new LeagueAttributes()));
     }
 
     @Test
-    void onlyWhatIsANumberToEverybodyIsOne() {
-        for (String[] pair : new String[][] {{"7", "7"}, {"-07", "-7"}, {"+1.5", "1.5"}, {"1e3", "1000"}, {".5", "0.5"},
+    void onlyWholeNumbersAreNumbers() {
+        for (String[] pair : new String[][] {{"7", "7"}, {"-07", "-7"}, {"0.9", "\"0.9\""}, {"1e3", "\"1e3\""},
             {"1e999", "\"1e999\""}, {"NaN", "\"NaN\""}, {"0x10", "\"0x10\""}, {"1d", "\"1d\""}, {"", "\"\""},
             {"1 2", "\"1 2\""}}) {
             MatchResult result = new MatchResult(1, "over", List.of(player(0, null, Map.of())), Map.of("k", pair[0]));

@@ -25,6 +25,8 @@ public final class SimulatorProtocol {
     private static final int PODS = 4;
     private static final int STATE_FIELDS = 8;
     private static final int MAXIMUM_CHECKPOINTS = 1000;
+    /** Places, speeds and angles beyond this are slips; much larger ones would end in infinity. */
+    private static final double MOST = 1e9;
 
     private final PodRaceType.PodRaceSetup setup;
     private final BufferedReader in;
@@ -161,8 +163,8 @@ public final class SimulatorProtocol {
         } catch (NumberFormatException problem) {
             value = Double.NaN;
         }
-        if (!Double.isFinite(value)) {
-            throw wrong(what + " \"" + shorten(word) + "\"", "a finite number");
+        if (!(Math.abs(value) <= MOST)) {
+            throw wrong(what + " \"" + shorten(word) + "\"", "a number -1e9..1e9");
         }
         return value;
     }
