@@ -23,7 +23,8 @@ import tools.jackson.core.JsonToken;
  * on its own commands are.
  *
  * <p>The others do not see what has changed: their commands are applied as they are. The match ends when the rules say
- * so, or where a player who is still in has no recorded command; then the new recording has no result.
+ * so, or where a player who is still in has neither a command nor a fault recorded; then the new recording has no
+ * result.
  */
 public final class Takeover {
 
