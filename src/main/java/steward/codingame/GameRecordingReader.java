@@ -2,6 +2,7 @@ package steward.codingame;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Pattern;
 import tools.jackson.core.JacksonException;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -30,7 +31,11 @@ final class GameRecordingReader {
     private static final int POD_WORDS = 11;
     private static final int IMPACT_WORDS = 9;
 
+    /** A number as JSON and Java write it: no hexadecimal, no suffix, no name. */
+    private static final Pattern NUMBER = Pattern.compile("[-+]?[0-9]+(\\.[0-9]+)?([eE][-+]?[0-9]+)?");
+
     private final String source;
+    private int checkpointCount;
 
     private GameRecordingReader(String source) {
         this.source = source;
@@ -65,6 +70,7 @@ final class GameRecordingReader {
         }
         String[] view = view(frames.get(0), 0);
         double[][] checkpoints = checkpoints(view);
+        checkpointCount = checkpoints.length;
         List<GameRecording.Pod> start = pods(view, FIRST_POD_LINE_OF_START, 0);
         List<Integer> ranks = ranks(result.get("ranks"));
         return new GameRecording(checkpoints, start, turns(frames, !ranks.isEmpty()), ranks);
@@ -115,7 +121,7 @@ final class GameRecordingReader {
             double heading = words[8].equals("null") ? Double.NaN : number(words[8], frame, line);
             pods.add(new GameRecording.Pod(number(words[0], frame, line) + 0.0, number(words[1], frame, line) + 0.0,
                 number(words[2], frame, line) + 0.0, number(words[3], frame, line) + 0.0, heading,
-                whole(words[9], 1, frame, line) == 1, whole(words[10], Integer.MAX_VALUE, frame, line)));
+                whole(words[9], 1, frame, line) == 1, whole(words[10], checkpointCount - 1, frame, line)));
         }
         return pods;
     }
@@ -125,6 +131,10 @@ final class GameRecordingReader {
         List<List<String>> commands = new ArrayList<>();
         for (int k = 1; k < frames.size(); k++) {
             JsonNode frame = frames.get(k);
+            if (!frame.isObject()) {
+                throw new IllegalArgumentException(source + ": frame " + k + ": found " + frame
+                    + ", expected an object");
+            }
             if (frame.path("agentId").asInt(0) < 0) {
                 continue;                             // the referee speaks
             }
@@ -227,13 +237,13 @@ final class GameRecordingReader {
             return ranks;
         }
         for (JsonNode rank : node) {
-            if (rank.isInt()) {
+            if (rank.isInt() && rank.intValue() >= 0 && rank.intValue() < GameRecording.PLAYERS) {
                 ranks.add(rank.intValue());
             }
         }
         if (!node.isArray() || ranks.size() != node.size() || ranks.size() != GameRecording.PLAYERS) {
             throw new IllegalArgumentException(source + ": ranks: found " + quote(node.toString())
-                + ", expected an array of " + GameRecording.PLAYERS + " whole numbers");
+                + ", expected an array of " + GameRecording.PLAYERS + " whole numbers 0.." + (GameRecording.PLAYERS - 1));
         }
         return ranks;
     }
@@ -248,13 +258,9 @@ final class GameRecordingReader {
     }
 
     private double number(String word, int frame, int line) {
-        try {
-            double value = Double.parseDouble(word);
-            if (Double.isFinite(value)) {
-                return value;
-            }
-        } catch (NumberFormatException problem) {
-            // Told below.
+        double value = NUMBER.matcher(word).matches() ? Double.parseDouble(word) : Double.NaN;
+        if (Double.isFinite(value)) {
+            return value;
         }
         throw wrong(frame, "view line " + line, quote(word), "a finite number");
     }

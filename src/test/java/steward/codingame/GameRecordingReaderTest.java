@@ -71,6 +71,12 @@ class GameRecordingReaderTest {
         "true,\"view\":       | true,\"view\":[1],\"v\": | frame 2, view: found [1], expected a text",
         "\"ranks\":[0,1] | \"ranks\":[\"a\",1] | ranks: found \"[\"a\",1]\", expected an array of 2 whole numbers",
         "\"ranks\":[0,1] | \"ranks\":[0] | ranks: found \"[0]\", expected an array of 2 whole numbers",
+        "\"ranks\":[0,1] | \"ranks\":[0,2] | ranks: found \"[0,2]\", expected an array of 2 whole numbers 0..1",
+        "1 2 0\\n\\\"message \\\"\\n0:100 | 1 3 0\\n\\\"message \\\"\\n0:100 | frame 2, view line 7: found \"3\", "
+            + "expected a whole number 0..2",
+        "0.25 3 1 | 0x1p-2 3 1 | frame 2, view line 11: found \"0x1p-2\", expected a finite number",
+        "9000 1000 5000 | 9000d 1000 5000 | frame 0, view line 3: found \"9000d\", expected a finite number",
+        "{\"stdout\":\"1 2 3\\n1 2 3\\n\",\"keyframe\":false} | 5 | frame 1: found 5, expected an object",
         "\"frames\" | \"frame\" | found no frames, expected CodinGame's game result with an array",
         "\"ranks\":[0,1]}     | \"ranks\":[0,1]       | 1:"})
     void whatIsWrongIsToldWithItsFrameAndLine(String from, String to, String expected) {
