@@ -243,7 +243,8 @@ final class GameRecordingReader {
         }
         if (!node.isArray() || ranks.size() != node.size() || ranks.size() != GameRecording.PLAYERS) {
             throw new IllegalArgumentException(source + ": ranks: found " + quote(node.toString())
-                + ", expected an array of " + GameRecording.PLAYERS + " whole numbers 0.." + (GameRecording.PLAYERS - 1));
+                + ", expected an array of " + GameRecording.PLAYERS + " whole numbers 0.."
+                + (GameRecording.PLAYERS - 1));
         }
         return ranks;
     }
