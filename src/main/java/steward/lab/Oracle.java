@@ -8,8 +8,9 @@ import steward.physics.Wall;
 
 /**
  * A turn from the definitions in {@link Digits#COUNT} decimal digits: find the earliest touch of all pairs and walls,
- * fly there, let it react, look anew. Slow, and meant to be obviously right: no filters, nothing kept from one impact
- * to the next. It reads {@link ImpactLaw} and {@link Wall} as plain data and calls nothing of the physics.
+ * fly there, let it react, look anew. Slow, and meant to be obviously right: nothing is kept from one impact to the
+ * next, and only those who are too far apart to meet in the rest of the turn are not looked at ({@link OracleReach}).
+ * It reads {@link ImpactLaw} and {@link Wall} as plain data and calls nothing of the physics.
  *
  * <p>Where the physics has to decide whether two rounded distances are equal, the oracle takes numbers that agree to
  * {@code COUNT - 16} digits for the same: whoever has flown to a touch touches, whoever slides does not approach.
@@ -90,16 +91,22 @@ final class Oracle {
         List<Touch> touches = new ArrayList<>();
         int size = bodies.size();
         boolean descending = law.scanOrder() == ImpactLaw.ScanOrder.DESCENDING;
+        OracleReach reach = new OracleReach(bodies);
+        double time = left.doubleValue();
         for (int k = 0; k < size; k++) {
             int i = descending ? size - 1 - k : k;
             for (int m = 0; m < (descending ? i : size - 1 - i); m++) {
                 int j = descending ? i - 1 - m : i + 1 + m;
-                add(touches, pair(bodies.get(i), bodies.get(j)), left, i, j);
+                if (!reach.apart(i, j, time)) {
+                    add(touches, pair(bodies.get(i), bodies.get(j)), left, i, j);
+                }
             }
         }
         for (int i = 0; i < size; i++) {
             for (int w = 0; w < walls.size() && bodies.get(i).mass != null; w++) {
-                add(touches, OracleTimes.wall(bodies.get(i), walls.get(w)), left, i, ~w);
+                if (!reach.apart(i, walls.get(w), time)) {
+                    add(touches, OracleTimes.wall(bodies.get(i), walls.get(w)), left, i, ~w);
+                }
             }
         }
         return touches;
