@@ -14,8 +14,9 @@ import steward.match.Seat;
 import steward.match.TimeControl;
 import steward.replay.ReplayHeader;
 import steward.replay.ReplayWriter;
+import steward.scene.Accuracy;
 import steward.scene.SceneFiles;
-import steward.scene.SceneText;
+import steward.scene.SceneReader;
 
 /**
  * A scene and the bots that are to play in it, checked: any number of matches can be played, also at the same time.
@@ -38,21 +39,14 @@ record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double
     record Entrant(String name, String bot, Protocol protocol, List<String> words) {
     }
 
-    /** As {@link #of(String, List, Protocol, double)}; bots without a prefix speak JSON. */
-    static Contest of(String scene, List<String> bots, double timeFactor) {
-        return of(scene, bots, Protocol.JSON, timeFactor);
-    }
-
     /**
-     * Reads the scene and finds the bots; nothing is started.
+     * Finds the bots; nothing is started.
      *
      * @param usual the protocol of bots without a prefix
-     * @throws InputException                if the bots are not as many as the players, one cannot be started, or the
-     *                                       scene does not have its protocol
-     * @throws steward.scene.SceneException if the scene cannot be used
+     * @throws InputException if the bots are not as many as the players, one cannot be started, or the scene does not
+     *                        have its protocol
      */
-    static Contest of(String scene, List<String> bots, Protocol usual, double timeFactor) {
-        GameSetup setup = openScene(scene);
+    static Contest of(GameSetup setup, List<String> bots, Protocol usual, double timeFactor) {
         int players = setup.scene().players();
         if (bots.size() != players) {
             throw new InputException("found " + Words.count(bots.size(), "bot") + ", expected "
@@ -66,8 +60,12 @@ record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double
 
     /** Opens a scene by its path or shipped name. */
     static GameSetup openScene(String scene) {
-        SceneText text = SceneFiles.load(scene);
-        return Games.types().open(text.text(), text.source());
+        return openScene(scene, null);
+    }
+
+    /** @param accuracy the rung to compute it on, or {@code null} for the scene's own */
+    static GameSetup openScene(String scene, Accuracy accuracy) {
+        return Games.types().open(SceneReader.read(SceneFiles.load(scene), accuracy));
     }
 
     private static TimeControl timeControl(GameSetup setup, double factor) {

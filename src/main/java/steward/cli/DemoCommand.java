@@ -6,8 +6,10 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.bot.CommandLine;
+import steward.match.Protocol;
 import steward.replay.ReplayReader;
 import steward.replay.Verification;
 
@@ -30,6 +32,9 @@ final class DemoCommand implements Callable<Integer> {
     @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "Default: ${DEFAULT-VALUE}.")
     private long seed;
 
+    @Mixin
+    private final AccuracyOption accuracy = new AccuracyOption();
+
     DemoCommand(Streams streams) {
         this.streams = streams;
     }
@@ -37,10 +42,10 @@ final class DemoCommand implements Callable<Integer> {
     @Override
     public Integer call() throws InterruptedException {
         Path file = OutputFiles.path(out);
-        Contest contest = Contest.of(SCENE, BOTS, TIME_FACTOR);
+        Contest contest = Contest.of(accuracy.open(SCENE), BOTS, Protocol.JSON, TIME_FACTOR);
         makeFolder(file);
         streams.out().println("steward match --scene " + SCENE + " --bot " + BOTS.get(0) + " --bot " + BOTS.get(1)
-            + " --seed " + seed + " \\");
+            + " --seed " + seed + accuracy.words() + " \\");
         streams.out().println("    --time-factor " + TIME_FACTOR + " --out " + CommandLine.quote(List.of(out))
             + " --overwrite");
         streams.out().println();

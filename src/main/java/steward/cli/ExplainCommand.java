@@ -7,8 +7,10 @@ import java.util.Map;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Help.Ansi;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 import steward.game.GameSetup;
+import steward.scene.AccuracyChoice;
 import steward.scene.PlanTable;
 import steward.scene.Scene;
 
@@ -25,13 +27,16 @@ final class ExplainCommand implements Callable<Integer> {
         description = "A file or one of ${COMPLETION-CANDIDATES}.")
     private String scene;
 
+    @Mixin
+    private final AccuracyOption accuracy = new AccuracyOption();
+
     ExplainCommand(Streams streams) {
         this.streams = streams;
     }
 
     @Override
     public Integer call() {
-        GameSetup setup = Contest.openScene(scene);
+        GameSetup setup = accuracy.open(scene);
         PrintStream out = streams.out();
         out.println("Parts of the engine that " + setup.scene().name() + " needs, and those left out:");
         out.println();
@@ -40,6 +45,9 @@ final class ExplainCommand implements Callable<Integer> {
             String wrapped = Words.wrap(line, ", ", WIDTH, " ".repeat(line.length() - part.why().length()));
             return colours && !part.in() ? Ansi.ON.string("@|faint " + wrapped + "|@") : wrapped;
         }));
+        out.println();
+        AccuracyChoice accuracy = setup.plan().accuracy();
+        out.println(Words.wrap("Accuracy: " + accuracy.rung() + ", " + accuracy.why(), ", ", WIDTH, "  "));
         out.println();
         settings(out, setup.scene());
         return ExitStatus.DONE;

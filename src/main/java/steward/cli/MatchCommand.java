@@ -49,6 +49,9 @@ final class MatchCommand implements Callable<Integer> {
         description = "The scene: a file or one of ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}).")
     private String scene;
 
+    @Mixin
+    private final AccuracyOption accuracy = new AccuracyOption();
+
     @Option(names = "--bot", paramLabel = "BOT", description = "A bot; see below.")
     private List<String> bots = new ArrayList<>();
 
@@ -120,7 +123,7 @@ final class MatchCommand implements Callable<Integer> {
         double factor = noDeadline ? Double.POSITIVE_INFINITY : timeFactor == null ? 1 : timeFactor;
         check(noDeadline || factor > 0 && factor < Double.POSITIVE_INFINITY,
             "--time-factor: found " + factor + ", expected a number above 0");
-        Contest contest = Contest.of(scene, bots, usual.get(), factor);
+        Contest contest = Contest.of(accuracy.open(scene), bots, usual.get(), factor);
         long first = seed != null ? seed : new SplittableRandom().nextLong(DRAWN_SEEDS);
         Path path = out == null ? null : OutputFiles.path(out);
         Report report = json ? Report.JSON : quiet ? Report.LINE : Report.FULL;

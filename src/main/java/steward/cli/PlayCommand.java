@@ -11,6 +11,7 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import steward.codingame.LeagueAttributes;
 import steward.codingame.LeagueJson;
+import steward.game.GameSetup;
 import steward.match.MatchResult;
 import steward.match.Protocol;
 
@@ -47,6 +48,9 @@ final class PlayCommand implements Callable<Integer> {
     private String scene;
 
     @Mixin
+    private final AccuracyOption accuracy = new AccuracyOption();
+
+    @Mixin
     private Pace pace = new Pace();
 
     PlayCommand(Streams streams) {
@@ -55,12 +59,13 @@ final class PlayCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws InterruptedException {
-        int players = Contest.openScene(scene).scene().players();
+        GameSetup setup = accuracy.open(scene);
+        int players = setup.scene().players();
         if (bots.size() != players) {
             throw new InputException("found " + Words.count(bots.size(), "bot") + ", expected "
                 + Words.count(players, "bot") + ", one for each player of the scene");
         }
-        Contest contest = Contest.of(scene, bots, Protocol.CODINGAME, pace.factor(spec));
+        Contest contest = Contest.of(setup, bots, Protocol.CODINGAME, pace.factor(spec));
         long used = seed == null ? RefereeArguments.drawSeed() : seed;
         LeagueAttributes attributes = new LeagueAttributes();
         MatchResult result = contest.play(used, 0, null, attributes);

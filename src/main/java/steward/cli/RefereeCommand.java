@@ -53,6 +53,9 @@ final class RefereeCommand implements Callable<Integer> {
         description = "The scene: a file or one of ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}).")
     private String scene;
 
+    @Mixin
+    private final AccuracyOption accuracy = new AccuracyOption();
+
     @Option(names = {"-league", "-lvl"}, paramLabel = "N",
         description = "Accepted as other referees do; the rules are the scene's.")
     private Integer league;
@@ -91,9 +94,9 @@ final class RefereeCommand implements Callable<Integer> {
                 "--old: expected no -p1, -l, -r or -s with it: the tool has the bots");
             return playOld(factor, wanted);
         }
-        GameSetup setup = Contest.openScene(scene);
+        GameSetup setup = accuracy.open(scene);
         List<String> bots = arguments.bots(setup.scene().players(), setup.scene().name());
-        Contest contest = named(Contest.of(scene, bots, Protocol.CODINGAME, factor), arguments);
+        Contest contest = named(Contest.of(setup, bots, Protocol.CODINGAME, factor), arguments);
         check(log == null || !log.isBlank(), "-l: found no name of a file");
         check(replay == null || !replay.isBlank(), "-r: found no name of a file");
         Path logFile = log == null ? null : OutputFiles.path(log);
@@ -105,7 +108,7 @@ final class RefereeCommand implements Callable<Integer> {
     }
 
     private Integer playOld(double factor, Long wanted) throws InterruptedException {
-        GameSetup setup = Contest.openScene(scene);
+        GameSetup setup = accuracy.open(scene);
         OldReferee referee = new OldReferee(setup, new FileInputStream(FileDescriptor.in), streams.out());
         try {
             TimeControl time = factor == Double.POSITIVE_INFINITY ? TimeControl.UNLIMITED

@@ -26,7 +26,15 @@ public record GameTypes(List<GameType> types) {
      * @throws steward.scene.SceneException if anything about it is wrong
      */
     public GameSetup open(String text, String source) {
-        Scene scene = SceneReader.read(text, source);
+        return open(SceneReader.read(text, source));
+    }
+
+    /**
+     * Has its game read the rest of a scene.
+     *
+     * @throws steward.scene.SceneException if there is no such game, or anything about its blocks is wrong
+     */
+    public GameSetup open(Scene scene) {
         List<String> known = new ArrayList<>();
         for (GameType type : types) {
             if (type.id().equals(scene.gameId())) {

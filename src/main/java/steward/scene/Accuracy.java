@@ -11,6 +11,10 @@ import steward.physics.Arithmetic;
 import steward.physics.EventAdvance;
 import steward.physics.PhysicsParts;
 import steward.physics.StepAdvance;
+import steward.scene.JsonValue.Entry;
+import steward.scene.JsonValue.JsonNumber;
+import steward.scene.JsonValue.JsonObject;
+import steward.scene.JsonValue.JsonText;
 
 /**
  * With how much care a scene is computed: a rung of the ladder from {@code step/1}, the cheapest, to
@@ -132,8 +136,20 @@ public record Accuracy(Way way, int steps, Arithmetic arithmetic) {
         return text();
     }
 
+    /** The block of a scene that says so. */
+    JsonObject json() {
+        Place nowhere = new Place(1, 1);
+        Map<String, Entry> entries = new LinkedHashMap<>();
+        entries.put("advance", new Entry(nowhere, new JsonText(nowhere, way.text())));
+        if (way == Way.STEP) {
+            entries.put("steps", new Entry(nowhere, new JsonNumber(nowhere, Integer.toString(steps))));
+        }
+        entries.put("arithmetic", new Entry(nowhere, new JsonText(nowhere, arithmetic.text())));
+        return new JsonObject(nowhere, entries);
+    }
+
     /** The way to advance with this care. */
-    Advance advance(PhysicsParts parts) {
+    public Advance advance(PhysicsParts parts) {
         return way == Way.STEP ? new StepAdvance(parts, steps) : new EventAdvance(parts);
     }
 

@@ -1,27 +1,65 @@
 package steward.scene;
 
+import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Optional;
 import steward.physics.Arithmetic;
 import steward.physics.StepAdvance;
 
-/** Reads the block {@code accuracy} of a scene. */
+/** Reads the block {@code accuracy} of a scene: a rung of the ladder, or a demand that a rung is then found for. */
 final class AccuracyReader {
+
+    private static final String ERROR = "maxPositionError";
+    private static final String SHARE = "share";
 
     private AccuracyReader() {
     }
 
-    /** @throws SceneException if there is no such rung */
-    static Accuracy read(Block block) {
+    /**
+     * @param scene   the whole file
+     * @param figures where figures of this scene's accuracy may be
+     * @param instead a rung in place of what the file says, or {@code null}
+     * @throws SceneException if there is no such rung, or none is known to meet the demand
+     */
+    static AccuracyChoice read(Block scene, Optional<Path> figures, Accuracy instead) {
+        Block block = scene.block("accuracy");
+        if (block.isThere(ERROR) || block.isThere(SHARE)) {
+            AccuracyDemand demand = new AccuracyDemand(block.positive(ERROR), share(block));
+            block.done();
+            return instead == null ? AccuracyFigures.choose(demand, scene, figures)
+                : called(instead, demand.text());
+        }
+        Accuracy rung = rung(block);
+        if (instead == null) {
+            return AccuracyChoice.stated(rung);
+        }
+        block.done();
+        return called(instead, rung.text());
+    }
+
+    private static AccuracyChoice called(Accuracy instead, String inFile) {
+        return new AccuracyChoice(instead, false, "as the call says; the scene's own is " + inFile);
+    }
+
+    private static double share(Block block) {
+        double share = block.number(SHARE, 0, 1);
+        if (share == 0) {
+            throw block.error(SHARE, block.shown(SHARE), "a number above 0, up to 1");
+        }
+        return share;
+    }
+
+    private static Accuracy rung(Block block) {
         Map<String, Accuracy.Way> ways = new LinkedHashMap<>();
         for (Accuracy.Way way : Accuracy.Way.values()) {
             ways.put(way.text(), way);
         }
         Accuracy.Way way = block.choice("advance", ways);
-        Arithmetic arithmetic = block.choice("arithmetic", Accuracy.arithmetics());
         if (way == Accuracy.Way.EVENT) {
-            return Accuracy.event(arithmetic);
+            return Accuracy.event(block.choice("arithmetic", Accuracy.arithmetics()));
         }
+        Arithmetic arithmetic = block.choice("arithmetic", Accuracy.arithmetics(), Arithmetic.DOUBLE);
         int steps = block.integer("steps", 1, StepAdvance.MOST_STEPS);
         if (arithmetic != Arithmetic.DOUBLE) {
             throw block.error("arithmetic", block.shown("arithmetic"), Accuracy.ONLY_DOUBLE);

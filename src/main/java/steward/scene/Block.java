@@ -28,7 +28,6 @@ public final class Block {
     /** The largest length, mass, speed or impulse that a scene may state; see {@link #positive}. */
     static final double MOST = 1e12;
 
-
     private final String source;
     private final String path;
     private final JsonObject object;
@@ -247,6 +246,35 @@ public final class Block {
     /** This object on one line, as it was read. */
     String json() {
         return JsonTree.write(object);
+    }
+
+    /** Whether the field is there, without asking for it: {@link #done()} may still refuse it. */
+    boolean isThere(String name) {
+        return object.entries().containsKey(name);
+    }
+
+    /** How errors name the file. */
+    String source() {
+        return source;
+    }
+
+    /** The fields as they were read. */
+    Map<String, Entry> entries() {
+        return object.entries();
+    }
+
+    /** The same with another object in a field that has been read to its end; what was asked for stays so. */
+    Block with(String name, JsonObject value) {
+        Map<String, Entry> entries = new LinkedHashMap<>(object.entries());
+        entries.put(name, new Entry(entries.get(name).place(), value));
+        Block changed = new Block(source, path, new JsonObject(object.place(), entries));
+        changed.asked.addAll(asked);
+        children.forEach((key, child) -> {
+            if (!key.equals(pathOf(name))) {
+                changed.children.put(key, child);
+            }
+        });
+        return changed;
     }
 
     private JsonValue ask(String name) {

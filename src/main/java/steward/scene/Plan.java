@@ -70,7 +70,13 @@ public final class Plan {
      * @param reaction as in {@link #physics}
      */
     public Advance advance(Reaction reaction) {
-        return scene.accuracy().advance(physics(reaction));
+        PhysicsParts physics = physics(reaction);
+        return scene.onlooker().look(physics, scene.accuracy().advance(physics));
+    }
+
+    /** The rung that the scene is computed on, and why that one. */
+    public AccuracyChoice accuracy() {
+        return scene.choice();
     }
 
     /** What happens to speeds and positions at the end of a turn. */

@@ -16,12 +16,25 @@ import steward.physics.ImpactLaw;
  * @param truncateVelocity whether speeds are cut to whole numbers at the end of a turn
  * @param roundPosition    whether positions are rounded at the end of a turn
  * @param time             how long a player may take
- * @param accuracy         with how much care it is computed
+ * @param choice           with how much care it is computed, and why so
+ * @param onlooker         sees the ways to advance that games of this scene take from their plan
  * @param root             the whole file, for the game to read its own blocks from and then to call
  *                         {@link Block#done()} on
  */
 public record Scene(String name, String gameId, int players, Optional<Field> field, ImpactLaw law, double drag,
-                    boolean truncateVelocity, boolean roundPosition, Time time, Accuracy accuracy, Block root) {
+                    boolean truncateVelocity, boolean roundPosition, Time time, AccuracyChoice choice,
+                    Onlooker onlooker, Block root) {
+
+    /** With how much care it is computed. */
+    public Accuracy accuracy() {
+        return choice.rung();
+    }
+
+    /** The same scene, its games watched: for measuring turns from within. */
+    public Scene withOnlooker(Onlooker other) {
+        return new Scene(name, gameId, players, field, law, drag, truncateVelocity, roundPosition, time, choice, other,
+            root);
+    }
 
     /**
      * The whole file on one line, fields in the same order and numbers in the same words; characters beyond ASCII are

@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 
 /** Finds scene files: by path, or by the name of one that comes with the program. */
 public final class SceneFiles {
@@ -37,7 +38,8 @@ public final class SceneFiles {
             Path path = Path.of(pathOrName);
             folder = Files.isDirectory(path) && !pathOrName.isEmpty();
             if (Files.exists(path) && !Files.isDirectory(path)) {
-                return new SceneText(decode(Files.readAllBytes(path), pathOrName), pathOrName);
+                return new SceneText(decode(Files.readAllBytes(path), pathOrName), pathOrName,
+                    Optional.of(AccuracyFigures.beside(path)));
             }
         } catch (InvalidPathException e) {
             // No file can have this name, so it is looked up among the shipped ones and reported below.
@@ -72,7 +74,7 @@ public final class SceneFiles {
     }
 
     /** Strict, unlike {@code new String}; a byte order mark is left out. */
-    private static String decode(byte[] bytes, String source) {
+    static String decode(byte[] bytes, String source) {
         try {
             String text = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
             return text.startsWith("\ufeff") ? text.substring(1) : text;

@@ -25,7 +25,17 @@ public final class SceneReader {
      * @throws SceneException if the text is not JSON, or a common field is missing or not as it has to be
      */
     public static Scene read(String text, String source) {
-        Block root = new Block(source, "", JsonTree.read(text, source));
+        return read(new SceneText(text, source), null);
+    }
+
+    /**
+     * The same for a file, whose figures of accuracy may lie beside it. The scene that is read states the rung that it
+     * is computed on, whatever the file says: a replay of it needs no figures.
+     *
+     * @param instead a rung in place of what the file says, or {@code null}
+     */
+    public static Scene read(SceneText text, Accuracy instead) {
+        Block root = new Block(text.source(), "", JsonTree.read(text.text(), text.source()));
         String name = root.text("name");
         if (name.isBlank() || name.chars().anyMatch(Character::isISOControl)) {
             throw root.error("name", root.shown("name"), "a name without control characters");
@@ -36,13 +46,13 @@ public final class SceneReader {
         ImpactLaw law = root.optionalBlock("impacts").map(SceneReader::law).orElse(ImpactLaw.PHYSICS);
         Optional<Block> motion = root.optionalBlock("motion");
         Block time = root.block("time");
+        AccuracyChoice choice = AccuracyReader.read(root, text.figures(), instead);
         return new Scene(name, game, players, field, law,
             motion.map(block -> block.number("drag", 0, 1, 0)).orElse(0.0),
             motion.map(block -> block.choice("velocity", Map.of("truncate", true), false)).orElse(false),
             motion.map(block -> block.choice("position", Map.of("round", true), false)).orElse(false),
             new Time(time.integer("firstAnswerMs", 1, MOST_MS), time.integer("answerMs", 1, MOST_MS)),
-            AccuracyReader.read(root.block("accuracy")),
-            root);
+            choice, Onlooker.NOBODY, choice.stated() ? root : root.with("accuracy", choice.rung().json()));
     }
 
     /** What the block does not name stays as in {@link ImpactLaw#PHYSICS}. */

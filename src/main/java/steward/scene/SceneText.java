@@ -1,10 +1,19 @@
 package steward.scene;
 
+import java.nio.file.Path;
+import java.util.Optional;
+
 /**
  * A scene file, not yet read.
  *
- * @param text   all of it
- * @param source how errors name it
+ * @param text    all of it
+ * @param source  how errors name it
+ * @param figures where the figures of its accuracy would be, there or not; nothing for a text that is no file
  */
-public record SceneText(String text, String source) {
+public record SceneText(String text, String source, Optional<Path> figures) {
+
+    /** A text that is no file. */
+    public SceneText(String text, String source) {
+        this(text, source, Optional.empty());
+    }
 }

@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -132,7 +133,8 @@ class SceneFilesTest {
     @Test
     void aByteOrderMarkIsNotPartOfTheText() throws IOException {
         Path file = Files.writeString(temp.resolve("marked.json"), "\ufeff{}");
-        assertEquals(new SceneText("{}", file.toString()), SceneFiles.load(file.toString()));
+        assertEquals(new SceneText("{}", file.toString(), Optional.of(temp.resolve("marked.accuracy.json"))),
+            SceneFiles.load(file.toString()));
     }
 
     private static Scene fromFolder(String name) {

@@ -1,0 +1,188 @@
+package steward.scene;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * How far off each rung was in the states of a scene that a calibration has seen, and how much work it was: read from
+ * JSON, to look up which rung meets a demand. Figures belong to a scene by its {@link SceneKey} and to a version of the
+ * physics by its {@link PhysicsFingerprint}.
+ *
+ * <p>Those of the shipped scenes come with the program; those of another lie beside the scene file: for
+ * {@code my.json} in {@code my.accuracy.json}.
+ *
+ * @param source  where they were read, for people
+ * @param physics the fingerprint of the physics that they are about
+ * @param key     of the scene that they are about
+ * @param states  how many states were seen
+ * @param rungs   the figures, cheapest rung first
+ */
+public record AccuracyFigures(String source, String physics, String key, int states, List<OfRung> rungs) {
+
+    /** The format that is read and written. */
+    public static final int FORMAT = 1;
+    /**
+     * The shares of states for which an error is kept, as fields are named; a demand for a share between two of them
+     * is held against the next higher one.
+     */
+    public static final List<String> SHARES = List.of("0.5", "0.9", "0.99", "0.999", "0.9999", "1");
+    /** In place of an error: a state where the rung, or the oracle it was held against, came to no end. */
+    public static final String UNKNOWN = "unknown";
+
+    private static final String SUFFIX = ".json";
+    private static final String FIGURES = ".accuracy.json";
+
+    /**
+     * Figures of one rung.
+     *
+     * @param rung   on the ladder
+     * @param work   counted, per turn, in pair tests of the cheapest kind
+     * @param errors in u, for each of {@link #SHARES}: so many states were off by at most this
+     */
+    public record OfRung(Accuracy rung, double work, List<Double> errors) {
+
+        /** The error at the share, or at the next higher one that is kept. */
+        double error(double share) {
+            int k = 0;
+            while (Double.parseDouble(SHARES.get(k)) < share) {
+                k++;
+            }
+            return errors.get(k);
+        }
+    }
+
+    /** Where figures for a scene file are looked for. */
+    public static Path beside(Path scene) {
+        String name = scene.getFileName().toString();
+        String base = name.endsWith(SUFFIX) ? name.substring(0, name.length() - SUFFIX.length()) : name;
+        return scene.resolveSibling(base + FIGURES);
+    }
+
+    /** The resource with the figures of a shipped scene. */
+    public static String resource(String shipped) {
+        return "/steward/accuracy/" + shipped + SUFFIX;
+    }
+
+    /**
+     * @param text   the file
+     * @param source names it in errors
+     * @throws SceneException if it is no such file, or of another format
+     */
+    public static AccuracyFigures read(String text, String source) {
+        Block root = new Block(source, "", JsonTree.read(text, source));
+        int format = root.integer("format", 0, Integer.MAX_VALUE);
+        if (format != FORMAT) {
+            throw root.error("format", Integer.toString(format), FORMAT + ", the one that this version reads");
+        }
+        List<OfRung> rungs = new ArrayList<>();
+        for (Block rung : root.blocks("rungs")) {
+            rungs.add(ofRung(rung));
+        }
+        if (rungs.isEmpty()) {
+            throw root.error("rungs", "none", "at least one");
+        }
+        rungs.sort(Comparator.comparingDouble(OfRung::work));
+        return new AccuracyFigures(source, root.text("physics"), root.text("key"),
+            root.integer("states", 1, Integer.MAX_VALUE), List.copyOf(rungs));
+    }
+
+    private static OfRung ofRung(Block block) {
+        Block errors = block.block("positionErrors");
+        List<Double> values = new ArrayList<>();
+        for (String share : SHARES) {
+            double least = values.isEmpty() ? 0 : values.get(values.size() - 1);
+            boolean unknown = errors.isText(share) && errors.choice(share, Map.of(UNKNOWN, true));
+            values.add(unknown ? Double.POSITIVE_INFINITY : errors.number(share, least, Double.POSITIVE_INFINITY));
+        }
+        try {
+            return new OfRung(Accuracy.parse(block.text("rung")),
+                block.number("work", 0, Double.POSITIVE_INFINITY), List.copyOf(values));
+        } catch (IllegalArgumentException problem) {
+            throw block.error("rung", block.shown("rung"), "a rung of the ladder");
+        }
+    }
+
+    /** The cheapest rung that meets a demand, if there is one. */
+    Optional<OfRung> cheapest(AccuracyDemand demand) {
+        return rungs.stream().filter(rung -> rung.error(demand.share()) <= demand.maxPositionError()).findFirst();
+    }
+
+    /** The rung that is off the least at a share, the cheapest of those that are. */
+    OfRung best(double share) {
+        return rungs.stream().min(Comparator.comparingDouble(rung -> rung.error(share))).get();
+    }
+
+    /**
+     * The rung for a scene that states a demand.
+     *
+     * @param scene  the whole file
+     * @param figures where its own figures may be
+     * @throws SceneException if there are no figures, they are of another scene or physics, or no rung meets the demand
+     */
+    static AccuracyChoice choose(AccuracyDemand demand, Block scene, Optional<Path> figures) {
+        AccuracyFigures found = find(scene, figures);
+        if (!found.physics.equals(PhysicsFingerprint.text())) {
+            throw unusable(scene, "figures in " + found.source + " that another version of the physics has measured",
+                figures, true);
+        }
+        OfRung best = found.best(demand.share());
+        OfRung rung = found.cheapest(demand).orElseThrow(() -> scene.block("accuracy").error("maxPositionError",
+            Wording.number(demand.maxPositionError()) + ", which no rung meets",
+            "at least " + Wording.number(best.error(demand.share())) + ", the error of the best one, "
+                + best.rung().text() + ", in " + AccuracyDemand.percent(demand.share()) + " of " + found.states
+                + " states (" + found.source + ")"));
+        return new AccuracyChoice(rung.rung, false, "the cheapest that is off by " + demand.text() + ": by "
+            + Wording.number(rung.error(demand.share())) + " u, seen in " + found.states + " (" + found.source + ")");
+    }
+
+    /** Figures with the scene's key: those that lie beside it, else those of a shipped scene that says the same. */
+    private static AccuracyFigures find(Block scene, Optional<Path> figures) {
+        String key = SceneKey.of(scene);
+        Optional<AccuracyFigures> own = figures.filter(Files::exists).map(AccuracyFigures::load);
+        if (own.isPresent() && own.get().key.equals(key)) {
+            return own.get();
+        }
+        for (String shipped : SceneFiles.shipped()) {
+            Optional<AccuracyFigures> packed = packed(shipped).filter(each -> each.key.equals(key));
+            if (packed.isPresent()) {
+                return packed.get();
+            }
+        }
+        throw unusable(scene, own.isPresent()
+            ? "figures in " + own.get().source + " of a scene that says something else" : "a demand without figures",
+            figures, own.isPresent());
+    }
+
+    private static SceneException unusable(Block scene, String found, Optional<Path> figures, boolean exist) {
+        return scene.error("accuracy", found, "those of a calibration: steward tradeoff --calibrate "
+            + (figures.isEmpty() ? "SCENE" : scene.source()) + (exist ? " --overwrite" : ""));
+    }
+
+    private static AccuracyFigures load(Path file) {
+        try {
+            return read(SceneFiles.decode(Files.readAllBytes(file), file.toString()), file.toString());
+        } catch (IOException problem) {
+            throw new SceneException(file + ": found a file that cannot be read (" + problem.getMessage()
+                + "), expected the figures of a scene's accuracy");
+        }
+    }
+
+    /** The figures of a shipped scene, if it has been calibrated. */
+    static Optional<AccuracyFigures> packed(String shipped) {
+        try (InputStream in = AccuracyFigures.class.getResourceAsStream(resource(shipped))) {
+            String source = resource(shipped).substring(1);
+            return in == null ? Optional.empty()
+                : Optional.of(read(SceneFiles.decode(in.readAllBytes(), source), source));
+        } catch (IOException problem) {
+            throw new SceneException(shipped + ": found damaged figures (" + problem.getMessage()
+                + "), expected the program to be whole");
+        }
+    }
+}
