@@ -14,6 +14,9 @@ import steward.physics.Wall;
  */
 final class OracleCheck {
 
+    /** So many failures are told in full. */
+    private static final int NAMED = 3;
+
     private final Rung rung;
     private final double tolerance;
     private int worlds;
@@ -53,7 +56,8 @@ final class OracleCheck {
     }
 
     private void fail(String what) {
-        failures += (failures.isEmpty() ? "" : " | ") + what;
+        int wrong = worlds - right - refused;
+        failures += wrong == 1 ? what : wrong <= NAMED ? " | " + what : wrong == NAMED + 1 ? " | ..." : "";
     }
 
     private static double error(Bodies bodies, List<OracleBody> truth) {

@@ -8,6 +8,8 @@ public interface Advance {
      *
      * @param bodies altered in place
      * @param sink   told of impacts and path knots
+     * @throws IllegalArgumentException before anything is altered, if a number is too large to be computed with: it
+     *                                  names the body, what was found and what was expected
      */
     void turn(Bodies bodies, TurnSink sink);
 }

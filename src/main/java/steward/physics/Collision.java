@@ -1,7 +1,10 @@
 package steward.physics;
 
-/** Lets a pair, or a body and a wall, react under a law: impulse, push-out, record. */
-sealed class Collision permits ExactCollision {
+/**
+ * Lets a pair, or a body and a wall, react under a law: impulse, push-out, record. As it is, with the expressions of the
+ * published official referee in their order.
+ */
+sealed class Collision permits CarefulCollision, ExactCollision {
 
     static final double ELASTIC = 1;
     /** A body so far behind a wall, relative to its coordinates, is there by rounding: some units in the last place. */
@@ -11,6 +14,7 @@ sealed class Collision permits ExactCollision {
     final Impulse wallImpulse;
     final boolean elastic;
     final boolean partsForGood;
+    final boolean wallsHaveMinimum;
     final boolean pushes;
     final double pushOut;
     final Wall[] walls;
@@ -20,9 +24,16 @@ sealed class Collision permits ExactCollision {
         wallImpulse = Impulse.of(law, law.minimumImpulseAtWalls());
         elastic = law.restitution() == ImpactLaw.Restitution.ELASTIC;
         partsForGood = !law.separatingPairsReact();
+        wallsHaveMinimum = law.minimumImpulseAtWalls() && law.minimumImpulse() > 0;
         pushes = !Double.isNaN(law.pushOut());
         pushOut = law.pushOut();
         this.walls = walls;
+    }
+
+    /** The reactions of an arithmetic other than {@code EXACT}, which needs to know more. */
+    static Collision of(ImpactLaw law, Arithmetic arithmetic, Wall[] walls) {
+        return arithmetic == Arithmetic.OFFICIAL || law.minimumImpulse() > 0
+            ? new Collision(law, walls) : new CarefulCollision(law, walls);
     }
 
     /** @param b an index, or {@code ~wall} */
@@ -51,15 +62,12 @@ sealed class Collision permits ExactCollision {
         double vby = bodies.vy[b];
         double inverse = bodies.inverseMass[a] + bodies.inverseMass[b];
         double first = (nx * (vax - vbx) + ny * (vay - vby)) / inverse;
-        double second = pairImpulse.secondStep(first,
-            elastic ? ELASTIC : Math.min(bodies.restitution[a], bodies.restitution[b]));
+        double restitution = elastic ? ELASTIC : Math.min(bodies.restitution[a], bodies.restitution[b]);
+        double second = pairImpulse.secondStep(first, restitution);
         double impulse = first + second;
         double massA = bodies.mass[a];
         double massB = bodies.mass[b];
-        bodies.vx[a] = vax - nx * impulse / massA;
-        bodies.vy[a] = vay - ny * impulse / massA;
-        bodies.vx[b] = vbx + nx * impulse / massB;
-        bodies.vy[b] = vby + ny * impulse / massB;
+        pushPair(bodies, a, b, nx, ny, restitution, impulse);
         if (partsForGood) {
             endApproach(bodies, a, b, dx, dy, nx, ny, Math.abs(vax) + Math.abs(vay) + Math.abs(vbx) + Math.abs(vby));
         }
@@ -74,6 +82,23 @@ sealed class Collision permits ExactCollision {
             pushApart(bodies, a, nx, ny, massB == Double.POSITIVE_INFINITY ? -2 * each : -each, time, sink);
             pushApart(bodies, b, nx, ny, massA == Double.POSITIVE_INFINITY ? 2 * each : each, time, sink);
         }
+    }
+
+    /** An impulse along the unit vector from a to b sends the two apart. */
+    void pushPair(Bodies bodies, int a, int b, double nx, double ny, double restitution, double impulse) {
+        double massA = bodies.mass[a];
+        double massB = bodies.mass[b];
+        bodies.vx[a] -= nx * impulse / massA;
+        bodies.vy[a] -= ny * impulse / massA;
+        bodies.vx[b] += nx * impulse / massB;
+        bodies.vy[b] += ny * impulse / massB;
+    }
+
+    /** An impulse against the unit vector to a wall sends a body back. */
+    void pushOffWall(Bodies bodies, int a, double nx, double ny, double restitution, double impulse) {
+        double mass = bodies.mass[a];
+        bodies.vx[a] -= nx * impulse / mass;
+        bodies.vy[a] -= ny * impulse / mass;
     }
 
     void reactWall(Bodies bodies, int a, int w, double time, TurnSink sink) {
@@ -92,11 +117,10 @@ sealed class Collision permits ExactCollision {
             return;
         }
         double first = approach / inverse;
-        double second = wallImpulse.secondStep(first,
-            elastic ? ELASTIC : Math.min(bodies.restitution[a], wall.restitution()));
+        double restitution = elastic ? ELASTIC : Math.min(bodies.restitution[a], wall.restitution());
+        double second = wallImpulse.secondStep(first, restitution);
         double impulse = first + second;
-        bodies.vx[a] = vax - nx * impulse / mass;
-        bodies.vy[a] = vay - ny * impulse / mass;
+        pushOffWall(bodies, a, nx, ny, restitution, impulse);
         endApproachToWall(bodies, a, wall, nx, ny);
         double gap = wall.gap(ax, ay, bodies.radius[a]);
         double reach = gap + bodies.radius[a];

@@ -9,20 +9,27 @@ package steward.physics;
  * bodies that touch while they approach, and each that later runs into something, keep their places (so that no
  * overlap grows) and their velocities; the others fly on. The sink is told once, with the time and the ids.
  *
+ * <p>Numbers so large or small that squares leave the range of doubles are computed in the exact arithmetic, whatever
+ * the scene's; those that it cannot compute either are refused ({@link Advance#turn}).
+ *
  * <p>Caveat: an impact is looked for between the present positions; a body that starts a turn inside another, or behind
  * a wall, reacts at once if it approaches (or if the law lets separating pairs react).
  */
 public final class EventAdvance implements Advance {
 
+    private final PhysicsParts parts;
     private final ImpactLaw law;
     private final Scan[] scans;
     private final ImpactQueue queue;
     private final Flight flight;
     private final Touch touch;
     private final Standstill standstill;
+    /** For turns with numbers that are not {@link Magnitudes ordinary}; made when there is one. */
+    private EventAdvance scaling;
 
     public EventAdvance(PhysicsParts parts) {
         Wall[] walls = parts.walls().toArray(new Wall[0]);
+        this.parts = parts;
         law = parts.law();
         if (parts.arithmetic() == Arithmetic.EXACT) {
             ExactPairs pairs = new ExactPairs(law);
@@ -37,13 +44,20 @@ public final class EventAdvance implements Advance {
             scans = Scan.of(parts, PairTime.of(law, parts.arithmetic()));
             queue = ImpactQueue.of(law);
             flight = new Flight.Plain();
-            touch = Touch.of(parts, new Collision(law, walls), walls);
+            touch = Touch.of(parts, Collision.of(law, parts.arithmetic(), walls), walls);
         }
         standstill = new Standstill(parts);
     }
 
     @Override
     public void turn(Bodies bodies, TurnSink sink) {
+        if (!Magnitudes.areOrdinary(bodies)) {
+            Magnitudes.requireComputable(bodies, parts.walls());
+            if (parts.arithmetic() != Arithmetic.EXACT) {
+                scaling().turn(bodies, sink);
+                return;
+            }
+        }
         int left = law.impactLimit(bodies.size());
         double now = flight.begin(bodies);
         for (;;) {
@@ -70,6 +84,14 @@ public final class EventAdvance implements Advance {
                 unaltered = touch.happens(bodies, queue.a(k), queue.b(k), queue.time(k), sink);
             }
         }
+    }
+
+    private EventAdvance scaling() {
+        if (scaling == null) {
+            scaling = new EventAdvance(new PhysicsParts(law, Arithmetic.EXACT, parts.contacts(), parts.walls(),
+                parts.reaction(), parts.infiniteMasses()));
+        }
+        return scaling;
     }
 
     /** Everybody flies straight for a while. */

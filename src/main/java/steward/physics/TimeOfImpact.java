@@ -4,7 +4,8 @@ package steward.physics;
  * When a flying circle first touches something, in turns from now. "Never" is {@code POSITIVE_INFINITY}. A touch that
  * is there already counts as 0 only while the two approach; a tangent path is a miss. Inputs are finite.
  *
- * <p>All methods are pure; lengths in u, velocities in u per turn.
+ * <p>All methods are pure; lengths in u, velocities in u per turn. Products of up to four of the inputs have to be in the
+ * range of doubles: an {@link EventAdvance} sees to that.
  */
 public final class TimeOfImpact {
 
@@ -142,15 +143,15 @@ public final class TimeOfImpact {
      * @param room radius of the arena less that of the circle: how far the centre may go, at least 0
      */
     public static double arena(double dx, double dy, double vx, double vy, double room) {
-        double speed = Math.sqrt(vx * vx + vy * vy);
-        if (speed == 0) {
-            return NEVER;
-        }
         double b = dx * vx + dy * vy;
         double distance = Math.sqrt(dx * dx + dy * dy);
         double c = (distance - room) * (distance + room);
         if (c >= 0 && b > 0) {
             return 0;
+        }
+        double speed = Math.sqrt(vx * vx + vy * vy);
+        if (speed == 0) {
+            return NEVER;
         }
         double offset = Math.abs(dx * vy - dy * vx);
         double discriminant = (speed * room - offset) * (speed * room + offset);
