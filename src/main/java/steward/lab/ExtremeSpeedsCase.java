@@ -18,8 +18,8 @@ final class ExtremeSpeedsCase implements StabilityCase {
 
     @Override
     public String demand() {
-        return "speeds 1e-310 to 1e200, lengths 1e-310 to 1e300, at walls too: a named refusal or a right answer (oracle, 1e-12), never "
-            + "NaN, infinity or silence, on every event rung";
+        return "speeds 1e-310 to 1e200, lengths 1e-310 to 1e300, at walls too: a named refusal or a right answer "
+            + "(oracle, 1e-12), never NaN, infinity or silence, on every event rung";
     }
 
     @Override

@@ -31,9 +31,9 @@ final class LongRunCase implements StabilityCase {
     @Override
     public String demand() {
         return String.format(Locale.ROOT, "energy within %.0e after 10^6 elastic impacts, on every event rung but "
-            + "official, whose expressions are the server's: it rounds 1 / mass, by which all impulses of a pair are off "
-            + "to the same side; momentum between the walls accounted for to %.0e by m (v after - v before), on every "
-            + "event rung", drift, BOOKS);
+            + "official, whose expressions are the server's: it rounds 1 / mass, by which all impulses of a pair are "
+            + "off to the same side; momentum between the walls accounted for to %.0e by m (v after - v before), on "
+            + "every event rung", drift, BOOKS);
     }
 
     @Override

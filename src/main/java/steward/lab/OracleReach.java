@@ -14,8 +14,8 @@ final class OracleReach {
 
     /** Relative; the doubles are good to some 1e-15. */
     private static final double MARGIN = 1e-9;
-    /** Below, numbers may have lost digits to underflow: nobody is spared. */
-    private static final double LEAST = 1e-290;
+    /** Below, and above its inverse, squares may have lost digits or left the range: nobody is spared. */
+    private static final double LEAST = 1e-140;
     private static final double[] TENTH = new double[300];
 
     static {

@@ -8,17 +8,18 @@ import steward.numerics.ErrorFree;
  *     va' = va - (1 + e) sb q d,   vb' = vb + (1 + e) sa q d,   q = (va - vb).d / d.d,   sb = mb / (ma + mb) = 1 - sa.
  *
  * In plain doubles the energy of an elastic impact is off by the relative error of (1 + e) s q times what is exchanged,
- * some units of u = 2^-53. That of 1 / m or of s is the same at every impact of the same two, so that it adds up, impact
- * after impact; the others go as often one way as the other and grow with the root of the number. So q, s and their
- * products carry what was rounded off (two doubles each, the second good to some u^2), and a velocity is rounded once,
- * when it is stored. That d is rounded does not matter: impulse and approach are measured along the same d.
+ * some units of u = 2^-53. That of 1 / m or of s is the same at every impact of the same two, so that it adds up,
+ * impact after impact; the others go as often one way as the other and grow with the root of the number. So q, s and
+ * their products carry what was rounded off (two doubles each, the second good to some u^2), and a velocity is rounded
+ * once, when it is stored. That d is rounded does not matter: impulse and approach are measured along the same d.
  *
- * The larger mass's share s = L / (L + S) is at least 1/2: 1 - RN(s) is exact, and with what is left of s the smaller's.
+ * The larger mass's share s = L / (L + S) is at least 1/2: 1 - RN(s) is exact, and with what s has left over it is the
+ * smaller's.
  */
 
 /**
- * The reactions of {@link Collision} with the roundings of the impulse put back, for laws without a minimum impulse: the
- * energy of a gas of elastic discs is off by the rounding of stored velocities alone, which does not drift; and a
+ * The reactions of {@link Collision} with the roundings of the impulse put back, for laws without a minimum impulse:
+ * the energy of a gas of elastic discs is off by the rounding of stored velocities alone, which does not drift; and a
  * bounce off an upright or level wall is the exact negative.
  */
 final class CarefulCollision extends Collision {

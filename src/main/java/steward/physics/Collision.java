@@ -1,8 +1,8 @@
 package steward.physics;
 
 /**
- * Lets a pair, or a body and a wall, react under a law: impulse, push-out, record. As it is, with the expressions of the
- * published official referee in their order.
+ * Lets a pair, or a body and a wall, react under a law: impulse, push-out, record. As it is, with the expressions of
+ * the published official referee in their order.
  */
 sealed class Collision permits CarefulCollision, ExactCollision {
 

@@ -4,8 +4,8 @@ package steward.physics;
  * When a flying circle first touches something, in turns from now. "Never" is {@code POSITIVE_INFINITY}. A touch that
  * is there already counts as 0 only while the two approach; a tangent path is a miss. Inputs are finite.
  *
- * <p>All methods are pure; lengths in u, velocities in u per turn. Products of up to four of the inputs have to be in the
- * range of doubles: an {@link EventAdvance} sees to that.
+ * <p>All methods are pure; lengths in u, velocities in u per turn. Products of up to four of the inputs have to be in
+ * the range of doubles: an {@link EventAdvance} sees to that.
  */
 public final class TimeOfImpact {
 
