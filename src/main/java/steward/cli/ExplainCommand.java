@@ -8,6 +8,7 @@ import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import steward.game.GameSetup;
 import steward.scene.AccuracyChoice;
@@ -15,7 +16,8 @@ import steward.scene.PlanTable;
 import steward.scene.Scene;
 
 /** {@code steward explain}: what a scene says, and which parts of the engine it needs. */
-@Command(name = "explain", description = "Prints what a scene says and which parts of the engine it needs, and why.",
+@Command(name = "explain", description = "Prints what a scene says, which parts of the engine it needs and why, and "
+    + "what each adds to the time of a turn.",
     footer = {"", "Example:", "  steward explain walled-race"})
 final class ExplainCommand implements Callable<Integer> {
 
@@ -30,6 +32,9 @@ final class ExplainCommand implements Callable<Integer> {
     @Mixin
     private final AccuracyOption accuracy = new AccuracyOption();
 
+    @Option(names = "--no-prices", description = "Do not measure what the parts cost, which takes two seconds.")
+    private boolean noPrices;
+
     ExplainCommand(Streams streams) {
         this.streams = streams;
     }
@@ -38,16 +43,21 @@ final class ExplainCommand implements Callable<Integer> {
     public Integer call() {
         GameSetup setup = accuracy.open(scene);
         PrintStream out = streams.out();
+        PriceList prices = noPrices ? null : PriceList.measure(streams, setup);
         out.println("Parts of the engine that " + setup.scene().name() + " needs, and those left out:");
         out.println();
         boolean colours = streams.outTerminal() && Ansi.AUTO.enabled();
-        out.print(PlanTable.of(setup.plan(), (part, line) -> {
+        out.print(PlanTable.of(setup.plan(), part -> noPrices ? "" : prices.of(part), (part, line) -> {
             String wrapped = Words.wrap(line, ", ", WIDTH, " ".repeat(line.length() - part.why().length()));
             return colours && !part.in() ? Ansi.ON.string("@|faint " + wrapped + "|@") : wrapped;
         }));
         out.println();
-        AccuracyChoice accuracy = setup.plan().accuracy();
-        out.println(Words.wrap("Accuracy: " + accuracy.rung() + ", " + accuracy.why(), ", ", WIDTH, "  "));
+        if (!noPrices) {
+            out.println(Words.wrap(prices.legend(), " ", WIDTH, ""));
+            out.println();
+        }
+        AccuracyChoice choice = setup.plan().accuracy();
+        out.println(Words.wrap("Accuracy: " + choice.rung() + ", " + choice.why(), ", ", WIDTH, "  "));
         out.println();
         settings(out, setup.scene());
         return ExitStatus.DONE;

@@ -22,7 +22,12 @@ final class Pilots {
 
     /** A play of a scene whose players try to win. Of the games there are, this knows the pod race. */
     static SeededPlay race(GameSetup setup, long seed) {
-        return new SeededPlay(setup, (game, player, random) -> answer((PodRace) game, player, random, false), seed);
+        return new SeededPlay(setup, racing(), seed);
+    }
+
+    /** The players of that play. */
+    static SeededPlay.Script racing() {
+        return (game, player, random) -> answer((PodRace) game, player, random, false);
     }
 
     /** A play of a pod race in which all pods want to stand on the same checkpoint, which nobody leaves. */

@@ -66,6 +66,16 @@ public final class Contacts {
         return contains(pairs, Meaning.ASK) || contains(walls, Meaning.ASK);
     }
 
+    /** Whether any two bodies meet: only then are pairs looked at. */
+    public boolean bodiesMeet() {
+        return contains(pairs, Meaning.BOUNCE) || contains(pairs, Meaning.ASK);
+    }
+
+    /** Whether any body meets walls. */
+    public boolean wallsMeet() {
+        return contains(walls, Meaning.BOUNCE) || contains(walls, Meaning.ASK);
+    }
+
     /** Whether every body bounces off everything: then nobody needs to look anything up. */
     public boolean allBounce() {
         return !contains(pairs, Meaning.NONE) && !contains(walls, Meaning.NONE) && !ask();

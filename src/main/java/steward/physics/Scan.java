@@ -19,10 +19,9 @@ abstract sealed class Scan {
         List<Scan> scans = new ArrayList<>();
         boolean plain = parts.contacts().allBounce() && !parts.infiniteMasses();
         boolean descending = parts.law().scanOrder() == ImpactLaw.ScanOrder.DESCENDING;
-        if (plain) {
-            scans.add(descending ? new DescendingPairs(time) : new AscendingPairs(time));
-        } else {
-            scans.add(new SelectedPairs(time, parts.contacts(), descending));
+        if (parts.contacts().bodiesMeet()) {
+            scans.add(!plain ? new SelectedPairs(time, parts.contacts(), descending)
+                : descending ? new DescendingPairs(time) : new AscendingPairs(time));
         }
         if (!parts.walls().isEmpty()) {
             scans.add(new Walls(wallTime, parts.walls().size(),

@@ -1,12 +1,10 @@
 package steward.scene;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import steward.physics.Advance;
 import steward.physics.Contacts;
-import steward.physics.Contacts.Meaning;
 import steward.physics.ImpactLaw;
 import steward.physics.ImpactLaw.Restitution;
 import steward.physics.Motion;
@@ -28,14 +26,15 @@ public final class Plan {
         this.scene = scene;
         this.contacts = contacts;
         List<Bumper> bumpers = scene.field().map(Field::bumpers).orElse(List.of());
-        walls = meetsWalls(contacts) ? scene.field().map(Field::walls).orElse(List.of()) : List.of();
+        walls = contacts.wallsMeet() ? scene.field().map(Field::walls).orElse(List.of()) : List.of();
         infiniteMasses = infiniteBodies || !bumpers.isEmpty();
         lowestRestitution = DoubleStream.concat(DoubleStream.of(lowestOfBodies),
             DoubleStream.concat(walls.stream().mapToDouble(Wall::restitution),
                 bumpers.stream().mapToDouble(Bumper::restitution))).min().getAsDouble();
         parts = Stream.concat(Stream.of(
-            pairImpacts(), walls(), restitution(), minimumImpulse(), infiniteMasses(bumpers.size()),
-            drag(), velocityRounding(), positionRounding(), reactions(), broadPhase()), gameParts.stream()).toList();
+            pairImpacts(), walls(), restitution(), minimumImpulse(), pushOut(), batchWindow(),
+            infiniteMasses(bumpers.size()), drag(), velocityRounding(), positionRounding(), reactions(),
+            broadPhase()), gameParts.stream()).toList();
     }
 
     /**
@@ -85,93 +84,75 @@ public final class Plan {
     }
 
     private Part pairImpacts() {
-        ImpactLaw law = scene.law();
-        List<String> words = new ArrayList<>(List.of("bodies meet"));
-        if (law.separatingPairsReact()) {
-            words.add("separatingPairs react");
-        }
-        if (law.batchWindow() > 0) {
-            words.add("batchWindow " + Wording.number(law.batchWindow()));
-        }
-        if (law.scanOrder() == ImpactLaw.ScanOrder.DESCENDING) {
-            words.add("scanOrder descending");
-        }
-        if (!Double.isNaN(law.pushOut())) {
-            words.add("pushOut " + Wording.number(law.pushOut()));
-        }
-        boolean in = bodiesMeet(contacts);
-        return new Part("pair impacts", in, in ? String.join(", ", words) : "no two kinds of bodies meet");
+        boolean in = contacts.bodiesMeet();
+        boolean descending = scene.law().scanOrder() == ImpactLaw.ScanOrder.DESCENDING;
+        return new Part(Part.PAIR_IMPACTS, in, !in ? "no two kinds of bodies meet"
+            : descending ? "bodies meet, scanOrder descending" : "bodies meet");
     }
 
     private Part walls() {
         String absent = scene.field().isEmpty() ? "no field"
             : scene.field().get().walls().isEmpty() ? "the field has no walls" : "no kind of bodies meets walls";
-        return new Part("walls", !walls.isEmpty(), walls.isEmpty() ? absent : count(walls.size(), "wall"));
+        return new Part(Part.WALLS, !walls.isEmpty(), walls.isEmpty() ? absent : count(walls.size(), "wall"));
     }
 
     private Part restitution() {
         boolean in = lowestRestitution < 1;
-        return new Part("restitution", in,
+        return new Part(Part.RESTITUTION, in,
             in ? "restitution as low as " + Wording.number(lowestRestitution) : "everything has restitution 1");
     }
 
     private Part minimumImpulse() {
         ImpactLaw law = scene.law();
         if (!(law.minimumImpulse() > 0)) {
-            return new Part("minimum impulse", false, "no minimumImpulse");
+            return new Part(Part.MINIMUM_IMPULSE, false, "no minimumImpulse");
         }
-        return new Part("minimum impulse", true, "minimumImpulse " + Wording.number(law.minimumImpulse())
+        return new Part(Part.MINIMUM_IMPULSE, true, "minimumImpulse " + Wording.number(law.minimumImpulse())
             + (law.minimumImpulseAtWalls() ? ", at walls too" : "")
             + (Double.isNaN(law.deadZone()) ? "" : ", deadZone " + Wording.number(law.deadZone())));
     }
 
+    private Part batchWindow() {
+        ImpactLaw law = scene.law();
+        boolean in = law.separatingPairsReact();
+        return new Part(Part.BATCH_WINDOW, in, !in ? "only approach reacts, one impact at a time"
+            : "separatingPairs react" + (law.batchWindow() > 0
+                ? ", batchWindow " + Wording.number(law.batchWindow()) : ""));
+    }
+
+    private Part pushOut() {
+        double pushOut = scene.law().pushOut();
+        boolean in = !Double.isNaN(pushOut);
+        return new Part(Part.PUSH_OUT, in, in ? "pushOut " + Wording.number(pushOut) : "nobody is pushed");
+    }
+
     private Part infiniteMasses(int bumpers) {
         String why = bumpers > 0 ? count(bumpers, "bumper") : "bodies of mass \"infinite\"";
-        return new Part("infinite masses", infiniteMasses, infiniteMasses ? why : "every mass is finite");
+        return new Part(Part.INFINITE_MASSES, infiniteMasses, infiniteMasses ? why : "every mass is finite");
     }
 
     private Part drag() {
         boolean in = scene.drag() > 0;
-        return new Part("drag", in, in ? "drag " + Wording.number(scene.drag()) : "no drag");
+        return new Part(Part.DRAG, in, in ? "drag " + Wording.number(scene.drag()) : "no drag");
     }
 
     private Part velocityRounding() {
         boolean in = scene.truncateVelocity();
-        return new Part("velocity rounding", in, in ? "velocity truncate" : "velocities stay as they are");
+        return new Part(Part.VELOCITY_ROUNDING, in, in ? "velocity truncate" : "velocities stay as they are");
     }
 
     private Part positionRounding() {
         boolean in = scene.roundPosition();
-        return new Part("position rounding", in, in ? "position round" : "positions stay as they are");
+        return new Part(Part.POSITION_ROUNDING, in, in ? "position round" : "positions stay as they are");
     }
 
     private Part reactions() {
         boolean in = contacts.ask();
-        return new Part("reactions", in, in ? "some contacts ask the game" : "no contact asks the game");
+        return new Part(Part.REACTIONS, in, in ? "some contacts ask the game" : "no contact asks the game");
     }
 
     private Part broadPhase() {
-        return new Part("broad phase", false, "advance " + scene.accuracy().way().text() + " looks at all pairs");
-    }
-
-    private static boolean bodiesMeet(Contacts contacts) {
-        for (int a = 0; a < contacts.kinds(); a++) {
-            for (int b = a; b < contacts.kinds(); b++) {
-                if (contacts.between(a, b) != Meaning.NONE) {
-                    return true;
-                }
-            }
-        }
-        return false;
-    }
-
-    private static boolean meetsWalls(Contacts contacts) {
-        for (int kind = 0; kind < contacts.kinds(); kind++) {
-            if (contacts.withWall(kind) != Meaning.NONE) {
-                return true;
-            }
-        }
-        return false;
+        return new Part(Part.BROAD_PHASE, false, "advance " + scene.accuracy().way().text() + " looks at all pairs");
     }
 
     private static String count(int number, String what) {

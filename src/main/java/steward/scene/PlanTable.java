@@ -1,8 +1,9 @@
 package steward.scene;
 
 import java.util.function.BiFunction;
+import java.util.function.Function;
 
-/** A plan as text: one line per part with in or out, its name and why. */
+/** A plan as text: one line per part with in or out, perhaps its price, its name and why. */
 public final class PlanTable {
 
     private PlanTable() {
@@ -10,18 +11,21 @@ public final class PlanTable {
 
     /** Plain text, every line ended by a newline. */
     public static String of(Plan plan) {
-        return of(plan, (part, line) -> line);
+        return of(plan, part -> "", (part, line) -> line);
     }
 
     /**
+     * @param price a word for each part, put in a column of its own; there is none where all are empty
      * @param dress adds colour, or whatever else, to the line of a part; columns are already in place
      */
-    public static String of(Plan plan, BiFunction<Part, String, String> dress) {
+    public static String of(Plan plan, Function<Part, String> price, BiFunction<Part, String, String> dress) {
         int width = plan.parts().stream().mapToInt(part -> part.name().length()).max().orElse(1);
+        int prices = plan.parts().stream().mapToInt(part -> price.apply(part).length()).max().orElse(0);
+        String column = prices == 0 ? "%s" : "%" + prices + "s  ";
         StringBuilder table = new StringBuilder();
         for (Part part : plan.parts()) {
-            String use = part.in() ? "in" : "out";
-            String line = String.format("%-3s  %-" + width + "s  %s", use, part.name(), part.why());
+            String line = String.format("%-3s  " + column + "%-" + width + "s  %s", part.in() ? "in" : "out",
+                price.apply(part), part.name(), part.why());
             table.append(dress.apply(part, line)).append('\n');
         }
         return table.toString();

@@ -29,6 +29,8 @@ class PlanTest {
             out  walls              no field
             out  restitution        everything has restitution 1
             out  minimum impulse    no minimumImpulse
+            out  push-out           nobody is pushed
+            out  batch window       only approach reacts, one impact at a time
             out  infinite masses    every mass is finite
             out  drag               no drag
             out  velocity rounding  velocities stay as they are
@@ -52,11 +54,12 @@ class PlanTest {
               "motion": { "drag": 0.15, "velocity": "truncate", "position": "round" }"""), ask, 0.9, true,
             List.of(new Part("headings", true, "pods turn"), new Part("checkpoint sweeps", false, "no race")));
         assertEquals("""
-            in   pair impacts       bodies meet, separatingPairs react, batchWindow 1e-5, scanOrder descending, \
-            pushOut 1e-5
+            in   pair impacts       bodies meet, scanOrder descending
             in   walls              4 walls
             in   restitution        restitution as low as 0.8
             in   minimum impulse    minimumImpulse 30, at walls too, deadZone 1.5
+            in   push-out           pushOut 1e-5
+            in   batch window       separatingPairs react, batchWindow 1e-5
             in   infinite masses    1 bumper
             in   drag               drag 0.15
             in   velocity rounding  velocity truncate
@@ -104,18 +107,21 @@ class PlanTest {
         Plan plan = Plan.of(scene(", \"field\": { \"width\": 9, \"height\": 9, "
             + "\"bumpers\": [ { \"x\": 1, \"y\": 1, \"radius\": 1 } ] }"), ALL, 1, false, List.of());
         assertEquals(new Part("walls", false, "the field has no walls"), plan.parts().get(1));
-        assertEquals(new Part("infinite masses", true, "1 bumper"), plan.parts().get(4));
+        assertEquals(new Part("infinite masses", true, "1 bumper"), plan.parts().get(6));
         assertEquals(true, plan.physics(null).infiniteMasses());
         assertNull(plan.physics(null).reaction());
         assertEquals(new Part("infinite masses", true, "bodies of mass \"infinite\""),
-            Plan.of(scene(""), ALL, 1, true, List.of()).parts().get(4));
+            Plan.of(scene(""), ALL, 1, true, List.of()).parts().get(6));
     }
 
     @Test
-    void theCallerMayColourTheLinesOfATable() {
+    void theCallerMayPriceAndColourTheLinesOfATable() {
         Plan plan = Plan.of(scene(""), ALL, 1, false, List.of());
-        String first = PlanTable.of(plan, (part, line) -> (part.in() ? "+" : "-") + line).lines().toList().get(1);
-        assertEquals("-out  walls              no field", first);
+        String second = PlanTable.of(plan, part -> part.in() ? "7" : "(12)",
+            (part, line) -> (part.in() ? "+" : "-") + line).lines().toList().get(1);
+        assertEquals("-out  (12)  walls              no field", second);
+        assertEquals("in      7  pair impacts       bodies meet", PlanTable.of(plan, part -> part.in() ? "7" : "(12)",
+            (part, line) -> line).lines().toList().get(0));
     }
 
     private static Scene scene(String more) {

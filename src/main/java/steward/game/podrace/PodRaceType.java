@@ -29,8 +29,9 @@ public final class PodRaceType implements GameType {
         scene.root().done();
         boolean bumpers = scene.field().map(field -> !field.bumpers().isEmpty()).orElse(false);
         Plan plan = Plan.of(scene, new Contacts(1), settings.restitution(), bumpers, List.of(
-            new Part("headings", true, "pods turn at most 18 degrees a turn"),
-            new Part("checkpoint sweeps", true, "checkpoints count along the whole path of a turn")));
+            new Part("headings", true, "pods turn at most 18 degrees a turn", Part.When.COMMANDS),
+            new Part("checkpoint sweeps", true, "checkpoints count along the whole path of a turn",
+                Part.When.OUTCOME)));
         return new PodRaceSetup(scene, settings, plan);
     }
 
