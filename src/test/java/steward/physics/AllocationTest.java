@@ -47,6 +47,17 @@ class AllocationTest {
     }
 
     @Test
+    void crowdsAllocateNothing() {
+        for (Arithmetic arithmetic : List.of(Arithmetic.OFFICIAL, Arithmetic.DOUBLE, Arithmetic.COMPENSATED)) {
+            check(new QueueAdvance(new PhysicsParts(Scenes.WITH_RESTITUTION.withPushOut(0.5), arithmetic,
+                new Contacts(1), List.of(WALLS), null, true)));
+        }
+        Contacts asking = new Contacts(1).set(0, 0, Contacts.Meaning.ASK);
+        check(new QueueAdvance(new PhysicsParts(ImpactLaw.PHYSICS, Arithmetic.DOUBLE, asking, List.of(WALLS),
+            (time, a, b, bodies) -> (a + b) % 2 == 0 ? Reaction.Verdict.PASS : Reaction.Verdict.BOUNCE, false)));
+    }
+
+    @Test
     void askingAllocatesNothing() {
         check(ImpactLaw.PHYSICS, Arithmetic.DOUBLE, WALLS, true);
     }

@@ -1,0 +1,225 @@
+package steward.physics;
+
+import java.util.Arrays;
+
+/*
+ * Two bodies whose diameters are at most the side of a cell touch only while they are in the same cell or in cells next
+ * to each other. The grid has no border: a column or row beyond it is that many modulo its size, so that a body may fly
+ * anywhere and the memory stays; who is far away then shares a cell with others and is looked at with them, no more.
+ *
+ * Whose diameter is larger (or who is very far away) does not belong here: see QueueBodies.
+ */
+
+/** Square cells that hold bodies, as lists of their places. Sized anew for each turn, by the bodies as they stand. */
+final class Cells {
+
+    /** How many bodies there should be in a cell: measured, {@code CrowdBenchmark}; flat between 0.3 and 0.8. */
+    private static final double PER_CELL = 0.5;
+    /** Columns and rows at least so far from the origin are too far: there, roundings would near the slack. */
+    static final int FAR = 1 << 20;
+    /** By how much a cell is larger than a diameter, relatively: far more than what roundings move a body. */
+    private static final double SLACK = 1 + 0x1p-20;
+    private static final int SAMPLE = 64;
+    /** At most so many bodies are left out of the grid for their size. */
+    private static final int MOST_LARGE = 16;
+
+    private final double[] sampleX = new double[SAMPLE];
+    private final double[] sampleY = new double[SAMPLE];
+    private final double[] largest = new double[MOST_LARGE + 1];
+    private int columns;
+    private int rows;
+    private int[] heads = new int[0];
+    private int[] next = new int[0];
+    private double originX;
+    private double originY;
+    private double side;
+    private double perSide;
+    private double largestInside;
+
+    /** Chooses the size and number of cells for these bodies; all are empty. */
+    void begin(Bodies bodies) {
+        int size = bodies.size();
+        int sampled = Math.min(SAMPLE, size);
+        for (int k = 0; k < sampled; k++) {
+            int body = (int) ((long) k * size / sampled);
+            sampleX[k] = bodies.x[body];
+            sampleY[k] = bodies.y[body];
+        }
+        sort(sampleX, sampled);
+        sort(sampleY, sampled);
+        findLargest(bodies);
+        double width = Math.max(spread(sampleX, sampled), 2 * largest[0]);
+        double height = Math.max(spread(sampleY, sampled), 2 * largest[0]);
+        originX = lowest(bodies.x, size, sampleX[sampled / 10] - width);
+        originY = lowest(bodies.y, size, sampleY[sampled / 10] - height);
+        chooseSide(size, width * height / size);
+        double wide = Math.min(4.0 * size, Math.ceil(3 * width / side));
+        double high = Math.min(4.0 * size, Math.ceil(3 * height / side));
+        columns = needed(bodies.x, size, originX, wide);
+        rows = needed(bodies.y, size, originY, high);
+        while ((long) columns * rows > 4L * size + 64) {
+            if (columns > rows) {
+                columns = columns / 2 + 1;
+            } else {
+                rows = rows / 2 + 1;
+            }
+        }
+        if (heads.length < columns * rows) {
+            heads = new int[Math.max(columns * rows, 4 * size + 64)];
+        }
+        if (next.length < size) {
+            next = new int[bodies.capacity()];
+        }
+        Arrays.fill(heads, 0, columns * rows, -1);
+    }
+
+    private void findLargest(Bodies bodies) {
+        Arrays.fill(largest, 0);
+        for (int k = 0; k < bodies.size(); k++) {
+            double radius = bodies.radius[k];
+            int place = MOST_LARGE;
+            if (radius > largest[place]) {
+                while (place > 0 && radius > largest[place - 1]) {
+                    largest[place] = largest[place - 1];
+                    place--;
+                }
+                largest[place] = radius;
+            }
+        }
+    }
+
+    /** Leaves out as many of the largest as makes a search cheapest: nine cells, and those that are left out. */
+    private void chooseSide(int size, double areaOfOne) {
+        double wanted = Math.sqrt(PER_CELL * areaOfOne);
+        double rounding = 0x1p-48 * (Math.abs(originX) + Math.abs(originY));
+        double cheapest = Double.POSITIVE_INFINITY;
+        for (int out = 0; out <= MOST_LARGE && largest[out] > 0; out++) {
+            double needed = Math.max(wanted, 2 * largest[out] * SLACK + rounding);
+            double cost = out + 9 * needed * needed / areaOfOne;
+            if (out == 0 || cost < cheapest) {
+                cheapest = cost;
+                side = needed;
+                largestInside = largest[out];
+            }
+        }
+        perSide = 1 / side;
+    }
+
+    private static double lowest(double[] values, int size, double bound) {
+        double lowest = values[0];
+        for (int k = 1; k < size; k++) {
+            lowest = Math.min(lowest, values[k]);
+        }
+        return Math.max(lowest, bound);
+    }
+
+    private int needed(double[] values, int size, double origin, double bound) {
+        double most = origin;
+        for (int k = 0; k < size; k++) {
+            most = Math.max(most, values[k]);
+        }
+        return Math.max(3, (int) Math.min(Math.ceil((most - origin) * perSide) + 2, bound + 2));
+    }
+
+    /** The range that holds all but the tenth at either end, made larger by as much. */
+    private static double spread(double[] sorted, int count) {
+        int tenth = count / 10;
+        return (sorted[count - 1 - tenth] - sorted[tenth]) * count / (count - 2.0 * tenth);
+    }
+
+    private static void sort(double[] values, int count) {
+        for (int k = 1; k < count; k++) {
+            double value = values[k];
+            int place = k;
+            while (place > 0 && values[place - 1] > value) {
+                values[place] = values[place - 1];
+                place--;
+            }
+            values[place] = value;
+        }
+    }
+
+    /** How many cells there are. */
+    int count() {
+        return columns * rows;
+    }
+
+    /** Whether a body of this radius has its place in a cell. */
+    boolean holds(double radius) {
+        return radius <= largestInside;
+    }
+
+    /** The column of a place; {@link #FAR} if it is too far away. */
+    int column(double x) {
+        return number((x - originX) * perSide);
+    }
+
+    int row(double y) {
+        return number((y - originY) * perSide);
+    }
+
+    private static int number(double value) {
+        double floor = Math.floor(value);
+        return Math.abs(floor) < FAR ? (int) floor : FAR;
+    }
+
+    /** How wide and high a cell is. */
+    double side() {
+        return side;
+    }
+
+    /** Where a column begins. */
+    double left(int column) {
+        return originX + column * side;
+    }
+
+    /** Where a row begins. */
+    double top(int row) {
+        return originY + row * side;
+    }
+
+    /** The cell where column and row cross. */
+    int at(int column, int row) {
+        return wrap(row, rows) * columns + wrap(column, columns);
+    }
+
+    private static int wrap(int number, int count) {
+        return number >= 0 && number < count ? number : Math.floorMod(number, count);
+    }
+
+    void add(int body, int cell) {
+        next[body] = heads[cell];
+        heads[cell] = body;
+    }
+
+    void remove(int body, int cell) {
+        int at = heads[cell];
+        if (at == body) {
+            heads[cell] = next[body];
+            return;
+        }
+        while (next[at] != body) {
+            at = next[at];
+        }
+        next[at] = next[body];
+    }
+
+    /** Writes down who is in a rectangle of cells, and returns behind whom. */
+    int gather(int column, int row, int wide, int high, int[] into) {
+        int count = 0;
+        for (int r = 0; r < high; r++) {
+            int line = wrap(row + r, rows) * columns;
+            for (int c = 0; c < wide; c++) {
+                for (int body = heads[line + wrap(column + c, columns)]; body >= 0; body = next[body]) {
+                    into[count++] = body;
+                }
+            }
+        }
+        return count;
+    }
+
+    /** What its arrays take, in bytes. */
+    long bytes() {
+        return 4L * (heads.length + next.length) + 8L * (2 * SAMPLE + MOST_LARGE);
+    }
+}

@@ -1,0 +1,189 @@
+package steward.physics;
+
+import java.util.Arrays;
+
+/**
+ * The bodies of a turn as {@link QueueAdvance} keeps them, each with a clock of its own: where it was when it last
+ * changed its flight. They stand in the order of their cells, so that neighbours are near each other in memory; a
+ * body's place in this order is what the classes around this one call a body. Eight doubles a body, as a cache line
+ * holds, are what a search reads of a neighbour and a reaction of the two that meet.
+ */
+final class Crowd {
+
+    /** Places in {@link #state}: where a body was, in u. */
+    static final int X = 0;
+    static final int Y = 1;
+    /** Its velocity since, in u per turn. */
+    static final int VX = 2;
+    static final int VY = 3;
+    /** When that was, as a time of the turn. */
+    static final int SINCE = 4;
+    static final int RADIUS = 5;
+    /** When it has its next impact as far as it knows; infinite for none in this turn. */
+    static final int IMPACT = 6;
+    static final int MASS = 7;
+
+    /** Places in {@link #link}: how often the flight of a body has changed. */
+    static final int CHANGES = 0;
+    /** With whom it has its next impact: a body, or {@code ~wall}. */
+    static final int PARTNER = 1;
+    /** How often that one's flight had changed when this was foreseen. */
+    static final int PARTNER_CHANGES = 2;
+    /** Its cell; kept by counting the crossings, not from its coordinates. */
+    static final int COLUMN = 3;
+    static final int ROW = 4;
+    /** How many cells it has crossed since it last looked around. */
+    static final int CROSSED = 5;
+    /** What its event is: an impact (0), or leaving its column (1) or row (2). */
+    static final int EVENT = 6;
+    /** Its place among those that are in no cell, or -1. */
+    static final int OUTSIDE = 7;
+
+    static final double NEVER = Double.POSITIVE_INFINITY;
+
+    /** Eight a body. */
+    double[] state = new double[0];
+    /** Eight a body. */
+    int[] link = new int[0];
+    /** Their indices in {@link Bodies}. */
+    int[] index = new int[0];
+    /** Those that are in no cell: too large, too far away, or too fast for it to pay. */
+    int[] outside = new int[0];
+    int outsiders;
+    int size;
+    final Cells cells = new Cells();
+    private int[] starts = new int[0];
+
+    /** Takes over the bodies at the time {@code now} of the turn. */
+    void load(Bodies bodies, double now) {
+        size = bodies.size();
+        if (index.length < size) {
+            int capacity = bodies.capacity();
+            state = new double[8 * capacity];
+            link = new int[8 * capacity];
+            index = new int[capacity];
+            outside = new int[capacity];
+        }
+        outsiders = 0;
+        cells.begin(bodies);
+        sort(bodies);
+        for (int body = 0; body < size; body++) {
+            int of = index[body];
+            int at = 8 * body;
+            state[at + X] = bodies.x[of];
+            state[at + Y] = bodies.y[of];
+            state[at + VX] = bodies.vx[of];
+            state[at + VY] = bodies.vy[of];
+            state[at + SINCE] = now;
+            state[at + RADIUS] = bodies.radius[of];
+            state[at + IMPACT] = NEVER;
+            state[at + MASS] = bodies.mass[of];
+            link[at + CHANGES] = 0;
+            link[at + OUTSIDE] = -1;
+            settle(body);
+        }
+    }
+
+    /** Orders by cells, those of one cell by index: counts how many each cell gets, then deals the places out. */
+    private void sort(Bodies bodies) {
+        if (starts.length <= cells.count()) {
+            starts = new int[cells.count() + 1];
+        }
+        Arrays.fill(starts, 0, cells.count() + 1, 0);
+        for (int k = 0; k < size; k++) {
+            starts[cell(bodies, k) + 1]++;
+        }
+        for (int cell = 0; cell < cells.count(); cell++) {
+            starts[cell + 1] += starts[cell];
+        }
+        for (int k = 0; k < size; k++) {
+            index[starts[cell(bodies, k)]++] = k;
+        }
+    }
+
+    private int cell(Bodies bodies, int k) {
+        return cells.at(cells.column(bodies.x[k]), cells.row(bodies.y[k]));
+    }
+
+    /** Puts a body that is in no list into the cell where its place says, or outside if it does not belong there. */
+    void settle(int body) {
+        int at = 8 * body;
+        link[at + COLUMN] = cells.column(state[at + X]);
+        link[at + ROW] = cells.row(state[at + Y]);
+        link[at + CROSSED] = 0;
+        if (link[at + COLUMN] == Cells.FAR || link[at + ROW] == Cells.FAR || !cells.holds(state[at + RADIUS])) {
+            link[at + OUTSIDE] = outsiders;
+            outside[outsiders++] = body;
+        } else {
+            cells.add(body, cells.at(link[at + COLUMN], link[at + ROW]));
+        }
+    }
+
+    boolean isOutside(int body) {
+        return link[8 * body + OUTSIDE] >= 0;
+    }
+
+    /** Takes a body out of its cell, or from outside. */
+    void unsettle(int body) {
+        int at = 8 * body;
+        int place = link[at + OUTSIDE];
+        if (place < 0) {
+            cells.remove(body, cells.at(link[at + COLUMN], link[at + ROW]));
+            return;
+        }
+        link[at + OUTSIDE] = -1;
+        int last = outside[--outsiders];
+        if (last != body) {
+            outside[place] = last;
+            link[8 * last + OUTSIDE] = place;
+        }
+    }
+
+    /** Takes a body out of its cell for as long as it flies straight. */
+    void leave(int body) {
+        unsettle(body);
+        link[8 * body + OUTSIDE] = outsiders;
+        outside[outsiders++] = body;
+    }
+
+    /** A body begins a new flight where it is at a time. */
+    void fly(int body, double now) {
+        int at = 8 * body;
+        double time = now - state[at + SINCE];
+        state[at + X] += state[at + VX] * time;
+        state[at + Y] += state[at + VY] * time;
+        state[at + SINCE] = now;
+    }
+
+    /** Writes down where everybody is at a time, and how fast. */
+    void store(Bodies bodies, double now) {
+        for (int body = 0; body < size; body++) {
+            store(body, bodies, now);
+        }
+    }
+
+    /** The same for one. */
+    void store(int body, Bodies bodies, double now) {
+        int at = 8 * body;
+        int to = index[body];
+        double time = now - state[at + SINCE];
+        bodies.x[to] = state[at + X] + state[at + VX] * time;
+        bodies.y[to] = state[at + Y] + state[at + VY] * time;
+        bodies.vx[to] = state[at + VX];
+        bodies.vy[to] = state[at + VY];
+    }
+
+    /** About how long a body takes to its next event: half of the way through a cell. */
+    double meanGap() {
+        double sum = 0;
+        for (int at = 0; at < 8 * size; at += 8) {
+            sum += Math.abs(state[at + VX]) + Math.abs(state[at + VY]);
+        }
+        return cells.side() / 2 / (sum / size);
+    }
+
+    /** What its arrays take, in bytes. */
+    long bytes() {
+        return 8L * state.length + 4L * (link.length + index.length + outside.length + starts.length) + cells.bytes();
+    }
+}

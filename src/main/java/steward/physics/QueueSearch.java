@@ -1,0 +1,244 @@
+package steward.physics;
+
+import static steward.physics.Crowd.CHANGES;
+import static steward.physics.Crowd.COLUMN;
+import static steward.physics.Crowd.CROSSED;
+import static steward.physics.Crowd.EVENT;
+import static steward.physics.Crowd.IMPACT;
+import static steward.physics.Crowd.NEVER;
+import static steward.physics.Crowd.PARTNER;
+import static steward.physics.Crowd.PARTNER_CHANGES;
+import static steward.physics.Crowd.RADIUS;
+import static steward.physics.Crowd.ROW;
+import static steward.physics.Crowd.SINCE;
+import static steward.physics.Crowd.VX;
+import static steward.physics.Crowd.VY;
+import static steward.physics.Crowd.X;
+import static steward.physics.Crowd.Y;
+
+/*
+ * The filter of pairs. With d from one centre to the other and v its velocity, a = v.v, b = d.v, c = d.d - s^2, a pair
+ * that approaches (b < 0) and does not touch (c > 0) meets, if b^2 > a c, after
+ *
+ *     t = c / (sqrt(b^2 - a c) - b),    which is at least c / -2b.
+ *
+ * So a pair is left out without a root or a division if b >= 0, or c >= -2b times what is left until the best known
+ * impact, or b^2 < a c. Roundings move c by less than 2^-50 d.d; taking 2^-40 d.d from it keeps everything in doubt,
+ * and what is kept is computed as the rung says.
+ */
+
+/**
+ * Finds the next impact of a body, looking only at its neighbours. It knows its own next impact and nobody else's: of
+ * two bodies, the one that looked last has seen the other, so that the earlier of their events is never later than
+ * their impact. An impact that a neighbour cannot live to see (because it has an earlier one) is left to whoever looks
+ * then.
+ */
+class QueueSearch {
+
+    /** Products below have lost digits to underflow. */
+    private static final double LEAST = 1e-250;
+
+    final Crowd crowd;
+    final EventBuckets events;
+    private final Arithmetic arithmetic;
+    private final Wall[] walls;
+    private final HalfPlane[] planes;
+    private final QueuePairs pairs;
+    private int[] near = new int[16];
+    private double best;
+    private int partner;
+
+    /** @param pairs which pairs meet at all, or {@code null} when all do */
+    QueueSearch(Crowd crowd, EventBuckets events, Arithmetic arithmetic, Wall[] walls, QueuePairs pairs) {
+        this.crowd = crowd;
+        this.events = events;
+        this.arithmetic = arithmetic;
+        this.walls = walls;
+        this.pairs = pairs;
+        planes = new HalfPlane[walls.length];
+        for (int w = 0; w < walls.length; w++) {
+            planes[w] = walls[w] instanceof HalfPlane plane ? plane : null;
+        }
+    }
+
+    /** Room for so many neighbours. */
+    void begin(int capacity) {
+        if (near.length < capacity) {
+            near = new int[capacity];
+        }
+    }
+
+    /** What its arrays take, in bytes. */
+    long bytes() {
+        return 4L * near.length;
+    }
+
+    /** A body looks at everything around it, and its next event goes into the queue. */
+    void lookAround(int body, double now) {
+        int at = 8 * body;
+        crowd.link[at + CROSSED] = 0;
+        best = NEVER;
+        lookAtWalls(body, now);
+        int found;
+        if (crowd.isOutside(body)) {
+            found = crowd.size;
+            for (int k = 0; k < found; k++) {
+                near[k] = k;
+            }
+        } else {
+            if (crowd.outsiders > 0) {
+                lookAt(body, crowd.outside, crowd.outsiders, now);
+            }
+            found = crowd.cells.gather(crowd.link[at + COLUMN] - 1, crowd.link[at + ROW] - 1, 3, 3, near);
+        }
+        lookAt(body, near, found, now);
+        crowd.state[at + IMPACT] = best;
+        if (best < NEVER) {
+            crowd.link[at + PARTNER] = partner;
+            crowd.link[at + PARTNER_CHANGES] = partner >= 0 ? crowd.link[8 * partner + CHANGES] : 0;
+        }
+        enqueue(body, now);
+    }
+
+    /** A body goes over into the next cell and looks at those that have become neighbours by it. */
+    void cross(int body, double now) {
+        double[] state = crowd.state;
+        int[] link = crowd.link;
+        int at = 8 * body;
+        int column = link[at + COLUMN];
+        int row = link[at + ROW];
+        if (++link[at + CROSSED] > 64 + (crowd.size >> 3)) {
+            crowd.leave(body);                         // it has cost as much as looking at everybody once
+            lookAround(body, now);
+            return;
+        }
+        Cells cells = crowd.cells;
+        cells.remove(body, cells.at(column, row));
+        int found;
+        if (link[at + EVENT] == 1) {
+            int step = state[at + VX] > 0 ? 1 : -1;
+            column += step;
+            link[at + COLUMN] = column;
+            found = cells.gather(column + step, row - 1, 1, 3, near);
+        } else {
+            int step = state[at + VY] > 0 ? 1 : -1;
+            row += step;
+            link[at + ROW] = row;
+            found = cells.gather(column - 1, row + step, 3, 1, near);
+        }
+        cells.add(body, cells.at(column, row));
+        if (Math.abs(column) >= Cells.FAR || Math.abs(row) >= Cells.FAR) {
+            crowd.leave(body);
+            lookAround(body, now);
+            return;
+        }
+        if (found > 0) {
+            best = state[at + IMPACT];
+            partner = link[at + PARTNER];
+            double before = best;
+            lookAt(body, near, found, now);
+            if (best < before || best < NEVER && partner != link[at + PARTNER]) {
+                state[at + IMPACT] = best;
+                link[at + PARTNER] = partner;
+                link[at + PARTNER_CHANGES] = crowd.link[8 * partner + CHANGES];
+            }
+        }
+        enqueue(body, now);
+    }
+
+    private void lookAtWalls(int body, double now) {
+        if (pairs != null && !pairs.meetsWalls(body)) {
+            return;
+        }
+        double[] state = crowd.state;
+        int at = 8 * body;
+        double time = now - state[at + SINCE];
+        double vx = state[at + VX];
+        double vy = state[at + VY];
+        double x = state[at + X] + vx * time;
+        double y = state[at + Y] + vy * time;
+        double radius = state[at + RADIUS];
+        for (int w = 0; w < walls.length; w++) {
+            HalfPlane plane = planes[w];
+            double until = plane != null ? plane.timeOfImpact(x, y, vx, vy, radius)
+                : walls[w].timeOfImpact(x, y, vx, vy, radius);
+            if (until <= 1 - now && now + until < best && (pairs == null || pairs.meetsWall(body, w))) {
+                best = now + until;
+                partner = ~w;
+            }
+        }
+    }
+
+    /** Looks for an earlier impact with others; itself among them does no harm. */
+    private void lookAt(int body, int[] others, int count, double now) {
+        double[] state = crowd.state;
+        int at = 8 * body;
+        double time = now - state[at + SINCE];
+        double vx = state[at + VX];
+        double vy = state[at + VY];
+        double x = state[at + X] + vx * time;
+        double y = state[at + Y] + vy * time;
+        double radius = state[at + RADIUS];
+        double left = Math.min(best, 1) - now;
+        for (int k = 0; k < count; k++) {
+            int other = 8 * others[k];
+            double dvx = vx - state[other + VX];
+            double dvy = vy - state[other + VY];
+            double of = now - state[other + SINCE];
+            double dx = x - (state[other + X] + state[other + VX] * of);
+            double dy = y - (state[other + Y] + state[other + VY] * of);
+            double b = dx * dvx + dy * dvy;
+            double touch = radius + state[other + RADIUS];
+            double squared = dx * dx + dy * dy;
+            double c = squared - touch * touch - 0x1p-40 * squared;
+            double bound = (dvx * dvx + dvy * dvy) * c;
+            if (b < 0 && !(c > -2 * b * left) && !(b * b < bound && bound > LEAST)) {
+                offer(body, others[k], dx, dy, dvx, dvy, touch, now);
+                left = Math.min(best, 1) - now;
+            }
+        }
+    }
+
+    private void offer(int body, int other, double dx, double dy, double dvx, double dvy, double touch, double now) {
+        double until = Math.sqrt(dx * dx + dy * dy) <= touch ? 0
+            : arithmetic.approachingCircles(dx, dy, dvx, dvy, touch);
+        double time = now + until;
+        if (until <= 1 - now && time <= best && !(time > crowd.state[8 * other + IMPACT])
+            && (time < best || isLower(body, other)) && (pairs == null || pairs.meet(body, other))) {
+            best = time;
+            partner = other;
+        }
+    }
+
+    /** At the same time: whether the other's index is lower than that of the partner so far; walls come last. */
+    private boolean isLower(int body, int other) {
+        return partner < 0 || EventOrder.rank(crowd, body, other) < EventOrder.rank(crowd, body, partner);
+    }
+
+    private void enqueue(int body, double now) {
+        double[] state = crowd.state;
+        int[] link = crowd.link;
+        int at = 8 * body;
+        double time = state[at + IMPACT];
+        int event = 0;
+        if (link[at + Crowd.OUTSIDE] < 0) {
+            double x = timeToLeave(state[at + X], state[at + VX], crowd.cells.left(link[at + COLUMN]), crowd.cells);
+            double y = timeToLeave(state[at + Y], state[at + VY], crowd.cells.top(link[at + ROW]), crowd.cells);
+            double leaves = state[at + SINCE] + Math.min(x, y);
+            if (leaves < time) {
+                time = Math.max(now, leaves);
+                event = x <= y ? 1 : 2;
+            }
+        }
+        if (time <= 1) {
+            link[at + EVENT] = event;
+            events.put(body, time);
+        } else {
+            events.remove(body);
+        }
+    }
+
+    private static double timeToLeave(double x, double v, double from, Cells cells) {
+        return v > 0 ? (from + cells.side() - x) / v : v < 0 ? (from - x) / v : NEVER;
+    }
+}
