@@ -15,8 +15,8 @@ import steward.physics.TurnSink;
 /*
  * What rounding allows. A time within the turn is known to 2^-53, so that two that close in at speed u meet up to
  * u 2^-53 too early or too late; each of their four coordinates is rounded when they are flown there and when they are
- * looked at, half a unit in the last place of the side each time. Together less than 2^-52 u + 8 ulp(side), u at most the
- * sum of their speeds. Deeper, and an impact was missed.
+ * looked at, half a unit in the last place of the side each time. Together less than 2^-52 u + 8 ulp(side), u at most
+ * the sum of their speeds. Deeper, and an impact was missed.
  */
 
 /**

@@ -2,7 +2,6 @@ package steward.physics;
 
 import static steward.physics.Crowd.MASS;
 import static steward.physics.Crowd.RADIUS;
-import static steward.physics.Crowd.SINCE;
 import static steward.physics.Crowd.VX;
 import static steward.physics.Crowd.VY;
 import static steward.physics.Crowd.X;

@@ -16,7 +16,7 @@ import steward.physics.PhysicsParts;
 import steward.physics.QueueAdvance;
 import steward.physics.TurnSink;
 
-/** Crowds in a box: nothing is missed and nobody escapes, at any coverage; boxes that hold no such crowd are refused. */
+/** Crowds in a box: nothing is missed, nobody escapes at any coverage; boxes that hold no such crowd are refused. */
 class CrowdCheckTest {
 
     @ParameterizedTest
