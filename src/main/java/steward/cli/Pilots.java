@@ -16,6 +16,8 @@ final class Pilots {
     private static final int DRIFT = 3;
     /** How far a pilot misses the place it aims at, in u, along each axis at most. */
     private static final int AIM = 300;
+    /** Who wants to stand somewhere gives a unit of thrust for so many u of the way. */
+    private static final int BRAKE = 10;
 
     private Pilots() {
     }
@@ -42,11 +44,15 @@ final class Pilots {
         for (int pod = player * pods; pod < (player + 1) * pods; pod++) {
             PodState state = race.pod(pod);
             double[] goal = checkpoints[brawl ? 1 : (state.passed() + 1) % checkpoints.length];
-            long x = Math.round(goal[0] - DRIFT * state.vx()) + random.nextInt(-AIM, AIM);
-            long y = Math.round(goal[1] - DRIFT * state.vy()) + random.nextInt(-AIM, AIM);
+            double aimX = goal[0] - DRIFT * state.vx() + random.nextInt(-AIM, AIM);
+            double aimY = goal[1] - DRIFT * state.vy() + random.nextInt(-AIM, AIM);
+            long x = Math.round(aimX);
+            long y = Math.round(aimY);
             int most = race.settings().maximumThrust();
+            double far = Math.abs(aimX - state.x()) + Math.abs(aimY - state.y());
+            int least = brawl ? (int) Math.min(most, far / BRAKE) : most / 2;
             String power = random.nextInt(SHIELDS) == 0 ? "\"shield\":true"
-                : "\"thrust\":" + random.nextInt(most / 2, most);
+                : "\"thrust\":" + (brawl ? least : random.nextInt(least, most));
             all.add("{\"x\":" + x + ",\"y\":" + y + "," + power + "}");
         }
         return all.toString();

@@ -6,7 +6,7 @@ import me.tongfei.progressbar.ProgressBar;
 import me.tongfei.progressbar.ProgressBarBuilder;
 import me.tongfei.progressbar.ProgressBarStyle;
 
-/** How many games are played and how long the rest will take, on one line of a terminal; gone at the end. */
+/** How many games or other steps are done and how long the rest will take, on one line of a terminal; then gone. */
 final class ProgressLine implements AutoCloseable {
 
     /** Given, because finding out the terminal's width would load a library of its own. */
@@ -16,12 +16,17 @@ final class ProgressLine implements AutoCloseable {
     private final ProgressBar bar;
 
     ProgressLine(PrintStream terminal, int games) {
-        bar = new ProgressBarBuilder().setTaskName("games").setInitialMax(games).setStyle(ProgressBarStyle.ASCII)
+        this(terminal, "games", games);
+    }
+
+    /** @param task what the steps are of */
+    ProgressLine(PrintStream terminal, String task, int steps) {
+        bar = new ProgressBarBuilder().setTaskName(task).setInitialMax(steps).setStyle(ProgressBarStyle.ASCII)
             .setUpdateIntervalMillis(REFRESH_MS).clearDisplayOnFinish()
             .setConsumer(new ConsoleProgressBarConsumer(terminal, WIDTH)).build();
     }
 
-    /** One game more; by any thread. */
+    /** One more; by any thread. */
     void step() {
         bar.step();
     }

@@ -1,19 +1,47 @@
 package steward.cli;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.LocalDate;
+import java.time.ZoneOffset;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
+import steward.lab.TradeoffEffort;
+import steward.lab.TradeoffFiles;
+import steward.lab.TradeoffHeadings;
+import steward.lab.TradeoffMachine;
+import steward.lab.TradeoffMeasurement;
+import steward.lab.TradeoffRow;
+import steward.lab.TradeoffScene;
 
 /** {@code steward tradeoff}: what each rung of accuracy costs, and how far it is from the truth. */
-@Command(name = "tradeoff", description = "Measures what each rung of accuracy costs and how far it is from the truth.")
+@Command(name = "tradeoff", description = "Measures, scene by scene, what each rung of accuracy costs and how far "
+    + "it is from the truth.",
+    footer = {"", "Examples:", "  steward tradeoff --out results",
+        "  steward tradeoff --quick --scene bullets --scene my-scene.json",
+        "", "Exit status: 0 done; 1 the run was interrupted; 2 the call or a scene cannot be used."})
 final class TradeoffCommand implements Callable<Integer> {
 
     private final Streams streams;
 
-    @Option(names = "--scene", paramLabel = "F", description = "Only this scene; can be repeated.")
+    @Option(names = "--scene", paramLabel = "F", description = "Only this scene; can be repeated. A scene file, a "
+        + "shipped scene, or one of official-race, brawl, dense-box, gas, bullets, grazing; headings for what "
+        + "trigonometry costs.")
     private List<String> scenes = new ArrayList<>();
+
+    @Option(names = "--quick", description = "Few states and rounds: rough figures, in less than a minute.")
+    private boolean quick;
+
+    @Option(names = "--out", paramLabel = "DIR", description = "Writes " + TradeoffFiles.CSV + " and "
+        + TradeoffFiles.JSON + " into a folder, scene by scene, and in the end a plot and a page that shows it.")
+    private String out;
+
+    @Option(names = "--overwrite", description = "Replaces the files if they exist.")
+    private boolean overwrite;
 
     TradeoffCommand(Streams streams) {
         this.streams = streams;
@@ -21,6 +49,85 @@ final class TradeoffCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        throw new InputException("tradeoff: found no measuring yet, expected --calibrate");
+        if (overwrite && out == null) {
+            throw new InputException("--overwrite: expected --out");
+        }
+        boolean all = scenes.isEmpty();
+        boolean headings = all || scenes.contains(TradeoffScenes.HEADINGS);
+        List<TradeoffScene> chosen = all ? TradeoffScenes.all()
+            : TradeoffScenes.of(scenes.stream().filter(word -> !word.equals(TradeoffScenes.HEADINGS)).toList());
+        if (out == null) {
+            measure(chosen, headings, null);
+            return ExitStatus.DONE;
+        }
+        Path folder = OutputFiles.path(out);
+        try (TradeoffFiles files = files(folder); Interruption interruption = new Interruption(
+            streams, "the scenes so far are in " + folder)) {
+            measure(chosen, headings, files);
+            files.finish();
+            interruption.over();
+        }
+        return ExitStatus.DONE;
+    }
+
+    private TradeoffFiles files(Path folder) {
+        OutputFiles.prepareFolder(folder);
+        for (String name : TradeoffFiles.ALL) {
+            OutputFiles.check(folder.resolve(name), overwrite);
+        }
+        try {
+            if (overwrite) {
+                for (String name : TradeoffFiles.ALL) {
+                    Files.deleteIfExists(folder.resolve(name));
+                }
+            }
+            return new TradeoffFiles(folder, TradeoffMachine.line(), LocalDate.now(ZoneOffset.UTC).toString());
+        } catch (IOException problem) {
+            throw new InputException(folder + ": cannot be written into: " + problem.getMessage());
+        }
+    }
+
+    private void measure(List<TradeoffScene> chosen, boolean headings, TradeoffFiles files) {
+        TradeoffEffort effort = quick ? TradeoffEffort.QUICK : TradeoffEffort.NORMAL;
+        TradeoffTable table = new TradeoffTable(streams);
+        int parts = chosen.size() + (headings ? 1 : 0);
+        int part = 1;
+        for (TradeoffScene scene : chosen) {
+            TradeoffMeasurement measurement = new TradeoffMeasurement(scene, effort);
+            List<TradeoffRow> rows;
+            try (ProgressLine progress = progress(part++ + " of " + parts + ": " + scene.name(),
+                measurement.steps())) {
+                rows = measurement.run(() -> step(progress));
+            }
+            if (files != null) {
+                files.add(rows);
+            }
+            table.add(scene, rows);
+        }
+        for (boolean aligned : headings ? new boolean[] {false, true} : new boolean[0]) {
+            TradeoffHeadings row;
+            try (ProgressLine progress = progress(parts + " of " + parts + ": headings",
+                TradeoffHeadings.steps(effort.podTurns()))) {
+                row = TradeoffHeadings.measure(aligned, effort.podTurns(), () -> step(progress));
+            }
+            if (files != null) {
+                files.addHeadings(row);
+            }
+            table.add(row);
+        }
+        if (!chosen.isEmpty()) {
+            table.end();
+        }
+    }
+
+    /** @return {@code null} where nobody watches */
+    private ProgressLine progress(String task, int steps) {
+        return streams.errTerminal() ? new ProgressLine(streams.err(), task, steps) : null;
+    }
+
+    private static void step(ProgressLine progress) {
+        if (progress != null) {
+            progress.step();
+        }
     }
 }

@@ -123,7 +123,8 @@ public final class TurnTruth {
     }
 
     /**
-     * How many bodies end the turn with other numbers than the true ones, after the scene has rounded both.
+     * How many bodies end the turn with other numbers than the true ones, after the scene has rounded both. The true
+     * drag is the decimal that the scene says: 0.15 of 100 leaves 85.
      *
      * @param start  the bodies before the turn: their drag counts
      * @param ended  the bodies after the turn and after {@link Motion#endTurn}
@@ -133,7 +134,7 @@ public final class TurnTruth {
         int count = 0;
         for (int k = 0; k < size; k++) {
             OracleBody body = end.get(k);
-            BigDecimal keep = Digits.of(motion.drag() ? 1 - start.drag[k] : 1);
+            BigDecimal keep = BigDecimal.ONE.subtract(BigDecimal.valueOf(motion.drag() ? start.drag[k] : 0));
             boolean same = nearest(body.x) == ended.x[k] && nearest(body.y) == ended.y[k]
                 && cut(body.vx.multiply(keep)) == ended.vx[k] && cut(body.vy.multiply(keep)) == ended.vy[k];
             count += same ? 0 : 1;

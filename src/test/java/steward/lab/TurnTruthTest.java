@@ -165,7 +165,7 @@ class TurnTruthTest {
         SplitMix64 random = new SplitMix64(seed);
         int spared = 0;
         int met = 0;
-        for (int n = 0; n < 20_000; n++) {
+        for (int n = 0; n < 6_000; n++) {
             double size = StrictMath.pow(10, random.nextInt(-8, 8));
             Bodies pair = new Bodies(2);
             pair.add(size * random.nextDouble(), size * random.nextDouble(), size * 0.05, 1);
@@ -187,6 +187,6 @@ class TurnTruthTest {
             }
             spared += reach.apart(0, 1, 0.1) ? 1 : 0;
         }
-        assertTrue(spared > 10_000 && met > 1000, "spared " + spared + ", met " + met);
+        assertTrue(spared > 3_000 && met > 300, "spared " + spared + ", met " + met);
     }
 }
