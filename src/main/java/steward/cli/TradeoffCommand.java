@@ -64,7 +64,10 @@ final class TradeoffCommand implements Callable<Integer> {
         try (TradeoffFiles files = files(folder); Interruption interruption = new Interruption(
             streams, "the scenes so far are in " + folder)) {
             measure(chosen, headings, files);
-            files.finish();
+            String problem = files.finish();
+            if (problem != null) {
+                streams.warn("this Java cannot draw the plot: " + problem);
+            }
             interruption.over();
         }
         return ExitStatus.DONE;

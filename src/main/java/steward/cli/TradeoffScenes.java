@@ -24,7 +24,7 @@ final class TradeoffScenes {
     private static final String OFFICIAL = "mad-pod-racing";
     private static final String WALLED = "walled-race";
     private static final long SEED = 4;
-    private static final int STATES = 2000;
+    private static final int STATES = 5000;
     private static final int FREE_RUNS = 9;
     private static final int FREE_TURNS = 50;
     private static final int STEPS = 1024;

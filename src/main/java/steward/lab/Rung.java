@@ -11,7 +11,6 @@ import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.StepAdvance;
 import steward.physics.Wall;
-import steward.scene.Accuracy;
 
 /**
  * A way to compute a turn: how it is advanced and with what arithmetic.
@@ -43,13 +42,6 @@ public record Rung(String name, boolean isEvent, boolean isExact, Arithmetic ari
                 EventAdvance::new));
         }
         return List.copyOf(rungs);
-    }
-
-    /** A rung of the ladder that scenes choose from. */
-    static Rung of(Accuracy accuracy) {
-        boolean event = accuracy.way() == Accuracy.Way.EVENT;
-        return new Rung(accuracy.text(), event, event && accuracy.arithmetic() == Arithmetic.EXACT,
-            accuracy.arithmetic(), event ? EventAdvance::new : parts -> new StepAdvance(parts, accuracy.steps()));
     }
 
     /** Whether its expressions are ours to choose; the official ones are the server's, cancellation and all. */

@@ -1,5 +1,6 @@
 package steward.lab;
 
+import java.awt.AWTError;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -88,16 +89,24 @@ public final class TradeoffFiles implements AutoCloseable {
         }
     }
 
-    /** Writes the plot and the page; nothing if there are no rows. */
-    public void finish() {
+    /**
+     * Writes the page and the plot; nothing if there are no rows.
+     *
+     * @return {@code null}, or why there is no plot: some installations of Java come without fonts
+     * @throws UncheckedIOException if a file cannot be written
+     */
+    public String finish() {
         if (rows.isEmpty()) {
-            return;
+            return null;
         }
         try {
-            TradeoffPlot.write(result(), folder);
             Files.writeString(folder.resolve(PAGE), TradeoffPage.text(result()));
+            TradeoffPlot.write(result(), folder);
+            return null;
         } catch (IOException problem) {
             throw new UncheckedIOException(problem);
+        } catch (RuntimeException | LinkageError | InternalError | AWTError problem) {
+            return problem.toString();
         }
     }
 

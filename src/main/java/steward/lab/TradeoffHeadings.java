@@ -94,7 +94,7 @@ public record TradeoffHeadings(String headings, long podTurns, long differing, d
             TradeoffCosts.median(angles), TradeoffCosts.median(vectors));
     }
 
-    /** Half of the targets are about ahead, so that both the clamped and the free turn happen. */
+    /** Along the axes straight ahead; else half of the targets about ahead, so that some turns are cut short. */
     private static void fill(Block block, SplitMix64 random, boolean aligned) {
         for (int pod = 0; pod < BLOCK; pod++) {
             int x = 2 * pod;
@@ -106,8 +106,8 @@ public record TradeoffHeadings(String headings, long podTurns, long differing, d
             block.thrust[pod] = random.nextInt(201);
             double way = 1000 + random.nextInt(8000);
             double angle = aligned ? (random.nextInt(4) - 1) * (Math.PI / 2) : Math.PI * (2 * random.nextDouble() - 1);
-            double wanted = random.nextInt(2) == 0 ? angle
-                : aligned ? angle + Math.PI / 2 : angle + 0.6 * (random.nextDouble() - 0.5);
+            double wanted = aligned ? angle
+                : angle + (random.nextInt(2) == 0 ? 0.1 : 2) * Math.PI * (random.nextDouble() - 0.5);
             block.angle[pod] = angle;
             block.vector[x] = aligned ? Math.rint(StrictMath.cos(angle)) : StrictMath.cos(angle);
             block.vector[y] = aligned ? Math.rint(StrictMath.sin(angle)) : StrictMath.sin(angle);

@@ -119,7 +119,7 @@ public final class TradeoffMeasurement {
 
     private Advance advance(Accuracy rung) {
         PhysicsParts parts = scene.parts();
-        return Rung.of(rung).maker().apply(new PhysicsParts(parts.law(), rung.arithmetic(), parts.contacts(),
-            parts.walls(), null, parts.infiniteMasses()));
+        return rung.advance(new PhysicsParts(parts.law(), rung.arithmetic(), parts.contacts(), parts.walls(), null,
+            parts.infiniteMasses()));
     }
 }

@@ -31,6 +31,11 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
  */
 final class TradeoffPlot {
 
+    static {
+        // No display is asked for, not even one that is there; to be said before the first colour is mixed.
+        System.setProperty("java.awt.headless", "true");
+    }
+
     /** Name of the drawing. */
     static final String SVG = "tradeoff.svg";
     /** Name of the picture. */
@@ -113,7 +118,7 @@ final class TradeoffPlot {
         return chart;
     }
 
-    /** Of the first rung on the front, the last with steps, and the last; each where it covers no other name. */
+    /** Of the first rung on the front, the last with steps, and the last; each above or below, if it covers no other name there. */
     private static void names(XYChart chart, List<TradeoffRow> front, List<double[]> taken) {
         for (int k = 0; k < front.size(); k++) {
             boolean last = k + 1 == front.size();
@@ -122,8 +127,8 @@ final class TradeoffPlot {
                 TradeoffRow row = front.get(k);
                 boolean below = k > 0 && last;
                 double near = below ? error(row) / ABOVE : error(row) * ABOVE;
-                double far = below ? near / ABOVE : near * ABOVE;
-                for (double y : new double[] {near, far, far * far / near}) {
+                double otherSide = error(row) * error(row) / near;
+                for (double y : new double[] {near, otherSide}) {
                     if (isFree(row.cost().nanosPerTurn(), y, taken)) {
                         taken.add(new double[] {row.cost().nanosPerTurn(), y});
                         chart.addAnnotation(new AnnotationText(row.rung().replace("event/", ""),

@@ -83,8 +83,8 @@ class TradeoffCommandTest {
             "--scene", "gas", "--out", out.toString()).redirectError(errors.toFile())
             .redirectOutput(folder.resolve("table").toFile()).start();
         try {
-            Path csv = out.resolve("tradeoff.csv");
-            for (int k = 0; k < 1200 && (!Files.exists(csv) || Files.readAllLines(csv).size() < 2); k++) {
+            Path json = out.resolve("tradeoff.json");
+            for (int k = 0; k < 1200 && (!Files.exists(json) || !Files.readString(json).contains("grazing")); k++) {
                 Thread.sleep(50);
             }
         } finally {

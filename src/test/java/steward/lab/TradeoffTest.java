@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -218,6 +219,26 @@ class TradeoffTest {
         assertTrue(page.contains("\n5. "), page);
         assertEquals(12, page.lines()
             .filter(line -> line.startsWith("| step/") || line.startsWith("| event/")).count());
+    }
+
+    /** Files of made rows in the folder that is named, as another process would write them. */
+    public static void main(String[] arguments) throws IOException {
+        try (TradeoffFiles files = new TradeoffFiles(Path.of(arguments[0]), "a machine", "2030-01-02")) {
+            files.add(new TradeoffTest().ladder("gas"));
+            System.out.println(files.finish());
+        }
+    }
+
+    @Test
+    void aDisplayThatIsNotThereIsNoHindrance() throws IOException, InterruptedException {
+        ProcessBuilder other = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+            "-cp", System.getProperty("java.class.path"), TradeoffTest.class.getName(), folder.toString());
+        other.environment().put("DISPLAY", ":99");
+        Process process = other.redirectErrorStream(true).start();
+        String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertEquals(0, process.waitFor(), said);
+        assertEquals("null", said.strip());
+        assertTrue(Files.size(folder.resolve("tradeoff.svg")) > 0 && Files.size(folder.resolve("tradeoff.png")) > 0);
     }
 
     @Test
