@@ -33,7 +33,7 @@ final class TradeoffCommand implements Callable<Integer> {
         + "trigonometry costs.")
     private List<String> scenes = new ArrayList<>();
 
-    @Option(names = "--quick", description = "Few states and rounds: rough figures, in less than a minute.")
+    @Option(names = "--quick", description = "Few states and rounds: rough figures, soon.")
     private boolean quick;
 
     @Option(names = "--out", paramLabel = "DIR", description = "Writes " + TradeoffFiles.CSV + " and "

@@ -36,7 +36,18 @@ public final class TradeoffMeasurement {
 
     /** How many steps of progress {@link #run} makes. */
     public int steps() {
-        return states + freeRuns + ladder.size() + effort.rounds();
+        return states + weight() * (freeRuns + ladder.size() + effort.rounds());
+    }
+
+    /** How many states take about as long as a free run, a warm-up or a round. */
+    private int weight() {
+        return 1 + states / 20;
+    }
+
+    private void big(Runnable step) {
+        for (int k = 0; k < weight(); k++) {
+            step.run();
+        }
     }
 
     /**
@@ -68,13 +79,13 @@ public final class TradeoffMeasurement {
         TradeoffCosts costs = new TradeoffCosts(starts, rungs, effort.rounds());
         for (int rung = 0; rung < rungs.size(); rung++) {
             costs.warmUp(rung, effort.warmUp());
-            step.run();
+            big(step);
         }
         for (int round = 0; round < effort.rounds(); round++) {
             if (round < LEAST_ROUNDS || costs.seconds() < effort.budget()) {
                 costs.round(effort.round());
             }
-            step.run();
+            big(step);
         }
         return rows(errors, costs, impacts, free);
     }
@@ -107,7 +118,7 @@ public final class TradeoffMeasurement {
             for (int r = 0; r < of.length; r++) {
                 turns[r][run] = of[r];
             }
-            step.run();
+            big(step);
         }
         int[] median = new int[turns.length];
         for (int r = 0; r < median.length; r++) {

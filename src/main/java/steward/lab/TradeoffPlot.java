@@ -118,7 +118,7 @@ final class TradeoffPlot {
         return chart;
     }
 
-    /** Of the first rung on the front, the last with steps, and the last; each above or below, if it covers no other name there. */
+    /** Of the first rung on the front, the last with steps, and the last: above or below, if no other name is there. */
     private static void names(XYChart chart, List<TradeoffRow> front, List<double[]> taken) {
         for (int k = 0; k < front.size(); k++) {
             boolean last = k + 1 == front.size();
