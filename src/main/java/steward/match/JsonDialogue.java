@@ -1,6 +1,5 @@
 package steward.match;
 
-import java.util.function.Consumer;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
@@ -18,6 +17,8 @@ final class JsonDialogue implements Dialogue {
     private final Game game;
     private final FrameCodec codec;
     private final LineBuffer buffer = new LineBuffer();
+    /** Stays open from line to line, which costs nothing. */
+    private final JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), buffer);
 
     JsonDialogue(GameSetup setup, Game game, FrameCodec codec) {
         this.setup = setup;
@@ -27,43 +28,43 @@ final class JsonDialogue implements Dialogue {
 
     @Override
     public LineBuffer setup(int player) {
-        return line("setup", out -> {
-            out.writeStringProperty("game", setup.scene().gameId());
-            out.writeNumberProperty("player", player);
-            out.writeNumberProperty("players", game.players());
-            out.writeObjectPropertyStart("time");
-            out.writeNumberProperty("firstAnswerMs", setup.scene().time().firstAnswerMs());
-            out.writeNumberProperty("answerMs", setup.scene().time().answerMs());
-            out.writeEndObject();
-            codec.writeSetup(out, player);
-        });
+        begin("setup");
+        out.writeStringProperty("game", setup.scene().gameId());
+        out.writeNumberProperty("player", player);
+        out.writeNumberProperty("players", game.players());
+        out.writeObjectPropertyStart("time");
+        out.writeNumberProperty("firstAnswerMs", setup.scene().time().firstAnswerMs());
+        out.writeNumberProperty("answerMs", setup.scene().time().answerMs());
+        out.writeEndObject();
+        codec.writeSetup(out, player);
+        return line();
     }
 
     @Override
     public LineBuffer turn(int player) {
-        return line("turn", out -> {
-            out.writeNumberProperty("turn", game.turn() + 1);
-            codec.writeTurn(out, player);
-        });
+        begin("turn");
+        out.writeNumberProperty("turn", game.turn() + 1);
+        codec.writeTurn(out, player);
+        return line();
     }
 
     @Override
     public LineBuffer end(int player) {
-        return line("end", out -> {
-            out.writeNumberProperty("player", player);
-            out.writeNumberProperty("turns", game.turn());
-            out.writeArrayPropertyStart("ranks");
-            for (int rank : game.ranks()) {
-                out.writeNumber(rank);
-            }
-            out.writeEndArray();
-            out.writeArrayPropertyStart("scores");
-            for (double score : game.scores()) {
-                JsonNumbers.write(out, score);
-            }
-            out.writeEndArray();
-            out.writeStringProperty("reason", game.ending());
-        });
+        begin("end");
+        out.writeNumberProperty("player", player);
+        out.writeNumberProperty("turns", game.turn());
+        out.writeArrayPropertyStart("ranks");
+        for (int rank : game.ranks()) {
+            out.writeNumber(rank);
+        }
+        out.writeEndArray();
+        out.writeArrayPropertyStart("scores");
+        for (double score : game.scores()) {
+            JsonNumbers.write(out, score);
+        }
+        out.writeEndArray();
+        out.writeStringProperty("reason", game.ending());
+        return line();
     }
 
     @Override
@@ -81,14 +82,15 @@ final class JsonDialogue implements Dialogue {
         return codec.message(player);
     }
 
-    private LineBuffer line(String type, Consumer<JsonGenerator> fields) {
+    private void begin(String type) {
         buffer.reset();
-        try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), buffer)) {
-            out.writeStartObject();
-            out.writeStringProperty("type", type);
-            fields.accept(out);
-            out.writeEndObject();
-        }
+        out.writeStartObject();
+        out.writeStringProperty("type", type);
+    }
+
+    private LineBuffer line() {
+        out.writeEndObject();
+        out.flush();
         buffer.write('\n');
         return buffer;
     }

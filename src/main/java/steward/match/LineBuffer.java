@@ -1,16 +1,50 @@
 package steward.match;
 
-import java.io.ByteArrayOutputStream;
+import java.io.OutputStream;
+import java.util.Arrays;
 
-/** Bytes of lines that can be read in place. */
-public final class LineBuffer extends ByteArrayOutputStream {
+/** Bytes of lines that can be read in place; reused from line to line. Not thread-safe. */
+public final class LineBuffer extends OutputStream {
 
-    LineBuffer() {
-        super(4096);
+    private byte[] bytes = new byte[4096];
+    private int size;
+
+    /** Nothing yet. */
+    public LineBuffer() {
+        // Grows as it is written.
     }
 
-    /** The bytes themselves, valid up to {@code size()}. */
+    /** The bytes themselves, valid up to {@link #size} and until something is written. */
     public byte[] bytes() {
-        return buf;
+        return bytes;
+    }
+
+    /** How many bytes have been written since the last {@link #reset}. */
+    public int size() {
+        return size;
+    }
+
+    /** Forgets what was written. */
+    public void reset() {
+        size = 0;
+    }
+
+    @Override
+    public void write(int one) {
+        makeRoom(1);
+        bytes[size++] = (byte) one;
+    }
+
+    @Override
+    public void write(byte[] source, int from, int count) {
+        makeRoom(count);
+        System.arraycopy(source, from, bytes, size, count);
+        size += count;
+    }
+
+    private void makeRoom(int count) {
+        if (count > bytes.length - size) {
+            bytes = Arrays.copyOf(bytes, Math.max(2 * bytes.length, Math.addExact(size, count)));
+        }
     }
 }

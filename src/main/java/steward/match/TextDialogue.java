@@ -36,7 +36,8 @@ final class TextDialogue implements Dialogue {
 
     private LineBuffer bytes() {
         buffer.reset();
-        buffer.writeBytes(text.toString().getBytes(StandardCharsets.UTF_8));
+        byte[] bytes = text.toString().getBytes(StandardCharsets.UTF_8);
+        buffer.write(bytes, 0, bytes.length);
         return buffer;
     }
 

@@ -22,17 +22,27 @@ final class InputHash {
      */
     static String of(byte[] bytes, int from, int to, String[]... texts) {
         StateHash hash = new StateHash();
-        for (int k = from; k < to; k++) {
-            hash.add((long) bytes[k]);
-        }
+        add(hash, bytes, from, to);
         for (String[] ofPlayers : texts) {
             for (String text : ofPlayers) {
-                hash.add(text == null ? -1L : text.length());
-                if (text != null) {
-                    text.chars().forEach(c -> hash.add((long) c));
-                }
+                add(hash, text);
             }
         }
         return StateHash.toHex(hash.value());
+    }
+
+    /** Bytes of JSON. */
+    static void add(StateHash hash, byte[] bytes, int from, int to) {
+        for (int k = from; k < to; k++) {
+            hash.add((long) bytes[k]);
+        }
+    }
+
+    /** A text's length and characters, or -1 for none. */
+    static void add(StateHash hash, String text) {
+        hash.add(text == null ? -1L : text.length());
+        for (int k = 0; text != null && k < text.length(); k++) {
+            hash.add((long) text.charAt(k));
+        }
     }
 }

@@ -6,10 +6,10 @@ import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.JsonNumbers;
 import steward.game.TurnEvent;
-import steward.numerics.StateHash;
 import steward.physics.Impact;
 import steward.physics.TurnLog;
 import tools.jackson.core.JsonGenerator;
+import tools.jackson.core.io.SerializedString;
 
 /**
  * Writes what follows from the commands: impacts, paths, events, the ending by the impact limit, the state and its
@@ -19,6 +19,29 @@ final class OutcomeJson {
 
     /** A turn can have over ten thousand impacts; the first so many of them are kept, and so many corners of paths. */
     private static final int MOST = 2000;
+
+    /** The names that turns write, encoded once. */
+    private static final class Name {
+        static final SerializedString TIME = new SerializedString("time");
+        static final SerializedString AX = new SerializedString("ax");
+        static final SerializedString AY = new SerializedString("ay");
+        static final SerializedString BX = new SerializedString("bx");
+        static final SerializedString BY = new SerializedString("by");
+        static final SerializedString IMPULSE = new SerializedString("impulse");
+        static final SerializedString ENERGY = new SerializedString("energy");
+        static final SerializedString A = new SerializedString("a");
+        static final SerializedString WALL = new SerializedString("wall");
+        static final SerializedString B = new SerializedString("b");
+        static final SerializedString IMPACTS_IN_ALL = new SerializedString("impactsInAll");
+        static final SerializedString ID = new SerializedString("id");
+        static final SerializedString IMPACT_LIMIT = new SerializedString("impactLimit");
+        static final SerializedString BODIES = new SerializedString("bodies");
+        static final SerializedString STATE = new SerializedString("state");
+        static final SerializedString IMPACTS = new SerializedString("impacts");
+        static final SerializedString PATHS = new SerializedString("paths");
+        static final SerializedString KNOTS = new SerializedString("knots");
+        static final SerializedString HASH = new SerializedString("hash");
+    }
 
     private OutcomeJson() {
     }
@@ -31,9 +54,11 @@ final class OutcomeJson {
         writePaths(out, game, log);
         writeEvents(out, game.events());
         if (log.limited()) {
-            out.writeObjectPropertyStart("impactLimit");
-            JsonNumbers.write(out, "time", log.limitTime());
-            out.writeArrayPropertyStart("bodies");
+            out.writeName(Name.IMPACT_LIMIT);
+            out.writeStartObject();
+            JsonNumbers.write(out, Name.TIME, log.limitTime());
+            out.writeName(Name.BODIES);
+            out.writeStartArray();
             for (int id : log.limitBodies()) {
                 out.writeNumber(id);
             }
@@ -46,38 +71,41 @@ final class OutcomeJson {
 
     /** The fields {@code state} and {@code hash}. */
     static void writeState(JsonGenerator out, Game game, FrameCodec codec) {
-        out.writeObjectPropertyStart("state");
+        out.writeName(Name.STATE);
+        out.writeStartObject();
         codec.writeState(out);
         out.writeEndObject();
-        out.writeStringProperty("hash", StateHash.toHex(game.hash()));
+        out.writeName(Name.HASH);
+        JsonNumbers.writeHash(out, game.hash());
     }
 
     private static void writeImpacts(JsonGenerator out, TurnLog log) {
         if (log.impacts() == 0) {
             return;
         }
-        out.writeArrayPropertyStart("impacts");
+        out.writeName(Name.IMPACTS);
+        out.writeStartArray();
         for (int k = 0; k < Math.min(MOST, log.impacts()); k++) {
             Impact impact = log.impact(k);
             out.writeStartObject();
-            JsonNumbers.write(out, "time", impact.time());
-            out.writeNumberProperty("a", impact.a());
+            JsonNumbers.write(out, Name.TIME, impact.time());
+            JsonNumbers.write(out, Name.A, impact.a());
             if (impact.isWall()) {
-                out.writeNumberProperty("wall", impact.wall());
+                JsonNumbers.write(out, Name.WALL, impact.wall());
             } else {
-                out.writeNumberProperty("b", impact.b());
+                JsonNumbers.write(out, Name.B, impact.b());
             }
-            JsonNumbers.write(out, "ax", impact.ax());
-            JsonNumbers.write(out, "ay", impact.ay());
-            JsonNumbers.write(out, "bx", impact.bx());
-            JsonNumbers.write(out, "by", impact.by());
-            JsonNumbers.write(out, "impulse", impact.impulse());
-            JsonNumbers.write(out, "energy", impact.energy());
+            JsonNumbers.write(out, Name.AX, impact.ax());
+            JsonNumbers.write(out, Name.AY, impact.ay());
+            JsonNumbers.write(out, Name.BX, impact.bx());
+            JsonNumbers.write(out, Name.BY, impact.by());
+            JsonNumbers.write(out, Name.IMPULSE, impact.impulse());
+            JsonNumbers.write(out, Name.ENERGY, impact.energy());
             out.writeEndObject();
         }
         out.writeEndArray();
         if (log.impacts() > MOST) {
-            out.writeNumberProperty("impactsInAll", log.impacts());
+            JsonNumbers.write(out, Name.IMPACTS_IN_ALL, log.impacts());
         }
     }
 
@@ -87,12 +115,14 @@ final class OutcomeJson {
             return;
         }
         int knots = Math.min(MOST, log.knots());
-        out.writeArrayPropertyStart("paths");
+        out.writeName(Name.PATHS);
+        out.writeStartArray();
         for (int first = 0; first < knots; first++) {
             if (isFirstOfBody(log, first)) {
                 out.writeStartObject();
-                out.writeNumberProperty("id", log.knotBody(first));
-                out.writeArrayPropertyStart("knots");
+                JsonNumbers.write(out, Name.ID, log.knotBody(first));
+                out.writeName(Name.KNOTS);
+                out.writeStartArray();
                 for (int k = first; k < knots; k++) {
                     if (log.knotBody(k) == log.knotBody(first)) {
                         out.writeStartArray();

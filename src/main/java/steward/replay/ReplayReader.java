@@ -150,10 +150,21 @@ public final class ReplayReader implements AutoCloseable {
 
     /** The next turn, or {@code null} at the end: then the result and the warning are known. */
     public RecordedTurn next() {
-        if (header == null || result != null) {
-            return null;
-        }
-        byte[] bytes = readLine();
+        return header == null || result != null ? null : turn(nextLine());
+    }
+
+    /** The next line as it stands, or {@code null} at the end of the file; only with a header. */
+    byte[] nextLine() {
+        return readLine();
+    }
+
+    /** The line was not taken apart because it is known to be that of this turn. */
+    void passed(int turn) {
+        lastTurn = turn;
+    }
+
+    /** Takes the last line read apart, as {@link #next}. */
+    RecordedTurn turn(byte[] bytes) {
         JsonLine line = bytes == null ? null : parse(bytes);
         if (line == null) {
             if (warning == null) {

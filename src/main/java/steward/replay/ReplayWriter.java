@@ -1,21 +1,21 @@
 package steward.replay;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
-import java.util.Arrays;
 import java.util.Map;
-import java.util.Objects;
 import java.util.function.ToLongFunction;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.JsonNumbers;
+import steward.match.LineBuffer;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
 import steward.match.Turn;
+import steward.numerics.StateHash;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.ObjectWriteContext;
+import tools.jackson.core.io.SerializedString;
 
 /**
  * Writes a match as it is played, a line at a time; every complete line is handed to the operating system at once, so
@@ -23,13 +23,26 @@ import tools.jackson.core.ObjectWriteContext;
  */
 public final class ReplayWriter implements MatchListener, AutoCloseable {
 
+    /** The names that every turn writes, encoded once. */
+    private static final class Name {
+        static final SerializedString TYPE = new SerializedString("type");
+        static final SerializedString TURN = new SerializedString("turn");
+        static final SerializedString COMMANDS = new SerializedString("commands");
+        static final SerializedString INPUT_HASH = new SerializedString("inputHash");
+        static final SerializedString OUTCOME = new SerializedString("outcome");
+        static final SerializedString TIMES = new SerializedString("times");
+        static final SerializedString ANSWER_NANOS = new SerializedString("answerNanos");
+    }
+
     private final OutputStream file;
     private final ReplayHeader header;
     private final Observations observations;
-    private final Line line = new Line();
+    private final LineBuffer line = new LineBuffer();
+    /** Stays open from line to line, which costs nothing. */
+    private final JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), line);
+    private final StateHash hash = new StateHash();
     private Game game;
     private FrameCodec codec;
-    private JsonGenerator turnLine;
 
     /** @param file unbuffered is best: it is written once per line; closed by {@link #close} */
     public ReplayWriter(OutputStream file, ReplayHeader header) {
@@ -47,7 +60,7 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
     public void start(Game startedGame, FrameCodec startedCodec) {
         game = startedGame;
         codec = startedCodec;
-        JsonGenerator out = open(ReplayHeader.TYPE);
+        open(ReplayHeader.TYPE);
         out.writeNumberProperty("format", ReplayHeader.FORMAT);
         out.writeStringProperty("game", header.game());
         out.writeStringProperty("seed", Long.toString(header.seed()));
@@ -74,14 +87,13 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
         if (observations == null || !observations.hasStart()) {
             writeOpening(out, game, codec);
         } else {
-            writeObservedOpening(out);
+            writeObservedOpening();
         }
-        out.flush();
-        out.writeStringProperty("headerHash", line.hash(0));
-        close(out);
+        writeHash("headerHash", 0);
+        endLine();
     }
 
-    private void writeObservedOpening(JsonGenerator out) {
+    private void writeObservedOpening() {
         writeDrawing(out, codec);
         out.writeObjectPropertyStart("start");
         out.writeObjectPropertyStart("state");
@@ -106,62 +118,68 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
 
     @Override
     public void commands(Turn turn) {
-        turnLine = open("turn");
-        turnLine.writeNumberProperty("turn", turn.number());
-        turnLine.writeName("commands");
-        turnLine.flush();
+        open("turn");
+        JsonNumbers.write(out, Name.TURN, turn.number());
+        out.writeName(Name.COMMANDS);
+        out.flush();
         int from = line.size();
-        turnLine.writeStartArray();
+        out.writeStartArray();
         for (int player = 0; player < turn.players(); player++) {
             if (turn.answered(player)) {
-                codec.writeCommand(turnLine, player);
+                codec.writeCommand(out, player);
             } else {
-                turnLine.writeNull();
+                out.writeNull();
             }
         }
-        turnLine.writeEndArray();
-        turnLine.flush();
-        String inputHash = line.hash(from, texts(turn, Turn::fault), texts(turn, Turn::message),
-            texts(turn, Turn::stderr));
-        writeTexts(turnLine, "faults", turn, Turn::fault);
-        turnLine.writeStringProperty("inputHash", inputHash);
+        out.writeEndArray();
+        startHash(from);
+        for (Text text : Text.values()) {
+            for (int player = 0; player < turn.players(); player++) {
+                InputHash.add(hash, text.of(turn, player));
+            }
+        }
+        writeTexts(Text.FAULT, turn);
+        out.writeName(Name.INPUT_HASH);
+        JsonNumbers.writeHash(out, hash.value());
     }
 
     @Override
     public void played(Turn turn) {
-        turnLine.writeName("outcome");
+        out.writeName(Name.OUTCOME);
         if (observations == null) {
-            OutcomeJson.write(turnLine, game, codec);
+            OutcomeJson.write(out, game, codec);
         } else {
-            turnLine.writeStartObject();
-            observations.writeOutcome(turnLine, turn.number());
-            turnLine.writeEndObject();
+            out.writeStartObject();
+            observations.writeOutcome(out, turn.number());
+            out.writeEndObject();
         }
-        writeTexts(turnLine, "messages", turn, Turn::message);
-        writeTexts(turnLine, "stderr", turn, Turn::stderr);
-        turnLine.writeObjectPropertyStart("times");
-        turnLine.writeArrayPropertyStart("answerNanos");
+        writeTexts(Text.MESSAGE, turn);
+        writeTexts(Text.STDERR, turn);
+        out.writeName(Name.TIMES);
+        out.writeStartObject();
+        out.writeName(Name.ANSWER_NANOS);
+        out.writeStartArray();
         for (int player = 0; player < turn.players(); player++) {
             if (turn.asked(player)) {
-                turnLine.writeNumber(turn.nanos(player));
+                out.writeNumber(turn.nanos(player));
             } else {
-                turnLine.writeNull();
+                out.writeNull();
             }
         }
-        turnLine.writeEndArray();
-        turnLine.writeEndObject();
-        close(turnLine);
+        out.writeEndArray();
+        out.writeEndObject();
+        endLine();
     }
 
     @Override
     public void end(MatchResult result) {
-        JsonGenerator out = open("result");
+        open("result");
         out.writeNumberProperty("turns", result.turns());
         out.writeStringProperty("ending", result.ending());
         if (observations == null) {
             writeStanding(out, game);
         } else {
-            writeObservedStanding(out);
+            writeObservedStanding();
         }
         out.writeArrayPropertyStart("players");
         for (MatchResult.PlayerResult player : result.players()) {
@@ -175,15 +193,14 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
         }
         out.writeEndArray();
         writeData(out, result.data());
-        out.flush();
-        out.writeStringProperty("resultHash", line.hash(0));
+        writeHash("resultHash", 0);
         out.writeObjectPropertyStart("times");
         writeNumbers(out, "averageNanos", result, MatchResult.PlayerResult::averageNanos);
         writeNumbers(out, "worstNanos", result, MatchResult.PlayerResult::worstNanos);
         writeNumbers(out, "firstNanos", result, MatchResult.PlayerResult::firstNanos);
         writeNumbers(out, "earlyTurns", result, MatchResult.PlayerResult::earlyTurns);
         out.writeEndObject();
-        close(out);
+        endLine();
     }
 
     /** The field {@code data}: what bots reported; left out if they did not. */
@@ -195,7 +212,7 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
         }
     }
 
-    private void writeObservedStanding(JsonGenerator out) {
+    private void writeObservedStanding() {
         int[] ranks = game.ranks();
         double[] scores = game.scores();
         out.writeArrayPropertyStart("standing");
@@ -235,49 +252,73 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
         out.writeEndArray();
     }
 
-    /** A text of one player's turn. */
-    private interface Text {
-        String of(Turn turn, int player);
-    }
+    /** A text of one player's turn, in the order in which they enter the hash. */
+    private enum Text {
+        FAULT("faults"),
+        MESSAGE("messages"),
+        STDERR("stderr");
 
-    private static String[] texts(Turn turn, Text text) {
-        String[] texts = new String[turn.players()];
-        for (int player = 0; player < texts.length; player++) {
-            texts[player] = text.of(turn, player);
+        private final String name;
+
+        Text(String name) {
+            this.name = name;
         }
-        return texts;
+
+        String of(Turn turn, int player) {
+            return switch (this) {
+                case FAULT -> turn.fault(player);
+                case MESSAGE -> turn.message(player);
+                case STDERR -> turn.stderr(player);
+            };
+        }
     }
 
-    private static void writeTexts(JsonGenerator out, String name, Turn turn, Text text) {
-        String[] texts = texts(turn, text);
-        if (Arrays.stream(texts).allMatch(Objects::isNull)) {
+    /** One text or null per player; left out if nobody has any. */
+    private void writeTexts(Text text, Turn turn) {
+        boolean any = false;
+        for (int player = 0; player < turn.players(); player++) {
+            any |= text.of(turn, player) != null;
+        }
+        if (!any) {
             return;
         }
-        out.writeArrayPropertyStart(name);
-        for (String value : texts) {
-            if (value == null) {
+        out.writeArrayPropertyStart(text.name);
+        for (int player = 0; player < turn.players(); player++) {
+            if (text.of(turn, player) == null) {
                 out.writeNull();
             } else {
-                out.writeString(value);
+                out.writeString(text.of(turn, player));
             }
         }
         out.writeEndArray();
     }
 
-    private JsonGenerator open(String type) {
-        line.reset();
-        JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), line);
-        out.writeStartObject();
-        out.writeStringProperty("type", type);
-        return out;
+    /** Begins a hash of the line with what was written from there on, a colon left out. */
+    private void startHash(int from) {
+        out.flush();
+        byte[] bytes = line.bytes();
+        InputHash.add(hash.reset(), bytes, bytes[from] == ':' ? from + 1 : from, line.size());
     }
 
-    private void close(JsonGenerator out) {
+    private void writeHash(String name, int from) {
+        startHash(from);
+        out.writeName(name);
+        JsonNumbers.writeHash(out, hash.value());
+    }
+
+    private void open(String type) {
+        line.reset();
+        out.writeStartObject();
+        out.writeName(Name.TYPE);
+        out.writeString(type);
+    }
+
+    private void endLine() {
         out.writeEndObject();
-        out.close();
+        out.flush();
         line.write('\n');
         try {
-            line.writeTo(file);
+            file.write(line.bytes(), 0, line.size());
             file.flush();
         } catch (IOException problem) {
             throw new UncheckedIOException("replay: cannot write: " + problem.getMessage(), problem);
@@ -290,18 +331,6 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
             file.close();
         } catch (IOException problem) {
             throw new UncheckedIOException("replay: cannot close: " + problem.getMessage(), problem);
-        }
-    }
-
-    /** Collects one line. */
-    private static final class Line extends ByteArrayOutputStream {
-        Line() {
-            super(8192);
-        }
-
-        /** The hash of what is written from there on, a colon left out, and of texts. */
-        String hash(int from, String[]... texts) {
-            return InputHash.of(buf, buf[from] == ':' ? from + 1 : from, count, texts);
         }
     }
 }

@@ -5,6 +5,7 @@ import steward.game.Game;
 import steward.game.GameSetup;
 import steward.game.GameTypes;
 import steward.game.JsonNumbers;
+import steward.game.LineParser;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
@@ -16,6 +17,8 @@ public final class Resimulation {
     private final GameSetup setup;
     private final Game game;
     private final FrameCodec codec;
+    private final LineParser lines = new LineParser();
+    private final String[] noFaults;
 
     /**
      * @param source name of the replay, for errors about its scene
@@ -30,6 +33,7 @@ public final class Resimulation {
         }
         game = setup.create(header.seed());
         codec = setup.codec(game);
+        noFaults = new String[game.players()];
         if (game.players() != header.names().size()) {
             throw new ReplayException(source + ":1: players: found " + header.names().size() + ", expected "
                 + game.players() + " as in the scene");
@@ -84,6 +88,50 @@ public final class Resimulation {
     }
 
     private Difference readCommands(RecordedTurn turn) {
+        byte[] json = turn.commands();
+        return readCommands(json, 0, json.length, turn.faults()) >= 0 ? null : readCarefully(turn);
+    }
+
+    /**
+     * Reads the commands of a turn in which nobody failed.
+     *
+     * @return how many bytes there are behind them; negative if there is anything wrong or unusual about them
+     */
+    int readCommands(byte[] json, int from, int to) {
+        return readCommands(json, from, to, noFaults);
+    }
+
+    private int readCommands(byte[] json, int from, int to, String[] faults) {
+        if (!LineParser.canRead(json, from, to)) {
+            return -1;
+        }
+        try {
+            JsonParser in = lines.begin(json, from, to);
+            if (in.nextToken() == JsonToken.START_ARRAY && readEach(in, faults)) {
+                return lines.rest();
+            }
+            lines.forget();
+            return -1;
+        } catch (JacksonException problem) {
+            lines.forget();
+            return -1;
+        }
+    }
+
+    private boolean readEach(JsonParser in, String[] faults) {
+        int player = 0;
+        for (JsonToken token = in.nextToken(); token != JsonToken.END_ARRAY; token = in.nextToken()) {
+            boolean wanted = player < game.players() && game.isIn(player) && faults[player] == null;
+            if (wanted != (token != JsonToken.VALUE_NULL) || wanted && codec.readCommand(in, player) != null) {
+                return false;
+            }
+            player++;
+        }
+        return player == game.players();
+    }
+
+    /** What is wrong with the commands, which are read to be told. */
+    private Difference readCarefully(RecordedTurn turn) {
         byte[] json = turn.commands();
         int player = 0;
         try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), json, 0, json.length)) {

@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import steward.game.JsonNumbers;
+import steward.game.LineParser;
 import steward.scene.JsonProblem;
 import steward.scene.Nearest;
 import tools.jackson.core.JacksonException;
@@ -28,6 +29,7 @@ final class PodAnswer {
     private final double[] y;
     private final int[] thrust;
     private final int maximumThrust;
+    private final LineParser lines = new LineParser();
     private String message;
 
     /**
@@ -61,6 +63,31 @@ final class PodAnswer {
 
     /** @return {@code null} if the line is a good answer, otherwise what is wrong with it */
     String read(byte[] line, int length) {
+        return isGood(line, length) ? null : readCarefully(line, length);
+    }
+
+    /** Nearly always; and then nothing has been allocated but the message. */
+    private boolean isGood(byte[] line, int length) {
+        if (!LineParser.canRead(line, 0, length)) {
+            return false;
+        }
+        message = null;
+        try {
+            JsonParser in = lines.begin(line, 0, length);
+            if (in.nextToken() == JsonToken.START_OBJECT && readFields(in) == null) {
+                lines.rest();
+                return lines.restIsBlank();
+            }
+            lines.forget();
+            return false;
+        } catch (JacksonException problem) {
+            // What is wrong, and where, is found by reading it once more.
+            lines.forget();
+            return false;
+        }
+    }
+
+    private String readCarefully(byte[] line, int length) {
         message = null;
         try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), line, 0, length)) {
             if (in.nextToken() != JsonToken.START_OBJECT) {
@@ -129,9 +156,8 @@ final class PodAnswer {
     }
 
     private String readPod(JsonParser in, int pod) {
-        String path = "pods[" + pod + "]";
         if (in.currentToken() != JsonToken.START_OBJECT) {
-            return path + ": found " + describe(in) + ", expected an object";
+            return path(pod) + ": found " + describe(in) + ", expected an object";
         }
         x[pod] = Double.NaN;
         y[pod] = Double.NaN;
@@ -140,52 +166,57 @@ final class PodAnswer {
             String name = in.currentName();
             in.nextToken();
             String wrong = switch (name) {
-                case "x" -> readCoordinate(in, path, "x", x, pod);
-                case "y" -> readCoordinate(in, path, "y", y, pod);
-                case "thrust" -> thrust[pod] != NOT_GIVEN ? onlyOne(path) : readThrust(in, path, pod);
-                case "shield" -> thrust[pod] != NOT_GIVEN ? onlyOne(path)
-                    : readFlag(in, path, "shield", pod, PodRace.SHIELD);
-                case "boost" -> thrust[pod] != NOT_GIVEN ? onlyOne(path)
-                    : readFlag(in, path, "boost", pod, PodRace.BOOST);
-                default -> unknown(path + ".", name, POD_FIELDS);
+                case "x" -> readCoordinate(in, "x", x, pod);
+                case "y" -> readCoordinate(in, "y", y, pod);
+                case "thrust" -> thrust[pod] != NOT_GIVEN ? onlyOne(pod) : readThrust(in, pod);
+                case "shield" -> thrust[pod] != NOT_GIVEN ? onlyOne(pod)
+                    : readFlag(in, "shield", pod, PodRace.SHIELD);
+                case "boost" -> thrust[pod] != NOT_GIVEN ? onlyOne(pod)
+                    : readFlag(in, "boost", pod, PodRace.BOOST);
+                default -> unknown(path(pod) + ".", name, POD_FIELDS);
             };
             if (wrong != null) {
                 return wrong;
             }
         }
         if (Double.isNaN(x[pod]) || Double.isNaN(y[pod])) {
-            return path + (Double.isNaN(x[pod]) ? ".x" : ".y") + ": found nothing, expected a number";
+            return path(pod) + (Double.isNaN(x[pod]) ? ".x" : ".y") + ": found nothing, expected a number";
         }
-        return thrust[pod] == NOT_GIVEN ? path + ": found none of thrust, shield, boost, expected exactly one" : null;
+        return thrust[pod] != NOT_GIVEN ? null
+            : path(pod) + ": found none of thrust, shield, boost, expected exactly one";
     }
 
-    private static String onlyOne(String path) {
-        return path + ": found more than one of thrust, shield, boost, expected exactly one";
+    private static String path(int pod) {
+        return "pods[" + pod + "]";
     }
 
-    private String readCoordinate(JsonParser in, String path, String name, double[] into, int pod) {
+    private static String onlyOne(int pod) {
+        return path(pod) + ": found more than one of thrust, shield, boost, expected exactly one";
+    }
+
+    private String readCoordinate(JsonParser in, String name, double[] into, int pod) {
         if (!Double.isNaN(into[pod])) {
-            return path + "." + name + ": found twice, expected once";
+            return path(pod) + "." + name + ": found twice, expected once";
         }
         if (!in.currentToken().isNumeric() || !Double.isFinite(in.getDoubleValue())) {
-            return path + "." + name + ": found " + describe(in) + ", expected a finite number";
+            return path(pod) + "." + name + ": found " + describe(in) + ", expected a finite number";
         }
         into[pod] = in.getDoubleValue();
         return null;
     }
 
-    private String readThrust(JsonParser in, String path, int pod) {
+    private String readThrust(JsonParser in, int pod) {
         double value = in.currentToken().isNumeric() ? in.getDoubleValue() : Double.NaN;
         if (value != Math.rint(value) || !(value >= 0 && value <= maximumThrust)) {
-            return path + ".thrust: found " + describe(in) + ", expected a whole number 0.." + maximumThrust;
+            return path(pod) + ".thrust: found " + describe(in) + ", expected a whole number 0.." + maximumThrust;
         }
         thrust[pod] = (int) value;                    // 100.0 is a whole number too: some languages print it so
         return null;
     }
 
-    private String readFlag(JsonParser in, String path, String name, int pod, int meaning) {
+    private String readFlag(JsonParser in, String name, int pod, int meaning) {
         if (in.currentToken() != JsonToken.VALUE_TRUE) {
-            return path + "." + name + ": found " + describe(in) + ", expected true (or leave it out)";
+            return path(pod) + "." + name + ": found " + describe(in) + ", expected true (or leave it out)";
         }
         thrust[pod] = meaning;
         return null;

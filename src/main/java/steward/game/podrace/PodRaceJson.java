@@ -9,12 +9,35 @@ import steward.scene.Field;
 import steward.scene.Scene;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.JsonParser;
+import tools.jackson.core.io.SerializedString;
 
 /** The frames of the pod race, its state in replays and its drawing, as JSON. Answers are read by {@link PodAnswer}. */
 final class PodRaceJson implements FrameCodec {
 
     private static final double HALF_TURN_DEGREES = 180;
     private static final double FULL_TURN_DEGREES = 360;
+
+    /** The names that every turn writes, encoded once. */
+    private static final class Name {
+        static final SerializedString TURNS_LEFT = new SerializedString("turnsLeft");
+        static final SerializedString NEXT_CHECKPOINT = new SerializedString("nextCheckpoint");
+        static final SerializedString LAP = new SerializedString("lap");
+        static final SerializedString SHIELD_TIMER = new SerializedString("shieldTimer");
+        static final SerializedString ID = new SerializedString("id");
+        static final SerializedString PLAYER = new SerializedString("player");
+        static final SerializedString BOOST_LEFT = new SerializedString("boostLeft");
+        static final SerializedString HEADING = new SerializedString("heading");
+        static final SerializedString X = new SerializedString("x");
+        static final SerializedString Y = new SerializedString("y");
+        static final SerializedString VX = new SerializedString("vx");
+        static final SerializedString VY = new SerializedString("vy");
+        static final SerializedString PODS = new SerializedString("pods");
+        static final SerializedString THRUST = new SerializedString("thrust");
+        static final SerializedString SHIELD = new SerializedString("shield");
+        static final SerializedString BOOST = new SerializedString("boost");
+        static final SerializedString PASSED = new SerializedString("passed");
+        static final SerializedString BODIES = new SerializedString("bodies");
+    }
 
     private final PodRace race;
     private final Scene scene;
@@ -74,18 +97,19 @@ final class PodRaceJson implements FrameCodec {
 
     @Override
     public void writeTurn(JsonGenerator out, int player) {
-        out.writeNumberProperty("turnsLeft", race.turnsLeft(player));
-        out.writeArrayPropertyStart("pods");
+        JsonNumbers.write(out, Name.TURNS_LEFT, race.turnsLeft(player));
+        out.writeName(Name.PODS);
+        out.writeStartArray();
         for (int pod = 0; pod < race.settings().pods(); pod++) {
             PodState state = race.pod(pod);
             out.writeStartObject();
             writeMotion(out, pod, state);
-            JsonNumbers.writeOrNull(out, "heading", degrees(state.heading()));
-            out.writeNumberProperty("nextCheckpoint", race.nextCheckpoint(pod));
-            out.writeNumberProperty("lap", race.lap(pod));
+            JsonNumbers.writeOrNull(out, Name.HEADING, degrees(state.heading()));
+            JsonNumbers.write(out, Name.NEXT_CHECKPOINT, race.nextCheckpoint(pod));
+            JsonNumbers.write(out, Name.LAP, race.lap(pod));
             if (race.playerOf(pod) == player) {
-                out.writeNumberProperty("shieldTimer", state.shieldTimer());
-                out.writeBooleanProperty("boostLeft", state.boostLeft());
+                JsonNumbers.write(out, Name.SHIELD_TIMER, state.shieldTimer());
+                JsonNumbers.write(out, Name.BOOST_LEFT, state.boostLeft());
             }
             out.writeEndObject();
         }
@@ -93,12 +117,12 @@ final class PodRaceJson implements FrameCodec {
     }
 
     private void writeMotion(JsonGenerator out, int pod, PodState state) {
-        out.writeNumberProperty("id", race.bodies().id(pod));
-        out.writeNumberProperty("player", race.playerOf(pod));
-        JsonNumbers.write(out, "x", state.x());
-        JsonNumbers.write(out, "y", state.y());
-        JsonNumbers.write(out, "vx", state.vx());
-        JsonNumbers.write(out, "vy", state.vy());
+        JsonNumbers.write(out, Name.ID, race.bodies().id(pod));
+        JsonNumbers.write(out, Name.PLAYER, race.playerOf(pod));
+        JsonNumbers.write(out, Name.X, state.x());
+        JsonNumbers.write(out, Name.Y, state.y());
+        JsonNumbers.write(out, Name.VX, state.vx());
+        JsonNumbers.write(out, Name.VY, state.vy());
     }
 
     /** A heading as bots see it: degrees in [0, 360), NaN while unset. */
@@ -133,12 +157,12 @@ final class PodRaceJson implements FrameCodec {
         out.writeStartArray();
         for (int pod = first; pod < first + race.settings().podsPerPlayer(); pod++) {
             out.writeStartObject();
-            JsonNumbers.write(out, "x", race.targetX(pod));
-            JsonNumbers.write(out, "y", race.targetY(pod));
+            JsonNumbers.write(out, Name.X, race.targetX(pod));
+            JsonNumbers.write(out, Name.Y, race.targetY(pod));
             switch (race.thrust(pod)) {
-                case PodRace.SHIELD -> out.writeBooleanProperty("shield", true);
-                case PodRace.BOOST -> out.writeBooleanProperty("boost", true);
-                default -> out.writeNumberProperty("thrust", race.thrust(pod));
+                case PodRace.SHIELD -> JsonNumbers.write(out, Name.SHIELD, true);
+                case PodRace.BOOST -> JsonNumbers.write(out, Name.BOOST, true);
+                default -> JsonNumbers.write(out, Name.THRUST, race.thrust(pod));
             }
             out.writeEndObject();
         }
@@ -159,19 +183,21 @@ final class PodRaceJson implements FrameCodec {
 
     @Override
     public void writeState(JsonGenerator out) {
-        out.writeArrayPropertyStart("bodies");
+        out.writeName(Name.BODIES);
+        out.writeStartArray();
         for (int pod = 0; pod < race.settings().pods(); pod++) {
             PodState state = race.pod(pod);
             out.writeStartObject();
             writeMotion(out, pod, state);
-            JsonNumbers.writeOrNull(out, "heading", state.heading());
-            out.writeNumberProperty("shieldTimer", state.shieldTimer());
-            out.writeBooleanProperty("boostLeft", state.boostLeft());
-            out.writeNumberProperty("passed", state.passed());
+            JsonNumbers.writeOrNull(out, Name.HEADING, state.heading());
+            JsonNumbers.write(out, Name.SHIELD_TIMER, state.shieldTimer());
+            JsonNumbers.write(out, Name.BOOST_LEFT, state.boostLeft());
+            JsonNumbers.write(out, Name.PASSED, state.passed());
             out.writeEndObject();
         }
         out.writeEndArray();
-        out.writeArrayPropertyStart("turnsLeft");
+        out.writeName(Name.TURNS_LEFT);
+        out.writeStartArray();
         for (int player = 0; player < race.players(); player++) {
             out.writeNumber(race.turnsLeft(player));
         }

@@ -1,0 +1,157 @@
+package steward.numerics;
+
+import java.math.BigInteger;
+
+/**
+ * The shortest decimal that reads back as the same double, of those the nearest to it, written without allocating:
+ * <pre>-12.5   0.001   3.141592653589793</pre>
+ *
+ * <p>Only for the numbers that frames and replays are full of: not whole, no power of two, magnitude from 10^-3 up to
+ * 10^7. Whoever asks must have another way for the rest, see {@link #NOT_HERE}.
+ *
+ * <p>Source: R. Giulietti, "The Schubfach way to render doubles" (2020), for the regular interval only.
+ */
+public final class ShortestDecimal {
+
+    /** The most characters that {@link #write} writes: sign, "0.00" and 17 digits. */
+    public static final int MOST = 24;
+
+    /** What {@link #write} returns for a number that is not its business. */
+    public static final int NOT_HERE = -1;
+
+    private static final double LEAST = 1e-3;
+    private static final double BELOW = 1e7;
+
+    private static final int FRACTION_BITS = 52;
+    private static final long FRACTION = (1L << FRACTION_BITS) - 1;
+    private static final int EXPONENT = (1 << 11) - 1;
+    /** A double is c · 2^(e - BIAS) with c its 53 bits and e its exponent field. */
+    private static final int BIAS = 1023 + FRACTION_BITS;
+    private static final long LOW_63 = Long.MAX_VALUE;
+
+    /*
+     * With v = c · 2^q and k = floor(log10(2^q)), the decimals f · 10^k are spaced by less than the doubles, and
+     * f · 10^(k+1) by more. g(k) is 10^-k as a fixed-point number of 126 bits, rounded up: g · 2^(r - 125), with
+     * r = floor(log2(10^-k)). The products of c with it, of which two bits behind the point and whether anything
+     * follows ("sticky") are kept, decide exactly (theorem 9.2 of the paper).
+     */
+    private static final int LEAST_K = -19;
+    private static final int MOST_K = -9;
+    private static final long[] G = table();
+
+    private ShortestDecimal() {
+    }
+
+    private static long[] table() {
+        long[] table = new long[2 * (MOST_K - LEAST_K + 1)];
+        for (int k = LEAST_K; k <= MOST_K; k++) {
+            BigInteger power = BigInteger.TEN.pow(-k);
+            BigInteger g = power.shiftLeft(125 - log2OfPower10(-k)).add(BigInteger.ONE);
+            table[2 * (k - LEAST_K)] = g.shiftRight(63).longValueExact();
+            table[2 * (k - LEAST_K) + 1] = g.and(BigInteger.valueOf(LOW_63)).longValueExact();
+        }
+        return table;
+    }
+
+    /** floor(log2(10^n)), for |n| up to thousands: log2(10) in 38 binary places. */
+    private static int log2OfPower10(int n) {
+        return (int) (n * 913_124_641_741L >> 38);
+    }
+
+    /** floor(log10(2^n)), likewise: log10(2) in 41 binary places. */
+    private static int log10OfPower2(int n) {
+        return (int) (n * 661_971_961_083L >> 41);
+    }
+
+    /**
+     * Writes a number.
+     *
+     * @param into room for {@link #MOST} characters
+     * @return how many characters were written, from the first; or {@link #NOT_HERE}
+     */
+    public static int write(double value, char[] into) {
+        double magnitude = Math.abs(value);
+        long bits = Double.doubleToRawLongBits(magnitude);
+        long fraction = bits & FRACTION;
+        if (!(magnitude >= LEAST && magnitude < BELOW) || fraction == 0 || magnitude == Math.rint(magnitude)) {
+            return NOT_HERE;
+        }
+        int q = (int) (bits >>> FRACTION_BITS & EXPONENT) - BIAS;
+        int k = log10OfPower2(q);
+        long digits = shortest(fraction | 1L << FRACTION_BITS, q, k);
+        for (long shorter = digits / 10; shorter * 10 == digits; shorter = digits / 10) {
+            digits = shorter;
+            k++;
+        }
+        int at = 0;
+        if (value < 0) {
+            into[at++] = '-';
+        }
+        return spell(digits, k, into, at);
+    }
+
+    /** The digits f of the shortest f · 10^k inside the interval that rounds to c · 2^q; f may end in zeros. */
+    private static long shortest(long c, int q, int k) {
+        long g1 = G[2 * (k - LEAST_K)];
+        long g0 = G[2 * (k - LEAST_K) + 1];
+        int h = q + log2OfPower10(-k) + 2;
+        long odd = c & 1;                              // an even c rounds both ends of its interval to itself
+        long value = scaled(g1, g0, (4 * c) << h);
+        long low = scaled(g1, g0, (4 * c - 2) << h) + odd;
+        long high = scaled(g1, g0, (4 * c + 2) << h) - odd;
+        long s = value >> 2;
+        long tens = s / 10 * 10;
+        boolean lowerTens = low <= 4 * tens;
+        boolean upperTens = 4 * (tens + 10) <= high;
+        if (lowerTens != upperTens) {
+            return lowerTens ? tens : tens + 10;
+        }
+        boolean lower = low <= 4 * s;
+        boolean upper = 4 * (s + 1) <= high;
+        if (lower != upper) {
+            return lower ? s : s + 1;
+        }
+        long middle = value - 2 * (2 * s + 1);
+        return middle < 0 || middle == 0 && (s & 1) == 0 ? s : s + 1;
+    }
+
+    /** g · c / 2^126, its last bit set if anything was cut off. */
+    private static long scaled(long g1, long g0, long c) {
+        long x1 = Math.multiplyHigh(g0, c);
+        long y0 = g1 * c;
+        long y1 = Math.multiplyHigh(g1, c);
+        long z = (y0 >>> 1) + x1;
+        long w = y1 + (z >>> 63);
+        return w | (z & LOW_63) + LOW_63 >>> 63;
+    }
+
+    /** digits · 10^k with k below 0, as an ordinary decimal. */
+    private static int spell(long digits, int k, char[] into, int from) {
+        int at = from;
+        int count = 1;
+        for (long power = 10; count < 18 && power <= digits; power *= 10) {
+            count++;
+        }
+        int whole = count + k;
+        if (whole <= 0) {
+            into[at++] = '0';
+            into[at++] = '.';
+            for (int zero = whole; zero < 0; zero++) {
+                into[at++] = '0';
+            }
+        }
+        int end = at + count + (whole > 0 ? 1 : 0);
+        int point = whole > 0 ? at + whole : -1;
+        long rest = digits;
+        for (int place = end - 1; place >= at; place--) {
+            if (place == point) {
+                into[place] = '.';
+            } else {
+                long shorter = rest / 10;
+                into[place] = (char) ('0' + rest - 10 * shorter);
+                rest = shorter;
+            }
+        }
+        return end;
+    }
+}
