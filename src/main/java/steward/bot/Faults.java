@@ -1,7 +1,7 @@
 package steward.bot;
 
 /** The words for the ways in which a player fails. */
-final class Faults {
+public final class Faults {
 
     /** Statuses above this are 128 + the number of the signal that ended the process. */
     private static final int SIGNALLED = 128;
@@ -18,7 +18,7 @@ final class Faults {
     }
 
     /** {@code no answer within 75 ms (waited 76 ms)}. */
-    static String late(long limitNanos, long waitedNanos) {
+    public static String late(long limitNanos, long waitedNanos) {
         return "no answer within " + limit(limitNanos) + " (waited " + waited(waitedNanos) + ")";
     }
 

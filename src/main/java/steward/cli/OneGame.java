@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
+import steward.replay.WriteBehind;
 
 /**
  * Plays one match and tells how it went.
@@ -44,7 +45,7 @@ record OneGame(Streams streams, Contest contest, Report report, boolean strict) 
     }
 
     private MatchResult result(long seed, Path file, boolean overwrite, Show show) throws InterruptedException {
-        try (OutputStream recording = file == null ? null : OutputFiles.open(file, overwrite)) {
+        try (OutputStream recording = file == null ? null : new WriteBehind(OutputFiles.open(file, overwrite))) {
             if (show != null) {
                 show.awaitViewer();
             }

@@ -13,6 +13,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
+import steward.replay.WriteBehind;
 
 /**
  * Many games between the same bots. Game k, counted from 0, has the seed {@code first + k}; with {@code swap} each seed
@@ -114,7 +115,7 @@ record Series(Contest contest, long first, int seeds, boolean swap, Path folder)
         long seed = first + (number - 1) / sides;
         int rotation = (number - 1) % sides;
         Path file = file(number);
-        try (OutputStream recording = file == null ? null : OutputFiles.open(file, overwrite)) {
+        try (OutputStream recording = file == null ? null : new WriteBehind(OutputFiles.open(file, overwrite))) {
             return new Played(number, seed, rotation, contest.play(seed, rotation, recording, NOBODY), null);
         } catch (InputException | UncheckedIOException | IOException problem) {
             return new Played(number, seed, rotation, null, problem.getMessage());

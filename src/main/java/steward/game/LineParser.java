@@ -15,7 +15,8 @@ import tools.jackson.core.ObjectReadContext;
 public final class LineParser {
 
     private final Feed feed = new Feed();
-    private final Blanks blanks = new Blanks();
+    private final Ignored ignored = new Ignored();
+    private int rest;
     private JsonParser parser;
 
     /** Whether a line can be read here at all. */
@@ -36,17 +37,20 @@ public final class LineParser {
 
     /** The value has been read to its end: how many bytes there are behind it. */
     public int rest() {
-        blanks.only = true;
-        int count = parser.releaseBuffered(blanks);
-        for (; feed.at < feed.to; count++) {
-            blanks.write(feed.bytes[feed.at++]);
-        }
-        return count;
+        rest = parser.releaseBuffered(ignored) + feed.to - feed.at;
+        feed.at = feed.to;
+        return rest;
     }
 
     /** After {@link #rest}: whether all that was behind the value is blank. */
     public boolean restIsBlank() {
-        return blanks.only;
+        for (int k = feed.to - rest; k < feed.to; k++) {
+            byte one = feed.bytes[k];
+            if (one != ' ' && one != '\t' && one != '\r' && one != '\n') {
+                return false;
+            }
+        }
+        return true;
     }
 
     /** The line was not read to its end, or is no JSON: the parser cannot be used for another. */
@@ -78,14 +82,17 @@ public final class LineParser {
         }
     }
 
-    /** Looks at what it is given. */
-    private static final class Blanks extends OutputStream {
-
-        private boolean only;
+    /** What the parser had read beyond the value; it is counted, and stands in the line anyhow. */
+    private static final class Ignored extends OutputStream {
 
         @Override
         public void write(int one) {
-            only &= one == ' ' || one == '\t' || one == '\r' || one == '\n';
+            return;
+        }
+
+        @Override
+        public void write(byte[] bytes, int from, int count) {
+            return;
         }
     }
 }

@@ -1,7 +1,9 @@
 package steward.match;
 
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.ExecutionException;
@@ -26,6 +28,8 @@ public final class Referee {
     private final Game game;
     private final FrameCodec codec;
     private final List<Player> players;
+    private final DirectPlayer[] directs;
+    private final boolean allDirect;
     private final Dialogue[] dialogues;
     private final DataLines data;
     private final TimeControl time;
@@ -68,8 +72,10 @@ public final class Referee {
         }
         codec = setup.codec(game);
         players = seats.stream().map(Seat::player).toList();
-        dialogues = seats.stream().map(seat -> Dialogue.of(seat.protocol(), setup, game, codec))
-            .toArray(Dialogue[]::new);
+        directs = players.stream().map(player -> player instanceof DirectPlayer direct ? direct : null)
+            .toArray(DirectPlayer[]::new);
+        allDirect = players.stream().allMatch(player -> player instanceof DirectPlayer);
+        dialogues = dialogues(seats, setup);
         this.time = time;
         this.listener = listener;
         int count = players.size();
@@ -87,15 +93,33 @@ public final class Referee {
         }
     }
 
+    /** Who speaks the same language shares a dialogue; who needs no lines has none. */
+    private Dialogue[] dialogues(List<Seat> seats, GameSetup setup) {
+        Map<Protocol, Dialogue> spoken = new EnumMap<>(Protocol.class);
+        Dialogue[] each = new Dialogue[seats.size()];
+        for (int player = 0; player < each.length; player++) {
+            Protocol protocol = seats.get(player).protocol();
+            if (directs[player] == null) {
+                each[player] = spoken.computeIfAbsent(protocol, word -> Dialogue.of(word, setup, game, codec));
+            }
+        }
+        return each;
+    }
+
     /**
-     * Plays the match. Call once.
+     * Plays the match. Call once. Where nobody needs lines, nobody can get stuck in them, and the calling thread itself
+     * plays.
      *
      * @throws InterruptedException if the calling thread is interrupted; the players are finished then
      * @throws RuntimeException     whatever the game or the listener threw; the players are finished then
      */
     public MatchResult play() throws InterruptedException {
-        startThread(this::begin);
         try {
+            if (allDirect) {
+                begin();
+            } else {
+                startThread(this::begin);
+            }
             return result.get();
         } catch (ExecutionException problem) {
             if (problem.getCause() instanceof RuntimeException unchecked) {
@@ -119,8 +143,12 @@ public final class Referee {
         guarded(() -> {
             listener.start(game, codec);
             for (int player = 0; player < players.size(); player++) {
-                LineBuffer frame = dialogues[player].setup(player);
-                players.get(player).tell(frame.bytes(), frame.size());
+                if (directs[player] != null) {
+                    directs[player].start(game, player);
+                } else {
+                    LineBuffer frame = dialogues[player].setup(player);
+                    players.get(player).tell(frame.bytes(), frame.size());
+                }
             }
             turn.begin(1);
             askRest();
@@ -150,7 +178,7 @@ public final class Referee {
 
     /** From the next player on, to the end of the match, or until this thread has lost the match to another. */
     private void askRest() {
-        while (!result.isDone()) {
+        while (!result.isDone() && !(allDirect && Thread.currentThread().isInterrupted())) {
             for (; next < players.size(); next++) {
                 if (game.isIn(next) && !ask(next)) {
                     return;
@@ -168,8 +196,12 @@ public final class Referee {
 
     /** @return false if this thread must leave */
     private boolean ask(int player) {
-        LineBuffer frame = dialogues[player].turn(player);
         long limit = time.limit(watches[player].answers());
+        if (directs[player] != null) {
+            take(player, directs[player].ask(limit, answers[player]), answers[player]);
+            return true;
+        }
+        LineBuffer frame = dialogues[player].turn(player);
         Player.Ending ending = players.get(player).ask(frame.bytes(), frame.size(),
             dialogues[player].answerLines(player), limit, answers[player]);
         if (ending == Player.Ending.ABANDONED || result.isDone()) {
@@ -188,13 +220,14 @@ public final class Referee {
         turn.stderr[player] = Quote.wellFormed(answer.stderr());
         data.read(player, turn.stderr[player]);
         String fault = answer.fault();
-        if (ending == Player.Ending.ANSWERED) {
+        if (ending == Player.Ending.ANSWERED && directs[player] == null) {
             String wrong = dialogues[player].readAnswer(player, answer.bytes(), answer.length());
             fault = wrong == null ? null : wrong + "; received: " + Quote.line(answer.bytes(), answer.length());
         }
         if (fault == null) {
             turn.answered[player] = true;
-            turn.messages[player] = Quote.wellFormed(dialogues[player].message(player));
+            turn.messages[player] = Quote.wellFormed(directs[player] == null ? dialogues[player].message(player)
+                : directs[player].message());
         } else {
             faults[player] = Quote.wellFormed(fault);
             turn.faults[player] = faults[player];
@@ -217,8 +250,12 @@ public final class Referee {
         int[] ranks = game.ranks();
         double[] scores = game.scores();
         for (int player = 0; player < players.size(); player++) {
-            LineBuffer frame = dialogues[player].end(player);
-            players.get(player).finish(frame.bytes(), frame.size());
+            if (directs[player] != null) {
+                players.get(player).close();
+            } else {
+                LineBuffer frame = dialogues[player].end(player);
+                players.get(player).finish(frame.bytes(), frame.size());
+            }
             data.read(player, players.get(player).lastWords());
         }
         data.end();

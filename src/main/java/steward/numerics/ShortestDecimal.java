@@ -28,6 +28,8 @@ public final class ShortestDecimal {
     /** A double is c · 2^(e - BIAS) with c its 53 bits and e its exponent field. */
     private static final int BIAS = 1023 + FRACTION_BITS;
     private static final long LOW_63 = Long.MAX_VALUE;
+    private static final long SIXTEEN_DIGITS = 10_000_000_000_000_000L;
+    private static final long NINE_DIGITS = 1_000_000_000;
 
     /*
      * With v = c · 2^q and k = floor(log10(2^q)), the decimals f · 10^k are spaced by less than the doubles, and
@@ -79,15 +81,17 @@ public final class ShortestDecimal {
         int q = (int) (bits >>> FRACTION_BITS & EXPONENT) - BIAS;
         int k = log10OfPower2(q);
         long digits = shortest(fraction | 1L << FRACTION_BITS, q, k);
+        int count = digits >= SIXTEEN_DIGITS ? 17 : 16;   // c is below 2^53, and 2^q / 10^k from 1 to below 10
         for (long shorter = digits / 10; shorter * 10 == digits; shorter = digits / 10) {
             digits = shorter;
+            count--;
             k++;
         }
         int at = 0;
         if (value < 0) {
             into[at++] = '-';
         }
-        return spell(digits, k, into, at);
+        return spell(digits, count, count + k, into, at);
     }
 
     /** The digits f of the shortest f · 10^k inside the interval that rounds to c · 2^q; f may end in zeros. */
@@ -125,33 +129,41 @@ public final class ShortestDecimal {
         return w | (z & LOW_63) + LOW_63 >>> 63;
     }
 
-    /** digits · 10^k with k below 0, as an ordinary decimal. */
-    private static int spell(long digits, int k, char[] into, int from) {
+    /** Digits, so many of them before the point; zeros after it if that is negative. */
+    private static int spell(long digits, int count, int whole, char[] into, int from) {
         int at = from;
-        int count = 1;
-        for (long power = 10; count < 18 && power <= digits; power *= 10) {
-            count++;
-        }
-        int whole = count + k;
         if (whole <= 0) {
             into[at++] = '0';
             into[at++] = '.';
             for (int zero = whole; zero < 0; zero++) {
                 into[at++] = '0';
             }
+            spell(digits, into, at, at + count);
+            return at + count;
         }
-        int end = at + count + (whole > 0 ? 1 : 0);
-        int point = whole > 0 ? at + whole : -1;
-        long rest = digits;
-        for (int place = end - 1; place >= at; place--) {
-            if (place == point) {
-                into[place] = '.';
-            } else {
-                long shorter = rest / 10;
-                into[place] = (char) ('0' + rest - 10 * shorter);
-                rest = shorter;
-            }
+        spell(digits, into, at + 1, at + 1 + count);
+        for (int place = at; place < at + whole; place++) {
+            into[place] = into[place + 1];
         }
-        return end;
+        into[at + whole] = '.';
+        return at + 1 + count;
+    }
+
+    /** Exactly so many digits; in two halves, because dividing an int is cheaper. */
+    private static void spell(long digits, char[] into, int from, int to) {
+        long high = digits / NINE_DIGITS;
+        int rest = (int) (digits - high * NINE_DIGITS);
+        int place = to;
+        for (int least = Math.max(from, to - 9); place > least;) {
+            int shorter = rest / 10;
+            into[--place] = (char) ('0' + rest - 10 * shorter);
+            rest = shorter;
+        }
+        rest = (int) high;
+        while (place > from) {
+            int shorter = rest / 10;
+            into[--place] = (char) ('0' + rest - 10 * shorter);
+            rest = shorter;
+        }
     }
 }

@@ -4,6 +4,9 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.VarHandle;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -21,6 +24,12 @@ import tools.jackson.core.JacksonException;
  * {@link UncheckedIOException} if the file cannot be read.
  */
 public final class ReplayReader implements AutoCloseable {
+
+    private static final VarHandle EIGHT_BYTES =
+        MethodHandles.byteArrayViewVarHandle(long[].class, ByteOrder.nativeOrder());
+    private static final long ONES = 0x0101_0101_0101_0101L;
+    private static final long LINE_FEEDS = '\n' * ONES;
+    private static final long HIGH_BITS = 0x80 * ONES;
 
     private final String source;
     private final InputStream in;
@@ -244,10 +253,7 @@ public final class ReplayReader implements AutoCloseable {
                         return line == null ? null : line.toByteArray();
                     }
                 }
-                int end = position;
-                while (end < limit && buffer[end] != '\n') {
-                    end++;
-                }
+                int end = lineEnd(buffer, position, limit);
                 lineEnded = end < limit;
                 if (lineEnded && line == null) {
                     byte[] whole = Arrays.copyOfRange(buffer, position, end);
@@ -264,6 +270,21 @@ public final class ReplayReader implements AutoCloseable {
         } catch (IOException problem) {
             throw new UncheckedIOException(where() + ": cannot read: " + problem.getMessage(), problem);
         }
+    }
+
+    /** Where the next line end is, or {@code to}; eight bytes at a time, of which one is zero after the exclusion. */
+    private static int lineEnd(byte[] bytes, int from, int to) {
+        int at = from;
+        for (; at + Long.BYTES <= to; at += Long.BYTES) {
+            long eight = (long) EIGHT_BYTES.get(bytes, at) ^ LINE_FEEDS;
+            if ((eight - ONES & ~eight & HIGH_BITS) != 0) {
+                break;
+            }
+        }
+        while (at < to && bytes[at] != '\n') {
+            at++;
+        }
+        return at;
     }
 
     @Override

@@ -18,8 +18,8 @@ import tools.jackson.core.ObjectWriteContext;
 import tools.jackson.core.io.SerializedString;
 
 /**
- * Writes a match as it is played, a line at a time; every complete line is handed to the operating system at once, so
- * that a match that is killed leaves all turns it has played.
+ * Writes a match as it is played, a line at a time; every line goes to the file in one piece as soon as it is complete,
+ * so that a match that is killed leaves the turns it has played; see {@link WriteBehind} for how soon.
  */
 public final class ReplayWriter implements MatchListener, AutoCloseable {
 
@@ -133,11 +133,9 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
         }
         out.writeEndArray();
         startHash(from);
-        for (Text text : Text.values()) {
-            for (int player = 0; player < turn.players(); player++) {
-                InputHash.add(hash, text.of(turn, player));
-            }
-        }
+        addTexts(Text.FAULT, turn);
+        addTexts(Text.MESSAGE, turn);
+        addTexts(Text.STDERR, turn);
         writeTexts(Text.FAULT, turn);
         out.writeName(Name.INPUT_HASH);
         JsonNumbers.writeHash(out, hash.value());
@@ -201,6 +199,11 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
         writeNumbers(out, "earlyTurns", result, MatchResult.PlayerResult::earlyTurns);
         out.writeEndObject();
         endLine();
+        try {
+            file.flush();
+        } catch (IOException problem) {
+            throw new UncheckedIOException("replay: cannot write: " + problem.getMessage(), problem);
+        }
     }
 
     /** The field {@code data}: what bots reported; left out if they did not. */
@@ -273,6 +276,12 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
         }
     }
 
+    private void addTexts(Text text, Turn turn) {
+        for (int player = 0; player < turn.players(); player++) {
+            InputHash.add(hash, text.of(turn, player));
+        }
+    }
+
     /** One text or null per player; left out if nobody has any. */
     private void writeTexts(Text text, Turn turn) {
         boolean any = false;
@@ -319,7 +328,6 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
         line.write('\n');
         try {
             file.write(line.bytes(), 0, line.size());
-            file.flush();
         } catch (IOException problem) {
             throw new UncheckedIOException("replay: cannot write: " + problem.getMessage(), problem);
         }

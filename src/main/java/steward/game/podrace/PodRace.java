@@ -376,6 +376,19 @@ public final class PodRace implements Game {
         return thrust[pod];
     }
 
+    /** In radians, NaN while unset. */
+    double heading(int pod) {
+        return heading[pod];
+    }
+
+    int shieldTimer(int pod) {
+        return shieldTimer[pod];
+    }
+
+    boolean boostLeft(int pod) {
+        return boostLeft[pod];
+    }
+
     /** Checkpoints that a pod has passed. */
     int passed(int pod) {
         return passed[pod];

@@ -101,28 +101,28 @@ final class PodRaceJson implements FrameCodec {
         out.writeName(Name.PODS);
         out.writeStartArray();
         for (int pod = 0; pod < race.settings().pods(); pod++) {
-            PodState state = race.pod(pod);
             out.writeStartObject();
-            writeMotion(out, pod, state);
-            JsonNumbers.writeOrNull(out, Name.HEADING, degrees(state.heading()));
+            writeMotion(out, pod);
+            JsonNumbers.writeOrNull(out, Name.HEADING, degrees(race.heading(pod)));
             JsonNumbers.write(out, Name.NEXT_CHECKPOINT, race.nextCheckpoint(pod));
             JsonNumbers.write(out, Name.LAP, race.lap(pod));
             if (race.playerOf(pod) == player) {
-                JsonNumbers.write(out, Name.SHIELD_TIMER, state.shieldTimer());
-                JsonNumbers.write(out, Name.BOOST_LEFT, state.boostLeft());
+                JsonNumbers.write(out, Name.SHIELD_TIMER, race.shieldTimer(pod));
+                JsonNumbers.write(out, Name.BOOST_LEFT, race.boostLeft(pod));
             }
             out.writeEndObject();
         }
         out.writeEndArray();
     }
 
-    private void writeMotion(JsonGenerator out, int pod, PodState state) {
-        JsonNumbers.write(out, Name.ID, race.bodies().id(pod));
+    private void writeMotion(JsonGenerator out, int pod) {
+        Bodies bodies = race.bodies();
+        JsonNumbers.write(out, Name.ID, bodies.id(pod));
         JsonNumbers.write(out, Name.PLAYER, race.playerOf(pod));
-        JsonNumbers.write(out, Name.X, state.x());
-        JsonNumbers.write(out, Name.Y, state.y());
-        JsonNumbers.write(out, Name.VX, state.vx());
-        JsonNumbers.write(out, Name.VY, state.vy());
+        JsonNumbers.write(out, Name.X, bodies.x[pod]);
+        JsonNumbers.write(out, Name.Y, bodies.y[pod]);
+        JsonNumbers.write(out, Name.VX, bodies.vx[pod]);
+        JsonNumbers.write(out, Name.VY, bodies.vy[pod]);
     }
 
     /** A heading as bots see it: degrees in [0, 360), NaN while unset. */
@@ -186,13 +186,12 @@ final class PodRaceJson implements FrameCodec {
         out.writeName(Name.BODIES);
         out.writeStartArray();
         for (int pod = 0; pod < race.settings().pods(); pod++) {
-            PodState state = race.pod(pod);
             out.writeStartObject();
-            writeMotion(out, pod, state);
-            JsonNumbers.writeOrNull(out, Name.HEADING, state.heading());
-            JsonNumbers.write(out, Name.SHIELD_TIMER, state.shieldTimer());
-            JsonNumbers.write(out, Name.BOOST_LEFT, state.boostLeft());
-            JsonNumbers.write(out, Name.PASSED, state.passed());
+            writeMotion(out, pod);
+            JsonNumbers.writeOrNull(out, Name.HEADING, race.heading(pod));
+            JsonNumbers.write(out, Name.SHIELD_TIMER, race.shieldTimer(pod));
+            JsonNumbers.write(out, Name.BOOST_LEFT, race.boostLeft(pod));
+            JsonNumbers.write(out, Name.PASSED, race.passed(pod));
             out.writeEndObject();
         }
         out.writeEndArray();

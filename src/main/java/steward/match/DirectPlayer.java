@@ -1,0 +1,96 @@
+package steward.match;
+
+import java.util.function.Consumer;
+import steward.bot.Answer;
+import steward.bot.Faults;
+import steward.bot.Player;
+import steward.game.Game;
+
+/**
+ * A {@link DirectBot} as a player: it is asked without lines. Time is measured as for a bot program and the limit
+ * holds, but nothing can stop a bot that never returns.
+ */
+final class DirectPlayer implements Player {
+
+    private final String name;
+    private final DirectBot bot;
+    private String problem;
+    private boolean over;
+
+    DirectPlayer(String name, DirectBot bot) {
+        this.name = name;
+        this.bot = bot;
+    }
+
+    void start(Game game, int player) {
+        try {
+            bot.start(game, player);
+        } catch (Throwable thrown) {
+            // Whatever a bot throws, also an error, is its own failure and not the referee's.
+            problem = "threw " + thrown;
+        }
+    }
+
+    Ending ask(long limitNanos, Answer answer) {
+        answer.clear();
+        if (over) {
+            answer.setFault("asked again after its end");
+            return Ending.FAULT;
+        }
+        long start = System.nanoTime();
+        if (problem == null) {
+            try {
+                bot.turn();
+            } catch (Throwable thrown) {
+                problem = "threw " + thrown;
+            }
+        }
+        answer.setNanos(System.nanoTime() - start);
+        if (problem == null && answer.nanos() <= Math.max(1, limitNanos)) {
+            return Ending.ANSWERED;
+        }
+        over = true;
+        answer.setFault(problem != null ? problem : Faults.late(Math.max(1, limitNanos), answer.nanos()));
+        return Ending.FAULT;
+    }
+
+    String message() {
+        return bot.message();
+    }
+
+    @Override
+    public String name() {
+        return name;
+    }
+
+    /** Nothing is told in lines. */
+    @Override
+    public void tell(byte[] lines, int length) {
+        return;
+    }
+
+    @Override
+    public Ending ask(byte[] frame, int length, int answerLines, long limitNanos, Answer answer) {
+        return ask(limitNanos, answer);
+    }
+
+    /** Never used: the call is the bot's own, and comes back or does not. */
+    @Override
+    public void onAbandoned(Consumer<Answer> continuation) {
+        return;
+    }
+
+    @Override
+    public void finish(byte[] lines, int length) {
+        boolean polite = !over;
+        over = true;
+        try {
+            if (polite) {
+                bot.end();
+            }
+        } catch (Throwable thrown) {
+            // The match is over; what a bot says to that does not matter.
+            return;
+        }
+    }
+}

@@ -1,0 +1,230 @@
+package steward.replay;
+
+import java.io.IOException;
+import java.io.InterruptedIOException;
+import java.io.OutputStream;
+import java.util.Arrays;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import java.util.concurrent.locks.ReentrantLock;
+
+/**
+ * Hands what is written to one thread of this JVM that brings it to the file, so that a match does not wait for a disk.
+ * The thread is woken when it sleeps, and looks every {@value #PAUSE_MICROS} microseconds while there is work: that is
+ * how much of a match a kill of the JVM can take from its file. When the JVM ends in order, also by Ctrl-C, everything
+ * is written. At most {@value #CAPACITY} bytes wait; a writer for whom there is no more room writes them itself, and so
+ * do {@link #flush} and {@link #close}.
+ *
+ * <p>What goes wrong with the file is thrown by the next call. One thread at a time may write.
+ */
+public final class WriteBehind extends OutputStream {
+
+    private static final int CAPACITY = 1 << 16;
+    private static final int PAUSE_MICROS = 500;
+    /** How long the thread looks for work before it sleeps, in pauses. */
+    private static final int IDLE_PAUSES = 20;
+    /** How long the end of the JVM waits for a write that is under way, in milliseconds. */
+    private static final long PATIENCE_MS = 1000;
+
+    private final OutputStream file;
+    /** Held while writing to the file. */
+    private final ReentrantLock writing = new ReentrantLock();
+    private byte[] waiting = new byte[1 << 13];
+    private int count;
+    private byte[] spare = new byte[1 << 13];
+    private volatile IOException problem;
+    private boolean closed;
+
+    /** @param file unbuffered is best; closed by {@link #close} */
+    public WriteBehind(OutputStream file) {
+        this.file = file;
+        Writer.shared().add(this);
+    }
+
+    @Override
+    public void write(int one) throws IOException {
+        write(new byte[] {(byte) one}, 0, 1);
+    }
+
+    @Override
+    public void write(byte[] bytes, int from, int length) throws IOException {
+        check();
+        while (!take(bytes, from, length)) {
+            drain();
+            check();
+        }
+        Writer.shared().wake();
+    }
+
+    private synchronized boolean take(byte[] bytes, int from, int length) {
+        if (count > 0 && count + length > CAPACITY) {
+            return false;
+        }
+        if (count + length > waiting.length) {
+            waiting = Arrays.copyOf(waiting, Math.max(2 * waiting.length, count + length));
+        }
+        System.arraycopy(bytes, from, waiting, count, length);
+        count += length;
+        return true;
+    }
+
+    /** Everything that was written is in the file, or the problem is thrown. */
+    @Override
+    public void flush() throws IOException {
+        drain();
+        check();
+        file.flush();
+    }
+
+    @Override
+    public void close() throws IOException {
+        if (closed) {
+            return;
+        }
+        closed = true;
+        try (file) {
+            flush();
+        } finally {
+            Writer.shared().remove(this);
+        }
+    }
+
+    private void check() throws IOException {
+        IOException found = problem;
+        if (found != null) {
+            throw new IOException(found.getMessage(), found);
+        }
+    }
+
+    /** Writes what waits; whether there was anything. */
+    private boolean drain() {
+        writing.lock();
+        try {
+            return drainLocked();
+        } finally {
+            writing.unlock();
+        }
+    }
+
+    private boolean drainLocked() {
+        byte[] bytes;
+        int length;
+        synchronized (this) {
+            bytes = waiting;
+            length = count;
+            waiting = spare;
+            spare = bytes;
+            count = 0;
+        }
+        if (length > 0 && problem == null) {
+            try {
+                file.write(bytes, 0, length);
+            } catch (IOException found) {
+                problem = found;
+            }
+        }
+        return length > 0;
+    }
+
+    /** As {@link #drain}, unless another thread is writing. */
+    private boolean drainUnlessBusy() {
+        if (!writing.tryLock()) {
+            return true;
+        }
+        try {
+            return drainLocked();
+        } finally {
+            writing.unlock();
+        }
+    }
+
+    /** At the end of the JVM. */
+    private void drainPatiently() throws InterruptedIOException {
+        try {
+            if (writing.tryLock(PATIENCE_MS, TimeUnit.MILLISECONDS)) {
+                drainLocked();                         // the lock is kept: nobody writes any more
+            }
+        } catch (InterruptedException interrupted) {
+            throw new InterruptedIOException();
+        }
+    }
+
+    /** The thread, and the streams it looks after. */
+    private static final class Writer implements Runnable {
+
+        private volatile WriteBehind[] open = {};
+        private volatile boolean asleep;
+        private volatile Thread thread;
+
+        private static final class Shared {
+            static final Writer INSTANCE = start();
+
+            private static Writer start() {
+                Writer writer = new Writer();
+                Thread thread = new Thread(writer, "steward-writer");
+                thread.setDaemon(true);
+                writer.thread = thread;
+                thread.start();
+                Runtime.getRuntime().addShutdownHook(new Thread(writer::end, "steward-writer-end"));
+                return writer;
+            }
+        }
+
+        static Writer shared() {
+            return Shared.INSTANCE;
+        }
+
+        synchronized void add(WriteBehind stream) {
+            WriteBehind[] more = Arrays.copyOf(open, open.length + 1);
+            more[open.length] = stream;
+            open = more;
+        }
+
+        synchronized void remove(WriteBehind stream) {
+            open = Arrays.stream(open).filter(each -> each != stream).toArray(WriteBehind[]::new);
+        }
+
+        void wake() {
+            if (asleep) {
+                asleep = false;
+                LockSupport.unpark(thread);
+            }
+        }
+
+        @Override
+        public void run() {
+            int idle = 0;
+            for (;;) {
+                idle = work() ? 0 : idle + 1;
+                if (idle < IDLE_PAUSES) {
+                    LockSupport.parkNanos(this, TimeUnit.MICROSECONDS.toNanos(PAUSE_MICROS));
+                    continue;
+                }
+                asleep = true;                         // first said, then looked once more: nothing is overslept
+                if (!work()) {
+                    LockSupport.park(this);
+                }
+                asleep = false;
+                idle = 0;
+            }
+        }
+
+        private boolean work() {
+            boolean any = false;
+            for (WriteBehind stream : open) {
+                any |= stream.drainUnlessBusy();
+            }
+            return any;
+        }
+
+        private void end() {
+            try {
+                for (WriteBehind stream : open) {
+                    stream.drainPatiently();
+                }
+            } catch (InterruptedIOException interrupted) {
+                Thread.currentThread().interrupt();
+            }
+        }
+    }
+}
