@@ -4,14 +4,14 @@ package steward.game.podrace;
  * Gives the commands of one player of a pod race to the race itself, with the same checks as a line of JSON has to
  * pass. Pods are numbered over all players, as in {@link PodRace#pod}.
  */
-public final class PodCommands {
+public final class PodSeat {
 
     private final PodRace race;
     private final int first;
     private final int behind;
 
     /** The commands of a player, numbered from 0. */
-    public PodCommands(PodRace race, int player) {
+    public PodSeat(PodRace race, int player) {
         this.race = race;
         first = player * race.settings().podsPerPlayer();
         behind = first + race.settings().podsPerPlayer();

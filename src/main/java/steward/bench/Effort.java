@@ -1,0 +1,36 @@
+package steward.bench;
+
+/** How long is measured. */
+public enum Effort {
+    /** To see that it works, in seconds. */
+    QUICK(50, 3, 20),
+    /** Minutes. */
+    NORMAL(1500, 7, 200),
+    /** For tables that are kept. */
+    LONG(4000, 11, 500);
+
+    private final long warmUpMs;
+    private final int rounds;
+    private final long roundMs;
+
+    Effort(long warmUpMs, int rounds, long roundMs) {
+        this.warmUpMs = warmUpMs;
+        this.rounds = rounds;
+        this.roundMs = roundMs;
+    }
+
+    /** How long each contender warms up, in milliseconds of CPU time. */
+    long warmUpMs() {
+        return warmUpMs;
+    }
+
+    /** How many figures the median is taken of. */
+    int rounds() {
+        return rounds;
+    }
+
+    /** How much CPU time one figure takes, in milliseconds. */
+    long roundMs() {
+        return roundMs;
+    }
+}

@@ -1,0 +1,75 @@
+package steward.bench;
+
+import com.sun.management.OperatingSystemMXBean;
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.Consumer;
+
+/**
+ * Measures contenders in turns, so that what others do on the machine meets all of them: by CPU time, the median of
+ * several rounds.
+ */
+final class Meter {
+
+    private static final double NANOS = 1e9;
+    private static final long NANOS_PER_MS = 1_000_000;
+
+    private final ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+    private final OperatingSystemMXBean system =
+        (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
+
+    /** CPU time of the calling thread, or of the whole JVM, in nanoseconds. */
+    long cpu(boolean all) {
+        return all ? system.getProcessCpuTime() : threads.getCurrentThreadCpuTime();
+    }
+
+    /** A line per contender; the ratio is to the first. */
+    void compare(String section, String unit, List<Contender> contenders, Effort effort, Consumer<String> about,
+                 Consumer<Row> rows) throws Exception {
+        double[][] speeds = new double[contenders.size()][effort.rounds()];
+        double[] bytes = new double[contenders.size()];
+        for (Contender each : contenders) {
+            about.accept(each.name());
+            speed(each, effort.warmUpMs());
+        }
+        for (int round = 0; round < effort.rounds(); round++) {
+            for (int k = 0; k < speeds.length; k++) {
+                about.accept(contenders.get(k).name());
+                speeds[k][round] = speed(contenders.get(k), effort.roundMs());
+            }
+        }
+        for (int k = 0; k < speeds.length; k++) {
+            bytes[k] = contenders.get(k).threads() ? Double.NaN : bytes(contenders.get(k));
+            double median = median(speeds[k]);
+            double ratio = k == 0 ? 1 : median / median(speeds[0]);
+            rows.accept(new Row(section, contenders.get(k).name(), unit, median, ratio, bytes[k], ""));
+        }
+    }
+
+    /** Units per second of CPU time, over at least so many milliseconds of it. */
+    private double speed(Contender contender, long ms) throws Exception {
+        long units = 0;
+        long start = cpu(contender.threads());
+        long now = start;
+        while (now - start < ms * NANOS_PER_MS) {
+            units += contender.work().run();
+            now = cpu(contender.threads());
+        }
+        return NANOS * units / (now - start);
+    }
+
+    private double bytes(Contender contender) throws Exception {
+        long before = threads.getCurrentThreadAllocatedBytes();
+        long units = contender.work().run();
+        return (double) (threads.getCurrentThreadAllocatedBytes() - before) / units;
+    }
+
+    static double median(double[] values) {
+        double[] sorted = values.clone();
+        Arrays.sort(sorted);
+        int middle = sorted.length / 2;
+        return sorted.length % 2 == 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
+    }
+}
