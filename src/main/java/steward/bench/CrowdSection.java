@@ -47,6 +47,11 @@ final class CrowdSection implements Section {
     }
 
     @Override
+    public int steps(Effort effort) {
+        return gases.size() * (effort == Effort.QUICK ? 2 : 4);
+    }
+
+    @Override
     public void run(Effort effort, Consumer<String> about, Consumer<Row> rows) {
         for (Gas gas : gases) {
             run(gas, effort, about, rows);

@@ -36,6 +36,11 @@ final class FrameSection implements Section {
     }
 
     @Override
+    public int steps(Effort effort) {
+        return 4 * (1 + effort.rounds());
+    }
+
+    @Override
     public void run(Effort effort, Consumer<String> about, Consumer<Row> rows) throws Exception {
         Game game = kit.setup().create(1);
         Dialogue dialogue = Dialogue.of(Protocol.JSON, kit.setup(), game, kit.setup().codec(game));

@@ -22,6 +22,11 @@ public record GroupSection(String name, String about, List<Group> groups) implem
     }
 
     @Override
+    public int steps(Effort effort) {
+        return groups.stream().mapToInt(group -> group.contenders().size() * (1 + effort.rounds())).sum();
+    }
+
+    @Override
     public void run(Effort effort, Consumer<String> progress, Consumer<Row> rows) throws Exception {
         for (Group group : groups) {
             new Meter().compare(name, group.unit(), group.contenders(), effort, progress, rows);

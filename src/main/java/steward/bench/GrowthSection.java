@@ -34,6 +34,11 @@ final class GrowthSection implements Section {
     }
 
     @Override
+    public int steps(Effort effort) {
+        return scenes.size() * (1 + effort.rounds());
+    }
+
+    @Override
     public void run(Effort effort, Consumer<String> about, Consumer<Row> rows) throws Exception {
         List<Contender> contenders = new ArrayList<>();
         scenes.forEach((name, setup) -> {

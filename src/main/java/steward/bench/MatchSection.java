@@ -48,6 +48,11 @@ final class MatchSection implements Section {
     }
 
     @Override
+    public int steps(Effort effort) {
+        return 4 * (1 + effort.rounds()) + 32 - Integer.numberOfLeadingZeros(threads);
+    }
+
+    @Override
     public void run(Effort effort, Consumer<String> about, Consumer<Row> rows) throws Exception {
         Path file = Files.createTempFile("steward-bench", ".jsonl");
         try {

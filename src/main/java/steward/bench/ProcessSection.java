@@ -56,6 +56,11 @@ final class ProcessSection implements Section {
     }
 
     @Override
+    public int steps(Effort effort) {
+        return (effort == Effort.QUICK ? 1 : 15) + 2 * effort.rounds() + (effort == Effort.QUICK ? 15 : 150);
+    }
+
+    @Override
     public void run(Effort effort, Consumer<String> about, Consumer<Row> rows) throws Exception {
         int rounds = effort.rounds();
         double[][] bare = new double[2][rounds];

@@ -11,6 +11,9 @@ public interface Section {
     /** What is measured and how, in one or two sentences for the page. */
     String about();
 
+    /** How often {@link #run} will tell what is measured, about. */
+    int steps(Effort effort);
+
     /**
      * Measures; each line is handed over as soon as it is known.
      *

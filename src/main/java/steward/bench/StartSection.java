@@ -35,6 +35,11 @@ final class StartSection implements Section {
     }
 
     @Override
+    public int steps(Effort effort) {
+        return effort == Effort.QUICK ? 2 : 20;
+    }
+
+    @Override
     public void run(Effort effort, Consumer<String> about, Consumer<Row> rows) throws Exception {
         int rounds = effort == Effort.QUICK ? 2 : 20;
         double[] plain = new double[rounds];

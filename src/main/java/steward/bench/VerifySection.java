@@ -42,6 +42,11 @@ final class VerifySection implements Section {
     }
 
     @Override
+    public int steps(Effort effort) {
+        return 1 + 3 * (1 + effort.rounds());
+    }
+
+    @Override
     public void run(Effort effort, Consumer<String> about, Consumer<Row> rows) throws Exception {
         about.accept("recording");
         Path folder = Files.createTempDirectory("steward-bench");

@@ -22,7 +22,7 @@ public final class Main {
     private static final int WIDTH = 100;
 
     private static final List<String> COMMANDS = List.of("match", "replay", "feed", "explain", "demo", "simulate",
-        "import", "referee", "play", "stability", "tradeoff", CompletionCommand.NAME);
+        "import", "referee", "play", "stability", "tradeoff", "bench", CompletionCommand.NAME);
 
     private Main() {
     }
@@ -95,6 +95,7 @@ public final class Main {
             case "referee" -> RefereeCommand.spec(streams);
             case "play" -> new PlayCommand(streams);
             case "stability" -> new StabilityCommand(streams);
+            case "bench" -> new BenchCommand(streams);
             case "tradeoff" -> new TradeoffCommand(streams);
             default -> new CompletionCommand(streams);
         };

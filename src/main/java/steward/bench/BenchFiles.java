@@ -1,0 +1,123 @@
+package steward.bench;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import steward.game.JsonNumbers;
+import tools.jackson.core.JsonGenerator;
+import tools.jackson.core.ObjectWriteContext;
+
+/**
+ * The table in files. {@code bench.csv} grows row by row, {@code bench.json} is replaced by one with the new row: both
+ * are whole after each, so that an interrupted run leaves what was measured. The page comes last.
+ */
+public final class BenchFiles implements AutoCloseable {
+
+    /** Name of the table for spreadsheets. */
+    public static final String CSV = "bench.csv";
+    /** Name of the table for programs. */
+    public static final String JSON = "bench.json";
+    /** Name of the page for people. */
+    public static final String PAGE = "performance.md";
+    /** All files that a run writes. */
+    public static final List<String> ALL = List.of(CSV, JSON, PAGE);
+
+    private final Path folder;
+    private final String machine;
+    private final String date;
+    private final OutputStream csv;
+    private final List<Row> rows = new ArrayList<>();
+
+    /**
+     * Starts the tables, replacing older ones.
+     *
+     * @param folder  that exists
+     * @param machine what is measured on
+     * @param date    of the run, as year-month-day
+     * @throws IOException if a file cannot be written
+     */
+    public BenchFiles(Path folder, String machine, String date) throws IOException {
+        this.folder = folder;
+        this.machine = machine;
+        this.date = date;
+        csv = Files.newOutputStream(folder.resolve(CSV));
+        csv.write("section,name,unit,perSecond,nanos,ratio,bytes,note\n".getBytes(StandardCharsets.UTF_8));
+        writeJson();
+    }
+
+    /** @throws UncheckedIOException if it cannot be written */
+    public void add(Row row) {
+        rows.add(row);
+        try {
+            csv.write((String.join(",", row.section(), quoted(row.name()), row.unit(), number(row.perSecond()),
+                number(row.nanos()), number(row.ratio()), number(row.bytes()), quoted(row.note())) + "\n")
+                .getBytes(StandardCharsets.UTF_8));
+            writeJson();
+        } catch (IOException problem) {
+            throw new UncheckedIOException(folder + ": cannot be written into: " + problem.getMessage(), problem);
+        }
+    }
+
+    private static String quoted(String text) {
+        return '"' + text.replace("\"", "\"\"") + '"';
+    }
+
+    private static String number(double value) {
+        return Double.isNaN(value) ? "" : String.format(Locale.ROOT, "%.6g", value);
+    }
+
+    private void writeJson() throws IOException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), bytes)) {
+            out.writeStartObject();
+            out.writeStringProperty("type", "bench");
+            out.writeStringProperty("machine", machine);
+            out.writeStringProperty("date", date);
+            out.writeArrayPropertyStart("rows");
+            for (Row row : rows) {
+                out.writeStartObject();
+                out.writeStringProperty("section", row.section());
+                out.writeStringProperty("name", row.name());
+                out.writeStringProperty("unit", row.unit());
+                JsonNumbers.writeOrNull(out, "perSecond", row.perSecond());
+                JsonNumbers.writeOrNull(out, "nanos", row.nanos());
+                JsonNumbers.writeOrNull(out, "ratio", row.ratio());
+                JsonNumbers.writeOrNull(out, "bytes", row.bytes());
+                out.writeStringProperty("note", row.note());
+                out.writeEndObject();
+            }
+            out.writeEndArray();
+            out.writeEndObject();
+        }
+        bytes.write('\n');
+        Path part = folder.resolve(JSON + ".part");
+        Files.write(part, bytes.toByteArray());
+        Files.move(part, folder.resolve(JSON), StandardCopyOption.REPLACE_EXISTING);
+    }
+
+    /** Writes the page; the run is over. */
+    public void finish(List<Section> sections) {
+        try {
+            Files.writeString(folder.resolve(PAGE), PerformancePage.of(sections, rows, machine, date));
+        } catch (IOException problem) {
+            throw new UncheckedIOException(folder + ": cannot be written into: " + problem.getMessage(), problem);
+        }
+    }
+
+    @Override
+    public void close() {
+        try {
+            csv.close();
+        } catch (IOException problem) {
+            throw new UncheckedIOException(folder + ": cannot be written into: " + problem.getMessage(), problem);
+        }
+    }
+}
