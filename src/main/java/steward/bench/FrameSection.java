@@ -31,8 +31,8 @@ final class FrameSection implements Section {
 
     @Override
     public String about() {
-        return "One player's turn frame written, and an answer read, by CPU time; the textbook's way goes through a tree"
-            + " of JSON nodes, which is there already when it writes.";
+        return "One player's turn frame written, and an answer read, by CPU time; the textbook's way goes through a"
+            + " tree of JSON nodes, which is there already when it writes.";
     }
 
     @Override

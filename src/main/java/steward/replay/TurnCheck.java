@@ -14,7 +14,8 @@ import tools.jackson.core.ObjectWriteContext;
  * blanks, a difference) is left to who takes it apart and can say what it is.
  *
  * <pre>
- * {"type":"turn","turn":7,"commands":[...],"inputHash":"0123456789abcdef","outcome":{...},"times":{"answerNanos":[1,2]}}
+ * {"type":"turn","turn":7,"commands":[...],"inputHash":"0123456789abcdef","outcome":{...},
+ *  "times":{"answerNanos":[1,2]}}                                                 (in one line)
  * </pre>
  */
 final class TurnCheck {
