@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.lab.TradeoffEffort;
 import steward.lab.TradeoffFiles;
@@ -23,6 +24,7 @@ import steward.lab.TradeoffScene;
     + "it is from the truth.",
     footer = {"", "Examples:", "  steward tradeoff --out results",
         "  steward tradeoff --quick --scene bullets --scene my-scene.json",
+        "  steward tradeoff --calibrate my-scene.json",
         "", "Exit status: 0 done; 1 the run was interrupted; 2 the call or a scene cannot be used."})
 final class TradeoffCommand implements Callable<Integer> {
 
@@ -43,12 +45,21 @@ final class TradeoffCommand implements Callable<Integer> {
     @Option(names = "--overwrite", description = "Replaces the files if they exist.")
     private boolean overwrite;
 
+    @Mixin
+    private final CalibrateOptions calibrate = new CalibrateOptions();
+
     TradeoffCommand(Streams streams) {
         this.streams = streams;
     }
 
     @Override
-    public Integer call() {
+    public Integer call() throws InterruptedException {
+        if (calibrate.isAsked()) {
+            if (quick || !scenes.isEmpty()) {
+                throw new InputException("--calibrate: found " + (quick ? "--quick" : "--scene") + " with it");
+            }
+            return calibrate.run(streams, out, overwrite);
+        }
         if (overwrite && out == null) {
             throw new InputException("--overwrite: expected --out");
         }

@@ -21,10 +21,12 @@ import java.util.Optional;
  * @param source  where they were read, for people
  * @param physics the fingerprint of the physics that they are about
  * @param key     of the scene that they are about
+ * @param sample  a hash of what the first states have shown
  * @param states  how many states were seen
  * @param rungs   the figures, cheapest rung first
  */
-public record AccuracyFigures(String source, String physics, String key, int states, List<OfRung> rungs) {
+public record AccuracyFigures(String source, String physics, String key, String sample, int states,
+                              List<OfRung> rungs) {
 
     /** The format that is read and written. */
     public static final int FORMAT = 1;
@@ -67,7 +69,7 @@ public record AccuracyFigures(String source, String physics, String key, int sta
 
     /** The resource with the figures of a shipped scene. */
     public static String resource(String shipped) {
-        return "/steward/accuracy/" + shipped + SUFFIX;
+        return "/scenes/" + shipped + FIGURES;
     }
 
     /**
@@ -90,7 +92,7 @@ public record AccuracyFigures(String source, String physics, String key, int sta
         }
         rungs.sort(Comparator.comparingDouble(OfRung::work));
         return new AccuracyFigures(source, root.text("physics"), root.text("key"),
-            root.integer("states", 1, Integer.MAX_VALUE), List.copyOf(rungs));
+            root.text("sample"), root.integer("states", 1, Integer.MAX_VALUE), List.copyOf(rungs));
     }
 
     private static OfRung ofRung(Block block) {

@@ -1,0 +1,126 @@
+package steward.cli;
+
+import java.io.IOException;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.Locale;
+import steward.game.GameSetup;
+import steward.lab.Calibration;
+import steward.scene.AccuracyFigures;
+
+/**
+ * Calibrates one scene: measures, writes the figures and shows them. They are written beside their place and moved
+ * there in the end, so that old figures stay until there are new ones; when the run is interrupted, what was measured
+ * is moved there.
+ */
+final class Calibrating {
+
+    private static final int RUNG = 19;
+    private static final int COLUMN = 11;
+    private static final double LEAST_PLAIN = 1e-3;
+
+    private final Streams streams;
+    private final GameSetup setup;
+    private final Path file;
+    private final Path unfinished;
+    private final Calibration calibration;
+    private boolean written;
+
+    /** @param states how many */
+    Calibrating(Streams streams, GameSetup setup, Path file, int states) {
+        this.streams = streams;
+        this.setup = setup;
+        this.file = file;
+        unfinished = file.resolveSibling(file.getFileName() + ".part");
+        try {
+            calibration = new Calibration(setup, seed -> Pilots.race(setup, seed), states);
+        } catch (IllegalArgumentException problem) {
+            throw new InputException("--calibrate: " + setup.scene().name() + ": " + problem.getMessage());
+        }
+    }
+
+    /** Makes sure that the figures can be written. */
+    void begin() {
+        try {
+            OutputFiles.open(unfinished, true).close();
+            Files.delete(unfinished);
+        } catch (IOException problem) {
+            throw new InputException(file + ": cannot be written: " + problem.getMessage());
+        }
+    }
+
+    void run() throws InterruptedException {
+        Thread hook = new Thread(this::interrupted, "interruption");
+        Runtime.getRuntime().addShutdownHook(hook);
+        int threads = Math.min(Runtime.getRuntime().availableProcessors(), calibration.blocks());
+        if (streams.errTerminal()) {
+            try (ProgressLine progress = new ProgressLine(streams.err(), setup.scene().name(), calibration.blocks())) {
+                calibration.run(threads, progress::step);
+            }
+        } else {
+            calibration.run(threads, () -> { });
+        }
+        Calibration.Figures figures = write();
+        try {
+            Runtime.getRuntime().removeShutdownHook(hook);
+        } catch (IllegalStateException shutdown) {
+            return;
+        }
+        show(figures);
+    }
+
+    private synchronized Calibration.Figures write() {
+        Calibration.Figures figures = calibration.figures();
+        if (!written && figures.states() > 0) {
+            try {
+                Files.writeString(unfinished, calibration.text());
+                Files.move(unfinished, file, StandardCopyOption.REPLACE_EXISTING);
+            } catch (IOException problem) {
+                throw new FailedException(file + ": cannot be written: " + problem.getMessage());
+            }
+            written = true;
+        }
+        return figures;
+    }
+
+    /** Keeps what there is. */
+    void interrupted() {
+        int states = write().states();
+        streams.err().println(states == 0 ? "steward: interrupted before anything was measured"
+            : "steward: interrupted; the figures of " + states + " states are in " + file);
+    }
+
+    private void show(Calibration.Figures figures) {
+        StringBuilder head = new StringBuilder(Words.left("  off by at most u in", RUNG + COLUMN));
+        AccuracyFigures.SHARES.forEach(share -> head.append(Words.right(percent(share), COLUMN)));
+        streams.out().println(setup.scene().name() + ": one turn from each of " + figures.states() + " states, "
+            + figures.withImpacts() + " of them with impacts");
+        streams.out().println();
+        streams.out().println(head);
+        streams.out().println(Words.left("  rung", RUNG) + Words.right("work", COLUMN));
+        for (AccuracyFigures.OfRung rung : figures.rungs()) {
+            StringBuilder line = new StringBuilder(Words.left("  " + rung.rung(), RUNG));
+            line.append(Words.right(String.format(Locale.ROOT, "%.1f", rung.work()), COLUMN));
+            rung.errors().forEach(error -> line.append(Words.right(error(error), COLUMN)));
+            streams.out().println(line);
+        }
+        streams.out().println();
+        streams.out().println("written to " + file);
+        streams.out().println("'steward explain' says which rung a scene gets by them that states, say,");
+        streams.out().println("  \"accuracy\": { \"maxPositionError\": 0.01, \"share\": 0.999 }");
+    }
+
+    /** Three digits. */
+    private static String error(double value) {
+        return value == 0 ? "0" : value == Double.POSITIVE_INFINITY ? AccuracyFigures.UNKNOWN
+            : value < LEAST_PLAIN ? String.format(Locale.ROOT, "%.2e", value)
+            : new BigDecimal(value).round(new MathContext(3)).toPlainString();
+    }
+
+    private static String percent(String share) {
+        return new BigDecimal(share).movePointRight(2).stripTrailingZeros().toPlainString() + "%";
+    }
+}

@@ -1,0 +1,187 @@
+package steward.scene;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** A scene that states what error it can bear, and the figures that say which rung it gets. */
+class AccuracyFiguresTest {
+
+    private static final String STEP = """
+        { "rung": "step/2", "work": 2,
+          "positionErrors": { "0.5": 0, "0.9": 1, "0.99": 10, "0.999": 50, "0.9999": 90, "1": "unknown" } }""";
+    private static final String EVENT = """
+        { "rung": "event/double", "work": 3.5,
+          "positionErrors": { "0.5": 0, "0.9": 0, "0.99": 1e-9, "0.999": 1e-5, "0.9999": 2e-5, "1": 3e-5 } }""";
+    private static final String EXACT = """
+        { "rung": "exact", "work": 5.5,
+          "positionErrors": { "0.5": 0, "0.9": 0, "0.99": 1e-12, "0.999": 2e-12, "0.9999": 2e-12, "1": 4e-12 } }""";
+    /** Dearer than the event rungs, and worse: it must never be taken. */
+    private static final String MANY_STEPS = """
+        { "rung": "step/1024", "work": 1024,
+          "positionErrors": { "0.5": 0, "0.9": 0.1, "0.99": 0.2, "0.999": 0.3, "0.9999": 0.4, "1": 0.5 } }""";
+
+    @TempDir
+    private Path folder;
+
+    private static String text(String accuracy) {
+        return """
+            { "name": "s", "game": "g", "players": 2, "pods": { "perPlayer": 1, "x": [ 1, 2.50, "a" ] },
+              "time": { "firstAnswerMs": 1000, "answerMs": 75 },
+              "accuracy": {""" + accuracy + "} }";
+    }
+
+    private static String demand(String error, String share) {
+        return text("\"maxPositionError\": " + error + ", \"share\": " + share);
+    }
+
+    private Path write(String scene) throws IOException {
+        return Files.writeString(folder.resolve("s.json"), scene);
+    }
+
+    private String figures(String key, String physics, String... rungs) {
+        return "{ \"format\": 1, \"key\": \"" + key + "\", \"physics\": \"" + physics
+            + "\", \"sample\": \"0\", \"states\": 100000, \"rungs\": [ " + String.join(", ", rungs) + " ] }";
+    }
+
+    /** The figures of the scene above. */
+    private Path calibrated() throws IOException {
+        String key = SceneKey.of(SceneReader.read(text("\"advance\": \"step\", \"steps\": 1"), "s"));
+        return Files.writeString(folder.resolve("s.accuracy.json"),
+            figures(key, PhysicsFingerprint.text(), EXACT, MANY_STEPS, EVENT, STEP));
+    }
+
+    private static Scene load(Path file) {
+        return SceneReader.read(SceneFiles.load(file.toString()), null);
+    }
+
+    private static String refusal(Path file) {
+        return assertThrows(SceneException.class, () -> load(file)).getMessage();
+    }
+
+    /** Shares between two that are kept are held against the next higher one. */
+    @ParameterizedTest
+    @CsvSource({"50, 0.999, step/2", "50, 0.9991, event/double", "10, 0.95, step/2", "9.9, 0.95, event/double",
+        "1000, 1, event/double", "0.01, 0.999, event/double", "1e-5, 0.999, event/double", 
+        "0.99e-5, 0.999, event/exact", "4e-12, 1, event/exact", "0.001, 0.1, step/2"})
+    void theCheapestRungThatMeetsTheDemandIsTaken(String error, String share, String rung) throws IOException {
+        calibrated();
+        Scene scene = load(write(demand(error, share)));
+        assertEquals(rung, scene.accuracy().text());
+    }
+
+    @Test
+    void theSceneAsUsedStatesTheRungAndNeedsNoFigures() throws IOException {
+        Path kept = calibrated();
+        Scene scene = load(write(demand("0.01", "0.999")));
+        assertEquals(new AccuracyChoice(Accuracy.parse("event/double"), false, "the cheapest that is off by at most "
+            + "0.01 u in 99.9% of states: by 1e-5 u, seen in 100000 (" + kept + ")"), scene.choice());
+        assertTrue(scene.json().endsWith("\"accuracy\":{\"advance\":\"event\",\"arithmetic\":\"double\"}}"),
+            scene.json());
+        Scene again = SceneReader.read(scene.json(), "header");
+        assertEquals(scene, again);
+        assertEquals(scene.accuracy(), again.accuracy());
+        again.root().block("pods").has("perPlayer");
+        again.root().block("pods").has("x");
+        again.root().done();
+    }
+
+    @Test
+    void withoutFiguresTheCommandToRunIsNamed() throws IOException {
+        Path file = write(demand("0.01", "0.999"));
+        assertEquals(file + ":3:15: accuracy: found a demand without figures, expected those of a calibration: "
+            + "steward tradeoff --calibrate " + file, refusal(file));
+        assertEquals("a header:3:15: accuracy: found a demand without figures, expected those of a calibration: "
+            + "steward tradeoff --calibrate SCENE", assertThrows(SceneException.class,
+                () -> SceneReader.read(demand("0.01", "0.999"), "a header")).getMessage());
+        assertEquals("step/4", SceneReader.read(SceneFiles.load(file.toString()), Accuracy.step(4)).accuracy().text());
+    }
+
+    @Test
+    void figuresOfOtherPhysicsAreOutOfDate() throws IOException {
+        String key = SceneKey.of(SceneReader.read(text("\"advance\": \"step\", \"steps\": 1"), "s"));
+        Path kept = Files.writeString(folder.resolve("s.accuracy.json"), figures(key, "0123456789abcdef", EXACT));
+        Path file = write(demand("0.01", "0.999"));
+        assertEquals(file + ":3:15: accuracy: found figures in " + kept + " that another version of the physics has "
+            + "measured, expected those of a calibration: steward tradeoff --calibrate " + file + " --overwrite",
+            refusal(file));
+    }
+
+    @Test
+    void figuresOfAnotherSceneAreNotTaken() throws IOException {
+        Path kept = calibrated();
+        Path file = write(demand("0.01", "0.999").replace("2.50", "2.51"));
+        assertEquals(file + ":3:15: accuracy: found figures in " + kept + " of a scene that says something else, "
+            + "expected those of a calibration: steward tradeoff --calibrate " + file + " --overwrite", refusal(file));
+    }
+
+    @Test
+    void aDemandThatNoRungMeetsIsToldTheBest() throws IOException {
+        Path kept = calibrated();
+        Path file = write(demand("1e-12", "0.999"));
+        assertEquals(file + ":3:36: accuracy.maxPositionError: found 1e-12, which no rung meets, expected at least "
+            + "2e-12, the error of the best one, event/exact, in 99.9% of 100000 states (" + kept + ")",
+            refusal(file));
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "\"maxPositionError\": 0.1 | accuracy.share: found nothing, expected a number 0..1",
+        "\"share\": 0.9 | accuracy.maxPositionError: found nothing, expected above 0",
+        "\"maxPositionError\": 0, \"share\": 0.9 | accuracy.maxPositionError: found 0, expected above 0",
+        "\"maxPositionError\": -1, \"share\": 0.9 | accuracy.maxPositionError: found -1, expected above 0",
+        "\"maxPositionError\": 1, \"share\": 0 | accuracy.share: found 0, expected a number above 0, up to 1",
+        "\"maxPositionError\": 1, \"share\": 1.5 | accuracy.share: found 1.5, expected a number 0..1",
+        "\"maxPositionError\": 1, \"share\": \"most\" | accuracy.share: found \"most\", expected a number 0..1",
+        "\"maxPositionError\": 1, \"share\": 1, \"advance\": \"event\" | accuracy.advance: found an unknown field, "
+            + "expected one of \"maxPositionError\", \"share\""})
+    void aWrongDemandIsRefused(String accuracy, String message) throws IOException {
+        String refusal = refusal(write(text(accuracy)));
+        assertTrue(refusal.endsWith(": " + message), refusal);
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "\"format\": 1 | \"format\": 2 | format: found 2, expected 1, the one that this version reads",
+        "\"1\": 3e-5 | \"1\": 1e-5 | positionErrors.1: found 1e-5, expected a number of at least 2e-5",
+        "\"1\": 3e-5 | \"2\": 3e-5 | positionErrors.1: found nothing, expected a number of at least 2e-5",
+        "\"event/double\" | \"event/dubble\" | rung: found \"event/dubble\", expected a rung of the ladder",
+        "\"states\": 100000 | \"states\": 0 | states: found 0, expected a whole number"})
+    void damagedFiguresAreRefusedWithTheirPlace(String right, String wrong, String message) throws IOException {
+        Path kept = calibrated();
+        String text = Files.readString(kept);
+        assertTrue(text.contains(right));
+        Files.writeString(kept, text.replace(right, wrong));
+        String refusal = refusal(write(demand("1", "0.9")));
+        assertTrue(refusal.startsWith(kept + ":") && refusal.contains(message), refusal);
+    }
+
+    @Test
+    void theKeyIsOfWhatMattersAndNotOfHowItIsSpelt() {
+        String key = key(text("\"advance\": \"step\", \"steps\": 1"));
+        assertEquals(key, key(demand("1", "1").replace("\"s\"", "\"other\"").replace("1000", "9")
+            .replace("2.50", "25e-1").replace("\"game\": \"g\", \"players\": 2", "\"players\": 2.0, \"game\": \"g\"")));
+        assertFalse(key.equals(key(demand("1", "1").replace("\"perPlayer\": 1", "\"perPlayer\": 3"))));
+        assertFalse(key.equals(key(demand("1", "1").replace("\"a\"", "\"b\""))));
+        assertFalse(key.equals(key(demand("1", "1").replace("[ 1, 2.50", "[ 2.50, 1"))));
+    }
+
+    private static String key(String text) {
+        return SceneKey.of(new Block("s", "", JsonTree.read(text, "s")));
+    }
+
+    @Test
+    void thePhysicsHasOneFingerprint() {
+        assertTrue(PhysicsFingerprint.text().matches("[0-9a-f]{16}"));
+        assertEquals(PhysicsFingerprint.text(), PhysicsFingerprint.text());
+    }
+}
