@@ -6,6 +6,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import steward.game.GameSetup;
+import steward.game.podrace.PodRaceType;
 import steward.lab.SeededPlay;
 import steward.lab.TradeoffScene;
 import steward.lab.TradeoffWorlds;
@@ -24,7 +25,9 @@ final class TradeoffScenes {
     private static final String OFFICIAL = "mad-pod-racing";
     private static final String WALLED = "walled-race";
     private static final long SEED = 4;
+    /** Of up to 4 pods; a crowd has fewer, because all pairs are looked at. */
     private static final int STATES = 5000;
+    private static final int LEAST_STATES = 100;
     private static final int FREE_RUNS = 9;
     private static final int FREE_TURNS = 50;
     private static final int STEPS = 1024;
@@ -90,7 +93,9 @@ final class TradeoffScenes {
     private static TradeoffScene played(String name, String about, GameSetup setup, SeededPlay play) {
         Motion motion = setup.plan().motion();
         boolean rounds = motion.truncateVelocity() && motion.roundPosition();
-        return new TradeoffScene(name, about, setup.plan().physics(null), rounds ? motion : null, play::next, STATES,
+        int pods = ((PodRaceType.PodRaceSetup) setup).settings().pods();
+        int states = Math.max(LEAST_STATES, (int) (STATES * Math.min(1, 16.0 / (pods * pods))));
+        return new TradeoffScene(name, about, setup.plan().physics(null), rounds ? motion : null, play::next, states,
             FREE_RUNS, FREE_TURNS, STEPS);
     }
 }
