@@ -51,9 +51,10 @@ final class TradeoffCosts {
         return rounds;
     }
 
-    /** Measures every rung once. */
+    /** Measures every rung once, every other time in the opposite order. */
     void round(double least) {
-        for (int rung = 0; rung < rungs.size(); rung++) {
+        for (int k = 0; k < rungs.size(); k++) {
+            int rung = rounds % 2 == 0 ? k : rungs.size() - 1 - k;
             Stretch all = run(rung, least);
             seconds += all.nanos / NANOS;
             nanos[rung][rounds] = (double) all.nanos / all.turns;
@@ -102,6 +103,15 @@ final class TradeoffCosts {
         double perTurn = median(Arrays.copyOf(nanos[rung], rounds));
         return new TradeoffRow.Cost(perTurn, computed == 0 ? Double.NaN : perTurn * states.size() / computed,
             bytes[rung]);
+    }
+
+    /** The time of a turn as a multiple of another rung's: the median of what it was in each round. */
+    double ratio(int rung, int other) {
+        double[] ratios = new double[rounds];
+        for (int round = 0; round < rounds; round++) {
+            ratios[round] = nanos[rung][round] / nanos[other][round];
+        }
+        return median(ratios);
     }
 
     static double median(double[] values) {

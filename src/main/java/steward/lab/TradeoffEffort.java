@@ -13,7 +13,7 @@ package steward.lab;
 public record TradeoffEffort(double share, int rounds, double budget, double warmUp, double round, int podTurns) {
 
     /** Some minutes. */
-    public static final TradeoffEffort NORMAL = new TradeoffEffort(1, 9, 8, 0.15, 0.01, 10_000_000);
+    public static final TradeoffEffort NORMAL = new TradeoffEffort(1, 15, 8, 0.2, 0.015, 10_000_000);
     /** Some seconds a scene. */
     public static final TradeoffEffort QUICK = new TradeoffEffort(0.05, 3, 1, 0.06, 0.002, 200_000);
 

@@ -94,18 +94,17 @@ public final class TradeoffMeasurement {
         TradeoffRow.Cost[] cost = new TradeoffRow.Cost[errors.size()];
         double[] nanos = new double[cost.length];
         double[] off = new double[cost.length];
-        double usual = Double.NaN;
+        int usual = ladder.stream().map(Accuracy::text).toList().indexOf(TradeoffRow.DEFAULT_RUNG);
         for (int r = 0; r < cost.length; r++) {
             cost[r] = costs.cost(r, errors.get(r).computed());
             nanos[r] = cost[r].nanosPerTurn();
             off[r] = errors.get(r).quantile(0.99);
-            usual = ladder.get(r).text().equals(TradeoffRow.DEFAULT_RUNG) ? nanos[r] : usual;
         }
         boolean[] front = TradeoffFront.of(nanos, off);
         List<TradeoffRow> rows = new ArrayList<>();
         for (int r = 0; r < cost.length; r++) {
             rows.add(errors.get(r).row(scene.name(), ladder.get(r).text(), impacts, costs.rounds(), cost[r],
-                nanos[r] / usual, free[r], freeTurns, front[r]));
+                costs.ratio(r, usual), free[r], freeTurns, front[r]));
         }
         return rows;
     }

@@ -9,7 +9,7 @@ package steward.lab;
  * @param impacts     true impacts in all these turns
  * @param rounds      of timing, whose median the cost is
  * @param cost        what a turn costs
- * @param costRatio   the time of a turn as a multiple of that of {@code event/double} in the same run
+ * @param costRatio   the time of a turn as a multiple of that of {@code event/double} in the same round, the median
  * @param median      position error after one turn, in u: half of the turns are off by at most this
  * @param most99      99% of the turns are off by at most this
  * @param worst       no turn is off by more
