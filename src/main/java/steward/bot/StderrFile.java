@@ -89,8 +89,8 @@ final class StderrFile {
     }
 
     /**
-     * What has been written since the last call: its first {@value #KEPT} bytes, and a line that says how many more
-     * there were. A character of which only a part has been written is left for the next call.
+     * What has been written since the last call: its first {@value #KEPT} bytes, a line that says how many more there
+     * were, and of those the lines with data that {@link DataLineScan} finds. A character of which only a part has been written is left for the next call.
      *
      * @param last whether there is no next call
      * @return {@code null} when nothing has been written
@@ -130,13 +130,21 @@ final class StderrFile {
         }
         boolean more = size - position > count;
         int whole = last && !more ? count : Utf8.wholeCharacters(buffer, 0, count);
+        byte[] data = {};
+        if (more) {
+            int line = DataLineScan.begunLine(buffer, whole);
+            boolean lineStart = line < whole || whole > 0 && buffer[whole - 1] == '\n';
+            whole = line;
+            data = DataLineScan.read(file, position + whole, size, lineStart);
+        }
         String text = new String(buffer, 0, whole, StandardCharsets.UTF_8);
-        long dropped = (more ? size - position - whole : 0) + lost;
+        long dropped = (more ? size - position - whole - data.length : 0) + lost;
         position = more ? size : position + whole;
         lost = 0;
         if (dropped > 0) {
             text += (text.isEmpty() || text.endsWith("\n") ? "" : "\n") + "[" + dropped + " more bytes dropped]\n";
         }
+        text += new String(data, StandardCharsets.UTF_8);
         return text.isEmpty() ? null : text;
     }
 

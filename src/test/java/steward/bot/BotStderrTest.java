@@ -47,6 +47,24 @@ class BotStderrTest {
         }
     }
 
+    /** Lines with data are kept where others are dropped; one that was cut in two is kept whole, and counts once. */
+    @Test
+    void dataBeyondTheBoundIsKept() {
+        String flood = "head -c 20000 /dev/zero | tr '\\0' e >&2; ";
+        String script = "read -r l; " + flood + "echo '[PDATA] no = line' >&2; echo '[PDATA] score = 7' >&2; "
+            + flood + "echo >&2; printf '[PDATA+] hits' >&2; echo 1;"
+            + " read -r l; echo ' = 3' >&2; head -c 16376 /dev/zero | tr '\\0' e >&2; echo >&2;"
+            + " echo '[PDATA+] hits = 12' >&2; echo 2";
+        try (BotProcess bot = ScriptedBots.bot(script)) {
+            // Not kept: two floods, "[PDATA] no = line" behind the first, and the line end behind the second.
+            assertEquals("\n[" + (2 * 20_000 + 18 + 1 - 16384)
+                + " more bytes dropped]\n[PDATA] score = 7\n[PDATA+] hits",
+                ScriptedBots.answer(bot, "a\n", 1).stderr().replaceFirst("^e{16384}", ""));
+            assertEquals(" = 3\n\n[PDATA+] hits = 12\n",
+                ScriptedBots.answer(bot, "b\n", 1).stderr().replaceFirst("\ne{16376}\n", "\n\n"));
+        }
+    }
+
     @Test
     void aLongFileIsCutAndGoesOn() {
         String script = "while read -r n; do head -c \"$n\" /dev/zero | tr '\\0' e >&2; echo \"$n\"; done";
