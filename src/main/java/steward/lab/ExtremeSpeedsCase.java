@@ -56,6 +56,7 @@ final class ExtremeSpeedsCase implements StabilityCase {
                 check.add("speed " + speed + " at an arena", ImpactLaw.PHYSICS, slow(speed), new Arena(0, 0, 9, 1));
             }
         }
+        check.add("masses and speeds too small together", ImpactLaw.PHYSICS, heavy(1e-300, 1e-100));
         check.add("a segment far away", ImpactLaw.PHYSICS, single(1e100, 0), new Segment(9, -3, 9, 3, 1));
         check.add("masses and speeds too large together", ImpactLaw.PHYSICS, heavy(1e300, 1e100));
     }

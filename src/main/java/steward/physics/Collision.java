@@ -4,7 +4,7 @@ package steward.physics;
  * Lets a pair, or a body and a wall, react under a law: impulse, push-out, record. As it is, with the expressions of
  * the published official referee in their order.
  */
-sealed class Collision permits CarefulCollision, ExactCollision {
+sealed class Collision permits CarefulCollision {
 
     static final double ELASTIC = 1;
     /** A body so far behind a wall, relative to its coordinates, is there by rounding: some units in the last place. */

@@ -1,43 +1,56 @@
 package steward.physics;
 
 import steward.numerics.DoubleDouble;
+import steward.numerics.ErrorFree;
 
 /**
- * The reactions of {@link Collision} in double-double: normal, impulse and new velocities are computed from where the
- * bodies are before rounding (see {@link ExactFlight}) and rounded once each, when stored. Masses count as stored, not
- * their rounded inverses. Two bodies that touch but for 2^-60 of the distance touch: that is what a time of impact in
- * double-double leaves open.
+ * The reactions of {@link CarefulCollision} from where the bodies are before rounding (see {@link ExactFlight}), and
+ * with minimum impulses too: all numbers are two doubles each, good to some units of 2^-106, and impulse and new
+ * velocities are rounded once, when they are stored. Masses count as stored, not their rounded inverses. Two bodies
+ * that touch but for 2^-60 of the distance touch: that is what a time of impact in double-double leaves open.
  *
  * <p>Under a law in which only approach reacts, rounding the positions can make two seem to approach that have just
  * been sent apart, when the impact grazes more closely (the cosine between normal and velocity) than the positions are
  * rounded, relative to the touching distance. Then, and after an impact without restitution, what is left of the
  * approach is taken away as in {@link Collision}; exact signs say whether there is any.
  */
-final class ExactCollision extends Collision {
+final class ExactCollision extends CarefulCollision {
 
     private static final double TOUCH = 0x1p-60;
     private static final double WALL_TOUCH = 0x1p-46;
+    /** Distances from here to its inverse need not be scaled: times any speed they are in the range of doubles. */
+    private static final double LARGE = 0x1p20;
 
     private final ExactPairs pairs;
     private final ExactWalls wallTimes;
     private final ExactFlight flight;
+    private final boolean pairsHaveMinimum;
     private final DoubleDouble normalX = new DoubleDouble();
     private final DoubleDouble normalY = new DoubleDouble();
-    private final DoubleDouble distance = new DoubleDouble();
-    private final DoubleDouble inverseA = new DoubleDouble();
-    private final DoubleDouble inverseB = new DoubleDouble();
-    private final DoubleDouble inverse = new DoubleDouble();
     private final DoubleDouble first = new DoubleDouble();
     private final DoubleDouble second = new DoubleDouble();
-    private final DoubleDouble impulse = new DoubleDouble();
     private final DoubleDouble work = new DoubleDouble();
     private final DoubleDouble other = new DoubleDouble();
+
+    /** From centre to centre, times 2^-scale; and its length. */
+    private double dx;
+    private double dxLow;
+    private double dy;
+    private double dyLow;
+    private int scale;
+    private boolean coincident;
+    private double length;
+    private double lengthLow;
+    /** Of the impact at hand. */
+    private double impulse;
+    private double energy;
 
     ExactCollision(ImpactLaw law, Wall[] walls, ExactPairs pairs, ExactWalls wallTimes, ExactFlight flight) {
         super(law, walls);
         this.pairs = pairs;
         this.wallTimes = wallTimes;
         this.flight = flight;
+        pairsHaveMinimum = law.minimumImpulse() > 0;
     }
 
     @Override
@@ -46,35 +59,114 @@ final class ExactCollision extends Collision {
         double ay = bodies.y[a];
         double bx = bodies.x[b];
         double by = bodies.y[b];
-        normalX.setDifference(bx, ax).add(work.setDifference(flight.lowX(b), flight.lowX(a)));
-        normalY.setDifference(by, ay).add(work.setDifference(flight.lowY(b), flight.lowY(a)));
-        ExactWall.normalize(normalX, normalY, distance, work);
         double vax = bodies.vx[a];
         double vay = bodies.vy[a];
         double vbx = bodies.vx[b];
         double vby = bodies.vy[b];
-        invert(bodies.mass[a], inverseA);
-        invert(bodies.mass[b], inverseB);
-        inverse.set(inverseA).add(inverseB);
-        first.setDifference(vax, vbx).multiply(normalX)
-            .add(work.setDifference(vay, vby).multiply(normalY));
-        divideByInverse();
-        takeSecondStep(pairImpulse, elastic ? ELASTIC : Math.min(bodies.restitution[a], bodies.restitution[b]));
-        push(bodies, a, inverseA, -1);
-        push(bodies, b, inverseB, 1);
+        direct(bodies, a, b);
+        project(vax, vbx, vay, vby, dx, dxLow, dy, dyLow);
+        measure();
+        double restitution = elastic ? ELASTIC : Math.min(bodies.restitution[a], bodies.restitution[b]);
+        if (pairsHaveMinimum) {
+            exchange(bodies, a, b, restitution);
+        } else {
+            giveBack(bodies, a, b, restitution);
+        }
         if (partsForGood) {
             endApproach(bodies, a, b, Math.abs(vax) + Math.abs(vay) + Math.abs(vbx) + Math.abs(vby));
         }
-        double nx = normalX.high();
-        double ny = normalY.high();
-        double massA = bodies.mass[a];
-        double massB = bodies.mass[b];
-        sink.impact(time, bodies.id(a), bodies.id(b), ax, ay, bx, by, nx, ny, impulse.high(), energy(), massA, massB,
-            vax, vay, bodies.vx[a], bodies.vy[a], vbx, vby, bodies.vx[b], bodies.vy[b]);
+        sink.impact(time, bodies.id(a), bodies.id(b), ax, ay, bx, by, dx / length, dy / length, impulse, energy,
+            bodies.mass[a], bodies.mass[b], vax, vay, bodies.vx[a], bodies.vy[a], vbx, vby, bodies.vx[b],
+            bodies.vy[b]);
         sink.knot(bodies.id(a), time, ax, ay);
         sink.knot(bodies.id(b), time, bx, by);
         if (pushes) {
             pushApart(bodies, a, b, time, sink);
+        }
+    }
+
+    /** The vector from a to b; centres that coincide part along x. */
+    private void direct(Bodies bodies, int a, int b) {
+        double x = bodies.x[b] - bodies.x[a];
+        double xRest = ErrorFree.sumError(bodies.x[b], -bodies.x[a], x) + (flight.lowX(b) - flight.lowX(a));
+        double y = bodies.y[b] - bodies.y[a];
+        double yRest = ErrorFree.sumError(bodies.y[b], -bodies.y[a], y) + (flight.lowY(b) - flight.lowY(a));
+        dx = x + xRest;
+        dxLow = ErrorFree.sumError(x, xRest, dx);
+        dy = y + yRest;
+        dyLow = ErrorFree.sumError(y, yRest, dy);
+        scale = 0;
+        double size = Math.max(Math.abs(dx), Math.abs(dy));
+        coincident = size == 0;
+        if (coincident) {
+            dx = 1;
+        } else if (!(size > 1 / LARGE && size < LARGE)) {
+            scale = size < Double.MIN_NORMAL ? Math.getExponent(size * 0x1p54) - 54 : Math.getExponent(size);
+            dx = Math.scalb(dx, -scale);
+            dxLow = Math.scalb(dxLow, -scale);
+            dy = Math.scalb(dy, -scale);
+            dyLow = Math.scalb(dyLow, -scale);
+        }
+    }
+
+    /** |d| from d.d. */
+    private void measure() {
+        length = Math.sqrt(squared);
+        double square = length * length;
+        lengthLow = (((squared - square) - ErrorFree.productError(length, length, square)) + squaredLow)
+            / (2 * length);
+    }
+
+    /** Without a minimum impulse, speeds say all: the impulse is only for the record. */
+    private void giveBack(Bodies bodies, int a, int b, double restitution) {
+        double massA = bodies.mass[a];
+        double massB = bodies.mass[b];
+        double speed = high * length;
+        withRestitution(restitution);
+        double size = high;
+        double sizeLow = low;
+        takeShare(massA, massB, size, sizeLow);
+        push(bodies, b, high, low, dx, dxLow, dy, dyLow);
+        double sizeOfB = high;
+        double sizeLowOfB = low;
+        takeShare(massB, massA, size, sizeLow);
+        push(bodies, a, -high, -low, dx, dxLow, dy, dyLow);
+        boolean finite = massA < Double.POSITIVE_INFINITY;
+        multiply(finite ? high : sizeOfB, finite ? low : sizeLowOfB, length, lengthLow);
+        multiply(high, low, finite ? massA : massB, 0);
+        impulse = high + low;
+        energy = impulse * speed * (restitution - 1) / 2;
+    }
+
+    /** The impulse under the law, and what it does. */
+    private void exchange(Bodies bodies, int a, int b, double restitution) {
+        double massA = bodies.mass[a];
+        double massB = bodies.mass[b];
+        multiply(high, low, length, lengthLow);
+        boolean finite = massA < Double.POSITIVE_INFINITY;
+        takeShare(finite ? massB : massA, finite ? massA : massB, high, low);
+        multiply(high, low, finite ? massA : massB, 0);
+        sumSteps(pairImpulse, restitution, bodies.inverseMass[a] + bodies.inverseMass[b]);
+        divide(work.high(), work.low(), length, lengthLow);
+        double size = high;
+        double sizeLow = low;
+        pushByImpulse(bodies, a, -size, -sizeLow);
+        pushByImpulse(bodies, b, size, sizeLow);
+    }
+
+    /** From the first step to the impulse, which is left in {@code work}. */
+    private void sumSteps(Impulse law, double restitution, double inverse) {
+        first.setFastSum(high, low);
+        law.toSecondStep(second.set(first), restitution);
+        impulse = work.set(first).add(second).high();
+        energy = inverse * other.set(second).subtract(first).high() * (second.high() + first.high()) / 2;
+    }
+
+    private void pushByImpulse(Bodies bodies, int body, double size, double sizeLow) {
+        double mass = bodies.mass[body];
+        if (mass < Double.POSITIVE_INFINITY) {
+            divide(size, sizeLow, mass, 0);
+            push(bodies, body, high, low, dx, dxLow, dy, dyLow);
         }
     }
 
@@ -84,24 +176,35 @@ final class ExactCollision extends Collision {
         double ax = bodies.x[a];
         double ay = bodies.y[a];
         wallTimes.normal(w, work.setSum(ax, flight.lowX(a)), other.setSum(ay, flight.lowY(a)), normalX, normalY);
+        double nx = normalX.high();
+        double ny = normalY.high();
         double vax = bodies.vx[a];
         double vay = bodies.vy[a];
-        invert(bodies.mass[a], inverse);
-        first.set(normalX).multiply(vax).add(work.set(normalY).multiply(vay));
-        if (!(first.high() > 0)) {                    // an earlier impact of the same batch has turned it round
+        double mass = bodies.mass[a];
+        project(vax, 0, vay, 0, nx, normalX.low(), ny, normalY.low());
+        double speed = high;
+        if (!(speed > 0)) {                           // an earlier impact of the same batch has turned it round
             endApproachToWall(bodies, a, w);
             return;
         }
-        divideByInverse();
-        takeSecondStep(wallImpulse, elastic ? ELASTIC : Math.min(bodies.restitution[a], wall.restitution()));
-        push(bodies, a, inverse, -1);
+        double restitution = elastic ? ELASTIC : Math.min(bodies.restitution[a], wall.restitution());
+        if (wallsHaveMinimum) {
+            multiply(high, low, mass, 0);
+            sumSteps(wallImpulse, restitution, bodies.inverseMass[a]);
+            divide(work.high(), work.low(), mass, 0);
+            push(bodies, a, -high, -low, nx, normalX.low(), ny, normalY.low());
+        } else {
+            withRestitution(restitution);
+            push(bodies, a, -high, -low, nx, normalX.low(), ny, normalY.low());
+            multiply(high, low, mass, 0);
+            impulse = high + low;
+            energy = impulse * speed * (restitution - 1) / 2;
+        }
         endApproachToWall(bodies, a, w);
-        double nx = normalX.high();
-        double ny = normalY.high();
         double gap = wall.gap(ax, ay, bodies.radius[a]);
         double reach = gap + bodies.radius[a];
-        sink.impact(time, bodies.id(a), ~w, ax, ay, ax + nx * reach, ay + ny * reach, nx, ny, impulse.high(), energy(),
-            bodies.mass[a], Double.POSITIVE_INFINITY, vax, vay, bodies.vx[a], bodies.vy[a], 0, 0, 0, 0);
+        sink.impact(time, bodies.id(a), ~w, ax, ay, ax + nx * reach, ay + ny * reach, nx, ny, impulse, energy, mass,
+            Double.POSITIVE_INFINITY, vax, vay, bodies.vx[a], bodies.vy[a], 0, 0, 0, 0);
         sink.knot(bodies.id(a), time, ax, ay);
         double rounding = WALL_TOUCH * (Math.abs(ax) + Math.abs(ay) + bodies.radius[a]);
         if (pushes && gap <= rounding) {
@@ -109,61 +212,20 @@ final class ExactCollision extends Collision {
         }
     }
 
-    private void invert(double mass, DoubleDouble result) {
-        result.set(mass == Double.POSITIVE_INFINITY ? 0 : 1);
-        if (mass != 1 && mass < Double.POSITIVE_INFINITY) {
-            result.divide(work.set(mass));
-        }
-    }
-
-    /** The first step of the impulse from the approach speed; a power of two divides exactly. */
-    private void divideByInverse() {
-        boolean powerOfTwo = inverse.low() == 0 && (Double.doubleToRawLongBits(inverse.high()) << 12) == 0;
-        if (powerOfTwo) {
-            first.multiply(1 / inverse.high());
-        } else {
-            first.divide(inverse);
-        }
-    }
-
-    private void takeSecondStep(Impulse law, double restitution) {
-        law.toSecondStep(second.set(first), restitution);
-        impulse.set(first).add(second);
-    }
-
-    /** Velocities change by the impulse over the mass along the normal. */
-    private void push(Bodies bodies, int body, DoubleDouble inverseMass, int sign) {
-        if (inverseMass.high() > 0) {
-            work.set(impulse);
-            if (inverseMass.high() != 1 || inverseMass.low() != 0) {
-                work.multiply(inverseMass);
-            }
-            if (sign < 0) {
-                work.negate();
-            }
-            bodies.vx[body] = other.set(work).multiply(normalX).add(bodies.vx[body]).high();
-            bodies.vy[body] = other.set(work).multiply(normalY).add(bodies.vy[body]).high();
-        }
-    }
-
-    private double energy() {
-        return inverse.high() * work.set(second).subtract(first).high() * (second.high() + first.high()) / 2;
-    }
-
     /** Along the line between the stored places, for it is there that they must not approach. */
     private void endApproach(Bodies bodies, int a, int b, double speeds) {
         if (!pairs.approach(bodies, a, b)) {
             return;
         }
-        double dx = bodies.x[b] - bodies.x[a];
-        double dy = bodies.y[b] - bodies.y[a];
-        double size = Math.max(Math.abs(dx), Math.abs(dy));
+        double x = bodies.x[b] - bodies.x[a];
+        double y = bodies.y[b] - bodies.y[a];
+        double size = Math.max(Math.abs(x), Math.abs(y));
         boolean ofA = bodies.inverseMass[a] >= bodies.inverseMass[b];
         int body = ofA ? a : b;
         double step = ofA ? -Math.ulp(speeds) : Math.ulp(speeds);
         while (pairs.approach(bodies, a, b)) {
-            bodies.vx[body] += dx / size * step;
-            bodies.vy[body] += dy / size * step;
+            bodies.vx[body] += x / size * step;
+            bodies.vy[body] += y / size * step;
             step *= 2;
         }
     }
@@ -185,9 +247,16 @@ final class ExactCollision extends Collision {
 
     private void pushApart(Bodies bodies, int a, int b, double time, TurnSink sink) {
         double touch = bodies.radius[a] + bodies.radius[b];
-        double overlap = other.setSum(bodies.radius[a], bodies.radius[b]).subtract(distance).high();
+        double distance = coincident ? 0 : Math.scalb(length, scale);
+        double distanceLow = coincident ? 0 : Math.scalb(lengthLow, scale);
+        double overlap = (touch - distance)
+            + (ErrorFree.sumError(bodies.radius[a], bodies.radius[b], touch) - distanceLow);
         if (overlap >= -TOUCH * touch) {
             double each = (overlap <= TOUCH * touch ? 0 : overlap / 2) + pushOut;
+            divide(dx, dxLow, length, lengthLow);
+            normalX.setFastSum(high, low);
+            divide(dy, dyLow, length, lengthLow);
+            normalY.setFastSum(high, low);
             pushApart(bodies, a, bodies.inverseMass[b] == 0 ? -2 * each : -each, time, sink);
             pushApart(bodies, b, bodies.inverseMass[a] == 0 ? 2 * each : each, time, sink);
         }

@@ -19,6 +19,8 @@ final class ExactFlight extends Flight {
     private final RefiningQueue queue;
     private final DoubleDouble now = new DoubleDouble();
     private final DoubleDouble time = new DoubleDouble();
+    /** Whether the lows can be other than 0. */
+    private boolean rounded;
     private double[] lowX = new double[0];
     private double[] lowY = new double[0];
 
@@ -33,6 +35,7 @@ final class ExactFlight extends Flight {
             lowY = new double[bodies.capacity()];
         }
         queue.begin(bodies, now.set(0));
+        rounded = true;
         return 0;
     }
 
@@ -40,13 +43,21 @@ final class ExactFlight extends Flight {
     double toImpact(Bodies bodies, double start, ImpactQueue chosen) {
         queue.until(0, time);
         if (time.high() == 0) {
-            Arrays.fill(lowX, 0, bodies.size(), 0);
-            Arrays.fill(lowY, 0, bodies.size(), 0);
+            forgetLows(bodies.size());
         } else {
+            rounded = true;
             fly(bodies.x, bodies.vx, lowX, bodies.size(), time.high(), time.low());
             fly(bodies.y, bodies.vy, lowY, bodies.size(), time.high(), time.low());
         }
         return now.add(time).high();
+    }
+
+    private void forgetLows(int size) {
+        if (rounded) {
+            Arrays.fill(lowX, 0, size, 0);
+            Arrays.fill(lowY, 0, size, 0);
+            rounded = false;
+        }
     }
 
     @Override

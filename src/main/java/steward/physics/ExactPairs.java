@@ -8,6 +8,7 @@ import steward.numerics.DoubleDouble;
  *
  *     b = dx vx + dy vy        2 differences, product, sum:      off by at most  5 u (|dx vx| + |dy vy|)
  *     c = dx^2 + dy^2 - s^2    the same, and a difference:                       8 u (dx^2 + dy^2 + s^2)
+ *     c + 2 min(b, 0)          one more sum:                      one u of each term more than both together
  *     D = a s^2 - (d x v)^2    a s^2 by 9 u, (d x v)^2 by 9 u m^2:              16 u (a s^2 + m^2)
  *                              with m = |dx vy| + |dy vx|
  *
@@ -15,6 +16,9 @@ import steward.numerics.DoubleDouble;
  * bound has its true sign. Underflow: b's bound has 2^-1000 more, and when a and s^2 are at least 2^-450 what
  * underflows next to them does not count. Overflow makes a bound infinite, which no value is above. So what the filter
  * decides is right, and what it leaves is computed exactly.
+ *
+ * As a t^2 is never below 0, the squared distance less s^2 is at least c + 2 b t, and for b < 0 at least c + 2 b up to
+ * t = 1: when that is above 0, the two do not meet within a turn, and no root is needed. Most pairs end here.
  *
  * Then t = c / (sqrt D - b) is off, relatively, by at most 8 u (...) / c from c, by the errors of sqrt D (at most
  * 2 (error of D) / sqrt D when D is above its bound) and b over their sum, and 4 u; this much it is made smaller, and
@@ -43,7 +47,7 @@ final class ExactPairs extends PairTime {
         separatingReact = law.separatingPairsReact();
     }
 
-    /** @return at most the time; 0 or above; infinite only if they never meet */
+    /** @return at most the time; 0 or above; infinite only if they do not meet within a turn's length */
     @Override
     double until(Bodies bodies, int i, int j) {
         double dx = bodies.x[i] - bodies.x[j];
@@ -53,7 +57,7 @@ final class ExactPairs extends PairTime {
         double xvx = dx * dvx;
         double yvy = dy * dvy;
         double b = xvx + yvy;
-        double bError = 5 * U * (Math.abs(xvx) + Math.abs(yvy)) + TINY;
+        double bError = 6 * U * (Math.abs(xvx) + Math.abs(yvy)) + TINY;
         if (!separatingReact && b > bError) {
             return NEVER;
         }
@@ -61,7 +65,13 @@ final class ExactPairs extends PairTime {
         double squared = dx * dx + dy * dy;
         double ss = s * s;
         double c = squared - ss;
-        double cError = 8 * U * (squared + ss);
+        double cError = 10 * U * (squared + ss) + TINY;
+        if (c < -cError && (separatingReact || b < -bError)) {
+            return 0;
+        }
+        if (c + (b - Math.abs(b)) > cError + 2 * bError) {
+            return NEVER;
+        }
         double a = dvx * dvx + dvy * dvy;
         if (!(c > cError && Math.abs(b) > bError && a >= LEAST && ss >= LEAST)) {
             return undecided(bodies, i, j);
@@ -92,6 +102,11 @@ final class ExactPairs extends PairTime {
     }
 
     private double undecided(Bodies bodies, int i, int j) {
+        boolean sliding = (bodies.x[i] == bodies.x[j] || bodies.vx[i] == bodies.vx[j])
+            && (bodies.y[i] == bodies.y[j] || bodies.vy[i] == bodies.vy[j]);
+        if (sliding && !separatingReact) {
+            return NEVER;                             // b is 0 without any arithmetic: two at rest, side by side
+        }
         return exact(bodies, i, j, time) ? Math.max(0, time.high() * (1 - 4 * U) - ROUNDING) : NEVER;
     }
 
@@ -101,6 +116,9 @@ final class ExactPairs extends PairTime {
      * @return false if there is none
      */
     boolean exact(Bodies bodies, int i, int j, DoubleDouble until) {
+        if (FastCircles.first(bodies, i, j, separatingReact, until)) {
+            return true;
+        }
         circles.load(bodies, i, j);
         if (separatingReact && circles.touch()) {
             until.set(0);
@@ -113,7 +131,7 @@ final class ExactPairs extends PairTime {
     boolean approach(Bodies bodies, int i, int j) {
         double xvx = (bodies.x[i] - bodies.x[j]) * (bodies.vx[i] - bodies.vx[j]);
         double yvy = (bodies.y[i] - bodies.y[j]) * (bodies.vy[i] - bodies.vy[j]);
-        double bError = 5 * U * (Math.abs(xvx) + Math.abs(yvy)) + TINY;
+        double bError = 6 * U * (Math.abs(xvx) + Math.abs(yvy)) + TINY;
         double b = xvx + yvy;
         return Math.abs(b) > bError ? b < 0 : circles.load(bodies, i, j).approach();
     }

@@ -85,10 +85,15 @@ abstract sealed class ExactWall permits ExactWall.Plane, ExactWall.Ring, ExactSe
         private final HalfPlane plane;
         private final Expansion sum = new Expansion();
         private final DoubleDouble part = new DoubleDouble();
-        private final DoubleDouble length = new DoubleDouble();
+        private final DoubleDouble closing = new DoubleDouble();
+        private final DoubleDouble normalX = new DoubleDouble();
+        private final DoubleDouble normalY = new DoubleDouble();
 
         Plane(HalfPlane plane) {
             this.plane = plane;
+            normalX.set(-plane.insideX());
+            normalY.set(-plane.insideY());
+            normalize(normalX, normalY, part, inverse);
         }
 
         @Override
@@ -114,7 +119,7 @@ abstract sealed class ExactWall permits ExactWall.Plane, ExactWall.Ring, ExactSe
             if (sum.sign() <= 0) {
                 return false;
             }
-            sum.to(length);
+            sum.to(closing);
             part.setDifference(x, plane.x());
             sum.clear().add(-radius).addProduct(part.high(), plane.insideX()).addProduct(part.low(), plane.insideX());
             part.setDifference(y, plane.y());
@@ -123,15 +128,14 @@ abstract sealed class ExactWall permits ExactWall.Plane, ExactWall.Ring, ExactSe
                 until.set(0);
                 return true;
             }
-            sum.to(until).divide(length);
+            sum.to(until).divide(closing);
             return until.high() < NEVER;
         }
 
         @Override
-        void normal(DoubleDouble x, DoubleDouble y, DoubleDouble normalX, DoubleDouble normalY) {
-            normalX.set(-plane.insideX());
-            normalY.set(-plane.insideY());
-            normalize(normalX, normalY, length, inverse);
+        void normal(DoubleDouble x, DoubleDouble y, DoubleDouble toX, DoubleDouble toY) {
+            toX.set(normalX);
+            toY.set(normalY);
         }
     }
 

@@ -2,6 +2,7 @@ package steward.physics;
 
 import java.util.Arrays;
 import steward.numerics.DoubleDouble;
+import steward.numerics.ErrorFree;
 
 /**
  * Collects impacts with times that are never too late, and computes a time in double-double only when its impact is
@@ -48,6 +49,7 @@ final class RefiningQueue extends ImpactQueue {
     void clear() {
         startHigh = now.high();
         startLow = now.low();
+        left.setDifference(1, startHigh).add(-startLow);
         size = 0;
     }
 
@@ -110,7 +112,6 @@ final class RefiningQueue extends ImpactQueue {
     private void refine(int k) {
         boolean happens = seconds[k] < 0 ? walls.exact(bodies, firsts[k], ~seconds[k], until)
             : pairs.exact(bodies, firsts[k], seconds[k], until);
-        left.setDifference(1, startHigh).add(-startLow);
         if (!happens || until.compareTo(left) > 0) {
             size--;
             swap(k, size);
@@ -123,12 +124,13 @@ final class RefiningQueue extends ImpactQueue {
 
     /** From the present time to the k-th impact. */
     void until(int k, DoubleDouble result) {
-        result.setSum(high[k], low[k]);
+        result.setFastSum(high[k], low[k]);
     }
 
     @Override
     double time(int k) {
-        return left.setSum(startHigh, high[k]).add(startLow).add(low[k]).high();
+        double sum = startHigh + high[k];
+        return sum + (ErrorFree.sumError(startHigh, high[k], sum) + (startLow + low[k]));
     }
 
     @Override
@@ -142,6 +144,9 @@ final class RefiningQueue extends ImpactQueue {
     }
 
     private void swap(int i, int j) {
+        if (i == j) {
+            return;
+        }
         double aDouble = high[i];
         high[i] = high[j];
         high[j] = aDouble;
