@@ -13,6 +13,8 @@ final class LongRunCase implements StabilityCase {
 
     private static final long SEED = 16;
     private static final double BOOKS = 1e-28;
+    /** From so many bodies on, all pairs at each impact would take hours. */
+    private static final int CROWD = 1000;
 
     private final int bodies;
     private final double drift;
@@ -38,12 +40,13 @@ final class LongRunCase implements StabilityCase {
 
     @Override
     public Seen run(Rung rung, Size size) {
-        int small = bodies == 10 ? 100_000 : bodies == 100 ? 3_000 : 20;
-        int normal = bodies == 10 ? 1_000_000 : bodies == 100 ? 1_000_000 : 2_000;
-        long wanted = rung.isEvent() ? size.pick(small, normal, 10_000_000) : 1;
+        int small = bodies == 10 ? 100_000 : 20_000;
+        long wanted = rung.isEvent() ? size.pick(small, 1_000_000, 10_000_000) : 1;
         Bodies gas = gas();
         Ledger ledger = new Ledger(gas);
-        Advance advance = rung.advance(ImpactLaw.PHYSICS, Wall.box(side(), side(), 1));
+        Wall[] box = Wall.box(side(), side(), 1);
+        Advance advance = bodies < CROWD ? rung.advance(ImpactLaw.PHYSICS, box)
+            : rung.crowdAdvance(ImpactLaw.PHYSICS, box);
         BigDecimal energy = Probe.energy(gas);
         double atMillion = Double.NaN;
         while (ledger.impacts < wanted) {

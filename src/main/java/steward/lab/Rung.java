@@ -9,6 +9,7 @@ import steward.physics.Contacts;
 import steward.physics.EventAdvance;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
+import steward.physics.QueueAdvance;
 import steward.physics.StepAdvance;
 import steward.physics.Wall;
 
@@ -52,6 +53,12 @@ public record Rung(String name, boolean isEvent, boolean isExact, Arithmetic ari
     /** Bodies of one kind and finite masses among walls. */
     Advance advance(ImpactLaw law, Wall... walls) {
         return maker.apply(new PhysicsParts(law, arithmetic, new Contacts(1), List.of(walls), null, false));
+    }
+
+    /** The same where there are many bodies: event rungs by {@link QueueAdvance}, at the same law and arithmetic. */
+    Advance crowdAdvance(ImpactLaw law, Wall... walls) {
+        PhysicsParts parts = new PhysicsParts(law, arithmetic, new Contacts(1), List.of(walls), null, false);
+        return isEvent ? new QueueAdvance(parts) : maker.apply(parts);
     }
 
     /** Bodies of one kind and any masses among walls. */

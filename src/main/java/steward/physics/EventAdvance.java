@@ -24,8 +24,6 @@ public final class EventAdvance implements Advance {
     private final Flight flight;
     private final Touch touch;
     private final Standstill standstill;
-    /** For turns with numbers that are not {@link Magnitudes ordinary}; made when there is one. */
-    private EventAdvance scaling;
 
     public EventAdvance(PhysicsParts parts) {
         Wall[] walls = parts.walls().toArray(new Wall[0]);
@@ -52,11 +50,11 @@ public final class EventAdvance implements Advance {
     @Override
     public void turn(Bodies bodies, TurnSink sink) {
         if (!Magnitudes.areOrdinary(bodies)) {
-            Magnitudes.requireComputable(bodies, parts.walls());
             if (parts.arithmetic() != Arithmetic.EXACT) {
-                scaling().turn(bodies, sink);
+                scaling(parts).turn(bodies, sink);
                 return;
             }
+            Magnitudes.requireComputable(bodies, parts.walls());
         }
         int left = law.impactLimit(bodies.size());
         double now = flight.begin(bodies);
@@ -86,12 +84,10 @@ public final class EventAdvance implements Advance {
         }
     }
 
-    private EventAdvance scaling() {
-        if (scaling == null) {
-            scaling = new EventAdvance(new PhysicsParts(law, Arithmetic.EXACT, parts.contacts(), parts.walls(),
-                parts.reaction(), parts.infiniteMasses()));
-        }
-        return scaling;
+    /** An advance of the same scene for numbers that are not {@link Magnitudes ordinary}. */
+    static EventAdvance scaling(PhysicsParts parts) {
+        return new EventAdvance(new PhysicsParts(parts.law(), Arithmetic.EXACT, parts.contacts(), parts.walls(),
+            parts.reaction(), parts.infiniteMasses()));
     }
 
     /** Everybody flies straight for a while. */

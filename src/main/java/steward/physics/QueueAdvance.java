@@ -19,12 +19,16 @@ import static steward.physics.Crowd.PARTNER_CHANGES;
  * lowest pair of ids. The bound on impacts is kept as in {@link Standstill}. Allocates nothing in a turn once its
  * arrays have grown (but for the rare ending by the impact limit).
  *
+ * <p>A turn with numbers so large or small that squares leave the range of doubles is left to {@code EventAdvance} in
+ * the exact arithmetic, which scales them.
+ *
  * <p>Caveats: the same impacts as {@code EventAdvance} means but for rounding: that one moves every body at every
  * impact, this one moves it once, and where a crowd is chaotic the last digits grow into differences after some dozens
  * of impacts per body. Laws in which impacts react in batches are not for this class, see {@link #refusal}.
  */
 public final class QueueAdvance implements Advance {
 
+    private final PhysicsParts parts;
     private final ImpactLaw law;
     private final boolean descending;
     private final Crowd crowd = new Crowd();
@@ -41,9 +45,10 @@ public final class QueueAdvance implements Advance {
             throw new IllegalArgumentException("queue: " + refusal);
         }
         Wall[] walls = parts.walls().toArray(new Wall[0]);
+        this.parts = parts;
         law = parts.law();
         descending = law.scanOrder() == ImpactLaw.ScanOrder.DESCENDING;
-        Collision collision = new Collision(law, walls);
+        Collision collision = Collision.of(law, parts.arithmetic(), walls);
         pairs = QueuePairs.of(crowd, parts);
         search = new QueueSearch(crowd, events, parts.arithmetic(), walls, pairs);
         touch = QueueTouch.of(crowd, parts, collision, walls);
@@ -58,6 +63,10 @@ public final class QueueAdvance implements Advance {
 
     @Override
     public void turn(Bodies bodies, TurnSink sink) {
+        if (!Magnitudes.areOrdinary(bodies)) {
+            EventAdvance.scaling(parts).turn(bodies, sink);
+            return;
+        }
         if (bodies.size() > 0) {
             touch.begin(bodies, sink);
             if (pairs != null) {
