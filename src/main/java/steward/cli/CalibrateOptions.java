@@ -51,7 +51,7 @@ final class CalibrateOptions {
             }
             files.add(file.toAbsolutePath().normalize());
             OutputFiles.check(file, overwrite);
-            all.add(new Calibrating(streams, setup, file, states == null ? Calibration.STATES : states));
+            all.add(Calibrating.of(streams, setup, file, states == null ? Calibration.STATES : states));
         }
         if (out != null) {
             OutputFiles.prepareFolder(OutputFiles.path(out));

@@ -14,7 +14,7 @@ import steward.scene.AccuracyFigures;
 /**
  * Calibrates one scene: measures, writes the figures and shows them. They are written beside their place and moved
  * there in the end, so that old figures stay until there are new ones; when the run is interrupted, what was measured
- * is moved there.
+ * is kept.
  */
 final class Calibrating {
 
@@ -29,14 +29,23 @@ final class Calibrating {
     private final Calibration calibration;
     private boolean written;
 
-    /** @param states how many */
-    Calibrating(Streams streams, GameSetup setup, Path file, int states) {
+    /**
+     * @param file        for the figures
+     * @param calibration of the scene
+     */
+    Calibrating(Streams streams, GameSetup setup, Path file, Calibration calibration) {
         this.streams = streams;
         this.setup = setup;
         this.file = file;
+        this.calibration = calibration;
         unfinished = file.resolveSibling(file.getFileName() + ".part");
+    }
+
+    /** @param states how many */
+    static Calibrating of(Streams streams, GameSetup setup, Path file, int states) {
         try {
-            calibration = new Calibration(setup, seed -> Pilots.race(setup, seed), states);
+            return new Calibrating(streams, setup, file,
+                new Calibration(setup, seed -> Pilots.race(setup, seed), states));
         } catch (IllegalArgumentException problem) {
             throw new InputException("--calibrate: " + setup.scene().name() + ": " + problem.getMessage());
         }
@@ -63,7 +72,8 @@ final class Calibrating {
         } else {
             calibration.run(threads, () -> { });
         }
-        Calibration.Figures figures = write();
+        Calibration.Figures figures = calibration.figures();
+        write(figures, file);
         try {
             Runtime.getRuntime().removeShutdownHook(hook);
         } catch (IllegalStateException shutdown) {
@@ -72,25 +82,35 @@ final class Calibrating {
         show(figures);
     }
 
-    private synchronized Calibration.Figures write() {
-        Calibration.Figures figures = calibration.figures();
-        if (!written && figures.states() > 0) {
-            try {
-                Files.writeString(unfinished, calibration.text());
-                Files.move(unfinished, file, StandardCopyOption.REPLACE_EXISTING);
-            } catch (IOException problem) {
-                throw new FailedException(file + ": cannot be written: " + problem.getMessage());
-            }
-            written = true;
+    /**
+     * Writes what has been measured, once.
+     *
+     * @param place where the figures go in the end
+     */
+    private synchronized void write(Calibration.Figures figures, Path place) {
+        if (written || figures.states() == 0) {
+            return;
         }
-        return figures;
+        try {
+            Files.writeString(unfinished, calibration.text(figures));
+            if (!place.equals(unfinished)) {
+                Files.move(unfinished, place, StandardCopyOption.REPLACE_EXISTING);
+            }
+        } catch (IOException problem) {
+            throw new FailedException(place + ": cannot be written: " + problem.getMessage());
+        }
+        written = true;
     }
 
-    /** Keeps what there is. */
+    /** Keeps what there is: in its place, or beside it if there are older figures, which may be better ones. */
     void interrupted() {
-        int states = write().states();
-        streams.err().println(states == 0 ? "steward: interrupted before anything was measured"
-            : "steward: interrupted; the figures of " + states + " states are in " + file);
+        Calibration.Figures figures = calibration.figures();
+        boolean older = !written && Files.exists(file);
+        Path place = older ? unfinished : file;
+        write(figures, place);
+        streams.err().println(figures.states() == 0 ? "steward: interrupted before anything was measured"
+            : "steward: interrupted; the figures of " + figures.states() + " states are in " + place
+                + (older ? ", the older ones still in " + file : ""));
     }
 
     private void show(Calibration.Figures figures) {

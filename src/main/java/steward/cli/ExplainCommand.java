@@ -57,7 +57,7 @@ final class ExplainCommand implements Callable<Integer> {
             out.println();
         }
         AccuracyChoice choice = setup.plan().accuracy();
-        out.println(Words.wrap("Accuracy: " + choice.rung() + ", " + choice.why(), ", ", WIDTH, "  "));
+        out.println(Words.wrap("Accuracy: " + choice.rung() + ", " + choice.why(), " ", WIDTH, "  "));
         out.println();
         settings(out, setup.scene());
         return ExitStatus.DONE;

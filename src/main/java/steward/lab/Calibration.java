@@ -233,8 +233,7 @@ public final class Calibration {
     }
 
     /** The figures as a file that {@link AccuracyFigures} reads; errors are rounded up to three digits. */
-    public String text() {
-        Figures figures = figures();
+    public String text(Figures figures) {
         StringJoiner rungs = new StringJoiner(",\n    ", "[\n    ", "\n  ]");
         for (AccuracyFigures.OfRung rung : figures.rungs) {
             StringJoiner errors = new StringJoiner(", ", "{ ", " }");

@@ -113,7 +113,7 @@ class CalibrateTest {
     void anInterruptedRunKeepsWhatWasMeasured() throws Exception {
         ByteArrayOutputStream err = new ByteArrayOutputStream();
         Path file = folder.resolve("d.accuracy.json");
-        Calibrating calibrating = new Calibrating(new Streams(new ByteArrayOutputStream(), err, false, false),
+        Calibrating calibrating = Calibrating.of(new Streams(new ByteArrayOutputStream(), err, false, false),
             Contest.openScene("duel"), file, 1200);
         calibrating.interrupted();
         assertEquals("steward: interrupted before anything was measured\n", err.toString(StandardCharsets.UTF_8));
@@ -124,6 +124,22 @@ class CalibrateTest {
         assertEquals("steward: interrupted; the figures of 1200 states are in " + file + "\n",
             err.toString(StandardCharsets.UTF_8));
         assertEquals(1200, AccuracyFigures.read(Files.readString(file), "d").states());
+    }
+
+    /** Fewer states than somebody had the patience for before do not take the place of more. */
+    @Test
+    void anInterruptedRunLeavesOlderFiguresWhereTheyAre() throws Exception {
+        Path file = Files.writeString(folder.resolve("d.accuracy.json"), "older");
+        ByteArrayOutputStream err = new ByteArrayOutputStream();
+        Calibration calibration = new Calibration(Contest.openScene("duel"),
+            seed -> Pilots.race(Contest.openScene("duel"), seed), 1000);
+        calibration.run(1, () -> { });
+        new Calibrating(new Streams(new ByteArrayOutputStream(), err, false, false), Contest.openScene("duel"), file,
+            calibration).interrupted();
+        assertEquals("older", Files.readString(file));
+        assertEquals("steward: interrupted; the figures of 1000 states are in " + file + ".part, the older ones still "
+            + "in " + file + "\n", err.toString(StandardCharsets.UTF_8));
+        assertEquals(1000, AccuracyFigures.read(Files.readString(Path.of(file + ".part")), "d").states());
     }
 
     /**

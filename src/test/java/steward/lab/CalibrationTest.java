@@ -46,7 +46,7 @@ class CalibrationTest {
             calibration.run(threads, () -> done.add(1));
             assertEquals(3, calibration.blocks());
             assertEquals(3, done.size());
-            texts.add(calibration.text());
+            texts.add(calibration.text(calibration.figures()));
         }
         assertEquals(texts.get(0), texts.get(1));
         AccuracyFigures figures = AccuracyFigures.read(texts.get(0), "text");
