@@ -37,6 +37,8 @@ class QueueSearch {
 
     /** Products below have lost digits to underflow. */
     private static final double LEAST = 1e-250;
+    /** A little below 1, for what roundings may add to a quotient. */
+    private static final double BIT_LESS = 1 - 0x1p-40;
 
     final Crowd crowd;
     final EventBuckets events;
@@ -63,8 +65,8 @@ class QueueSearch {
 
     /** Room for so many neighbours. */
     void begin(int capacity) {
-        if (near.length < capacity) {
-            near = new int[capacity];
+        if (near.length <= capacity) {
+            near = new int[capacity + 1];
         }
     }
 
@@ -89,7 +91,7 @@ class QueueSearch {
             if (crowd.outsiders > 0) {
                 lookAt(body, crowd.outside, crowd.outsiders, now);
             }
-            found = crowd.cells.gather(crowd.link[at + COLUMN] - 1, crowd.link[at + ROW] - 1, 3, 3, near);
+            found = crowd.cells.gatherAround(crowd.link[at + COLUMN], crowd.link[at + ROW], near);
         }
         lookAt(body, near, found, now);
         crowd.state[at + IMPACT] = best;
@@ -114,18 +116,13 @@ class QueueSearch {
         }
         Cells cells = crowd.cells;
         cells.remove(body, cells.at(column, row));
-        int found;
-        if (link[at + EVENT] == 1) {
-            int step = state[at + VX] > 0 ? 1 : -1;
-            column += step;
-            link[at + COLUMN] = column;
-            found = cells.gather(column + step, row - 1, 1, 3, near);
-        } else {
-            int step = state[at + VY] > 0 ? 1 : -1;
-            row += step;
-            link[at + ROW] = row;
-            found = cells.gather(column - 1, row + step, 3, 1, near);
-        }
+        int stepColumn = (link[at + EVENT] & 3) - 2;
+        int stepRow = (link[at + EVENT] >> 2) - 2;
+        column += stepColumn;
+        row += stepRow;
+        link[at + COLUMN] = column;
+        link[at + ROW] = row;
+        int found = cells.gatherSide(column + stepColumn, row + stepRow, stepRow, stepColumn, near);
         cells.add(body, cells.at(column, row));
         if (Math.abs(column) >= Cells.FAR || Math.abs(row) >= Cells.FAR) {
             crowd.leave(body);
@@ -160,8 +157,13 @@ class QueueSearch {
         double radius = state[at + RADIUS];
         for (int w = 0; w < walls.length; w++) {
             HalfPlane plane = planes[w];
-            double until = plane != null ? plane.timeOfImpact(x, y, vx, vy, radius)
-                : walls[w].timeOfImpact(x, y, vx, vy, radius);
+            if (plane != null) {
+                double closing = -(vx * plane.insideX() + vy * plane.insideY());
+                if (plane.gap(x, y, radius) * BIT_LESS > closing * (Math.min(best, 1) - now)) {
+                    continue;                          // gap over closing is later; most walls are receded from
+                }
+            }
+            double until = walls[w].timeOfImpact(x, y, vx, vy, radius);
             if (until <= 1 - now && now + until < best && (pairs == null || pairs.meetsWall(body, w))) {
                 best = now + until;
                 partner = ~w;
@@ -192,7 +194,8 @@ class QueueSearch {
             double squared = dx * dx + dy * dy;
             double c = squared - touch * touch - 0x1p-40 * squared;
             double bound = (dvx * dvx + dvy * dvy) * c;
-            if (b < 0 && !(c > -2 * b * left) && !(b * b < bound && bound > LEAST)) {
+            double twice = b - Math.abs(b);            // 2b if they approach, otherwise 0
+            if ((twice * twice > 4 * bound || bound < LEAST) && !(c > -twice * left) && b < 0) {
                 offer(body, others[k], dx, dy, dvx, dvy, touch, now);
                 left = Math.min(best, 1) - now;
             }
@@ -222,12 +225,14 @@ class QueueSearch {
         double time = state[at + IMPACT];
         int event = 0;
         if (link[at + Crowd.OUTSIDE] < 0) {
-            double x = timeToLeave(state[at + X], state[at + VX], crowd.cells.left(link[at + COLUMN]), crowd.cells);
-            double y = timeToLeave(state[at + Y], state[at + VY], crowd.cells.top(link[at + ROW]), crowd.cells);
+            double vx = state[at + VX];
+            double vy = state[at + VY];
+            double x = timeToLeave(state[at + X], vx, crowd.cells.left(link[at + COLUMN]), crowd.cells.side());
+            double y = timeToLeave(state[at + Y], vy, crowd.cells.top(link[at + ROW]), crowd.cells.side());
             double leaves = state[at + SINCE] + Math.min(x, y);
             if (leaves < time) {
                 time = Math.max(now, leaves);
-                event = x <= y ? 1 : 2;
+                event = x <= y ? step(vx) + 2 + (2 << 2) : 2 + (step(vy) + 2 << 2);
             }
         }
         if (time <= 1) {
@@ -238,7 +243,13 @@ class QueueSearch {
         }
     }
 
-    private static double timeToLeave(double x, double v, double from, Cells cells) {
-        return v > 0 ? (from + cells.side() - x) / v : v < 0 ? (from - x) / v : NEVER;
+    /** To the border of a cell that lies ahead: half a side from the middle, to the side to which it flies. */
+    private static double timeToLeave(double x, double v, double from, double side) {
+        return v == 0 ? NEVER : (from + side / 2 - x + Math.copySign(side / 2, v)) / v;
+    }
+
+    /** 1 or -1, as the sign of a velocity. */
+    private static int step(double v) {
+        return (int) (Double.doubleToRawLongBits(v) >> 63) | 1;
     }
 }
