@@ -36,7 +36,7 @@ final class Cells {
     private double perSide;
     private double largestInside;
 
-    /** Chooses the size and number of cells for these bodies; all are empty. */
+    /** Chooses the size and number of cells for these bodies; {@link #sort} then empties them. */
     void begin(Bodies bodies) {
         int size = bodies.size();
         int sampled = Math.min(SAMPLE, size);
@@ -70,7 +70,6 @@ final class Cells {
         if (next.length < size) {
             next = new int[bodies.capacity()];
         }
-        Arrays.fill(heads, 0, columns * rows, -1);
     }
 
     private void findLargest(Bodies bodies) {
@@ -139,9 +138,22 @@ final class Cells {
         }
     }
 
-    /** How many cells there are. */
-    int count() {
-        return columns * rows;
+    /** Orders indices by cells, those of one cell ascending: counts how many each gets, then deals the places out. */
+    void sort(Bodies bodies, int[] index) {
+        int cells = columns * rows;
+        Arrays.fill(heads, 0, cells, 0);
+        for (int k = 0; k < bodies.size(); k++) {
+            heads[at(column(bodies.x[k]), row(bodies.y[k]))]++;
+        }
+        int before = 0;
+        for (int cell = 0; cell < cells; cell++) {
+            before += heads[cell];
+            heads[cell] = before - heads[cell];
+        }
+        for (int k = 0; k < bodies.size(); k++) {
+            index[heads[at(column(bodies.x[k]), row(bodies.y[k]))]++] = k;
+        }
+        Arrays.fill(heads, 0, cells, -1);
     }
 
     /** Whether a body of this radius has its place in a cell. */

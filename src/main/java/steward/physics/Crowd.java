@@ -1,6 +1,7 @@
 package steward.physics;
 
 import java.util.Arrays;
+import steward.numerics.DoubleDouble;
 
 /**
  * The bodies of a turn as {@link QueueAdvance} keeps them, each with a clock of its own: where it was when it last
@@ -39,12 +40,23 @@ final class Crowd {
     /** Its place among those that are in no cell, or -1. */
     static final int OUTSIDE = 7;
 
+    /** Places in {@link #low}: what {@link #SINCE} and {@link #IMPACT} lack as doubles. */
+    static final int SINCE_LOW = 0;
+    static final int IMPACT_LOW = 1;
+    /** What the coordinates lack, as long as nobody has moved the body since. */
+    static final int X_LOW = 2;
+    static final int Y_LOW = 3;
+
     static final double NEVER = Double.POSITIVE_INFINITY;
 
     /** Eight a body. */
     double[] state = new double[0];
     /** Eight a body. */
     int[] link = new int[0];
+    /** Four a body where times are double-doubles, otherwise none. */
+    double[] low = new double[0];
+    /** What the present time lacks as a double. */
+    double nowLow;
     /** Their indices in {@link Bodies}. */
     int[] index = new int[0];
     /** Those that are in no cell: too large, too far away, or too fast for it to pay. */
@@ -52,7 +64,14 @@ final class Crowd {
     int outsiders;
     int size;
     final Cells cells = new Cells();
-    private int[] starts = new int[0];
+    private final boolean exact;
+    private final DoubleDouble time = new DoubleDouble();
+    private final DoubleDouble place = new DoubleDouble();
+
+    /** @param exact whether times are double-doubles, and places are rounded once, when they are stored */
+    Crowd(boolean exact) {
+        this.exact = exact;
+    }
 
     /** Takes over the bodies at the time {@code now} of the turn. */
     void load(Bodies bodies, double now) {
@@ -63,10 +82,15 @@ final class Crowd {
             link = new int[8 * capacity];
             index = new int[capacity];
             outside = new int[capacity];
+            low = new double[exact ? 4 * capacity : 0];
+        }
+        Arrays.fill(low, 0, exact ? 4 * size : 0, 0);
+        for (int body = 0; body < size && exact; body++) {
+            low[4 * body + SINCE_LOW] = nowLow;
         }
         outsiders = 0;
         cells.begin(bodies);
-        sort(bodies);
+        cells.sort(bodies, index);
         for (int body = 0; body < size; body++) {
             int of = index[body];
             int at = 8 * body;
@@ -82,27 +106,6 @@ final class Crowd {
             link[at + OUTSIDE] = -1;
             settle(body);
         }
-    }
-
-    /** Orders by cells, those of one cell by index: counts how many each cell gets, then deals the places out. */
-    private void sort(Bodies bodies) {
-        if (starts.length <= cells.count()) {
-            starts = new int[cells.count() + 1];
-        }
-        Arrays.fill(starts, 0, cells.count() + 1, 0);
-        for (int k = 0; k < size; k++) {
-            starts[cell(bodies, k) + 1]++;
-        }
-        for (int cell = 0; cell < cells.count(); cell++) {
-            starts[cell + 1] += starts[cell];
-        }
-        for (int k = 0; k < size; k++) {
-            index[starts[cell(bodies, k)]++] = k;
-        }
-    }
-
-    private int cell(Bodies bodies, int k) {
-        return cells.at(cells.column(bodies.x[k]), cells.row(bodies.y[k]));
     }
 
     /** Puts a body that is in no list into the cell where its place says, or outside if it does not belong there. */
@@ -146,13 +149,52 @@ final class Crowd {
         outside[outsiders++] = body;
     }
 
+    /** The present is when a body has its impact. */
+    void setNow(int body) {
+        nowLow = exact ? low[4 * body + IMPACT_LOW] : 0;
+    }
+
     /** A body begins a new flight where it is at a time. */
     void fly(int body, double now) {
         int at = 8 * body;
-        double time = now - state[at + SINCE];
-        state[at + X] += state[at + VX] * time;
-        state[at + Y] += state[at + VY] * time;
+        double newX = x(body, now);
+        int to = 4 * body;
+        if (exact) {
+            low[to + X_LOW] = place.low();
+        }
+        double newY = y(body, now);
+        state[at + X] = newX;
+        state[at + Y] = newY;
         state[at + SINCE] = now;
+        if (exact) {
+            low[to + Y_LOW] = place.low();
+            low[to + SINCE_LOW] = nowLow;
+        }
+    }
+
+    /** Says what the stored place of a body, which has just flown there, lacks. */
+    void tell(int body, ExactFlight rounded, int i) {
+        rounded.set(i, low[4 * body + X_LOW], low[4 * body + Y_LOW]);
+    }
+
+    /** Where a body is at a time. */
+    double x(int body, double now) {
+        return along(body, X, VX, now);
+    }
+
+    double y(int body, double now) {
+        return along(body, Y, VY, now);
+    }
+
+    private double along(int body, int coordinate, int velocity, double now) {
+        double from = state[8 * body + coordinate];
+        double v = state[8 * body + velocity];
+        double since = state[8 * body + SINCE];
+        if (!exact) {
+            return from + v * (now - since);
+        }
+        time.setDifference(now, since).add(nowLow).add(-low[4 * body + SINCE_LOW]);
+        return place.set(time).multiply(v).add(from).high();
     }
 
     /** Writes down where everybody is at a time, and how fast. */
@@ -164,13 +206,11 @@ final class Crowd {
 
     /** The same for one. */
     void store(int body, Bodies bodies, double now) {
-        int at = 8 * body;
         int to = index[body];
-        double time = now - state[at + SINCE];
-        bodies.x[to] = state[at + X] + state[at + VX] * time;
-        bodies.y[to] = state[at + Y] + state[at + VY] * time;
-        bodies.vx[to] = state[at + VX];
-        bodies.vy[to] = state[at + VY];
+        bodies.x[to] = x(body, now);
+        bodies.y[to] = y(body, now);
+        bodies.vx[to] = state[8 * body + VX];
+        bodies.vy[to] = state[8 * body + VY];
     }
 
     /** About how long a body takes to its next event: half of the way through a cell. */
@@ -184,6 +224,6 @@ final class Crowd {
 
     /** What its arrays take, in bytes. */
     long bytes() {
-        return 8L * state.length + 4L * (link.length + index.length + outside.length + starts.length) + cells.bytes();
+        return 8L * (state.length + low.length) + 4L * (link.length + index.length + outside.length) + cells.bytes();
     }
 }

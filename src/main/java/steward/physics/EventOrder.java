@@ -1,6 +1,6 @@
 package steward.physics;
 
-/** Breaks ties between events at the same time: crossings come first, then the lowest pair, bodies before walls. */
+/** Breaks ties between events at the same time, as doubles: in double-double they may differ; then crossings come first, then the lowest pair, bodies before walls. */
 final class EventOrder implements EventBuckets.Order {
 
     private final Crowd crowd;
@@ -11,9 +11,20 @@ final class EventOrder implements EventBuckets.Order {
 
     @Override
     public boolean isBefore(int i, int j) {
+        double lowI = low(i);
+        double lowJ = low(j);
+        if (lowI != lowJ) {
+            return lowI < lowJ;
+        }
         long rankI = rank(i);
         long rankJ = rank(j);
         return rankI < rankJ || rankI == rankJ && crowd.index[i] < crowd.index[j];
+    }
+
+    /** What the time of an impact lacks as a double; a crossing has no need of it. */
+    private double low(int body) {
+        return crowd.low.length == 0 || crowd.link[8 * body + Crowd.EVENT] != 0
+            ? 0 : crowd.low[4 * body + Crowd.IMPACT_LOW];
     }
 
     private long rank(int body) {

@@ -28,12 +28,28 @@ final class ExactFlight extends Flight {
         this.queue = queue;
     }
 
+    /** Flies nobody, but keeps what coordinates have lost for somebody else who does. */
+    ExactFlight() {
+        this(null);
+    }
+
+    /** Room for so many bodies. */
+    void room(int capacity) {
+        if (lowX.length < capacity) {
+            lowX = new double[capacity];
+            lowY = new double[capacity];
+        }
+    }
+
+    /** Somebody else has flown a body. */
+    void set(int i, double ofX, double ofY) {
+        lowX[i] = ofX;
+        lowY[i] = ofY;
+    }
+
     @Override
     double begin(Bodies bodies) {
-        if (lowX.length < bodies.capacity()) {
-            lowX = new double[bodies.capacity()];
-            lowY = new double[bodies.capacity()];
-        }
+        room(bodies.capacity());
         queue.begin(bodies, now.set(0));
         rounded = true;
         return 0;

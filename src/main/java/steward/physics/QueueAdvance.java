@@ -31,8 +31,8 @@ public final class QueueAdvance implements Advance {
     private final PhysicsParts parts;
     private final ImpactLaw law;
     private final boolean descending;
-    private final Crowd crowd = new Crowd();
-    private final EventBuckets events = new EventBuckets(new EventOrder(crowd));
+    private final Crowd crowd;
+    private final EventBuckets events;
     private final QueuePairs pairs;
     private final QueueSearch search;
     private final QueueTouch touch;
@@ -48,10 +48,23 @@ public final class QueueAdvance implements Advance {
         this.parts = parts;
         law = parts.law();
         descending = law.scanOrder() == ImpactLaw.ScanOrder.DESCENDING;
-        Collision collision = Collision.of(law, parts.arithmetic(), walls);
+        boolean exact = parts.arithmetic() == Arithmetic.EXACT;
+        crowd = new Crowd(exact);
+        events = new EventBuckets(new EventOrder(crowd));
         pairs = QueuePairs.of(crowd, parts);
-        search = new QueueSearch(crowd, events, parts.arithmetic(), walls, pairs);
-        touch = QueueTouch.of(crowd, parts, collision, walls);
+        Collision collision;
+        if (exact) {
+            ExactPairs exactPairs = new ExactPairs(law);
+            ExactWalls exactWalls = new ExactWalls(walls);
+            ExactFlight rounded = new ExactFlight();
+            search = new ExactQueueSearch(crowd, events, walls, pairs, exactPairs, exactWalls);
+            collision = new ExactCollision(law, walls, exactPairs, exactWalls, rounded);
+            touch = QueueTouch.of(crowd, parts, collision, rounded, walls);
+        } else {
+            search = new QueueSearch(crowd, events, parts.arithmetic(), walls, pairs);
+            collision = Collision.of(law, parts.arithmetic(), walls);
+            touch = QueueTouch.of(crowd, parts, collision, null, walls);
+        }
         flown = Touch.of(parts, collision, walls);
     }
 
@@ -69,6 +82,7 @@ public final class QueueAdvance implements Advance {
         }
         if (bodies.size() > 0) {
             touch.begin(bodies, sink);
+            crowd.nowLow = 0;
             if (pairs != null) {
                 pairs.begin(bodies);
             }
@@ -112,6 +126,7 @@ public final class QueueAdvance implements Advance {
                 return;
             }
         }
+        crowd.nowLow = 0;
         crowd.store(bodies, 1);
     }
 
@@ -121,6 +136,8 @@ public final class QueueAdvance implements Advance {
     }
 
     private void react(Bodies bodies, int body, int partner, double now) {
+        crowd.setNow(body);
+        double nowLow = crowd.nowLow;
         crowd.fly(body, now);
         if (partner < 0) {
             if (touch.happens(body, partner, now)) {
@@ -139,6 +156,7 @@ public final class QueueAdvance implements Advance {
                 return;
             }
         }
+        crowd.nowLow = nowLow;
         crowd.load(bodies, now);
         lookAround(bodies.capacity(), now);
     }

@@ -23,8 +23,11 @@ import static steward.physics.Crowd.Y;
  *     t = c / (sqrt(b^2 - a c) - b),    which is at least c / -2b.
  *
  * So a pair is left out without a root or a division if b >= 0, or c >= -2b times what is left until the best known
- * impact, or b^2 < a c. Roundings move c by less than 2^-50 d.d; taking 2^-40 d.d from it keeps everything in doubt,
- * and what is kept is computed as the rung says.
+ * impact, or b^2 < a c. Where the two are now is known but for a few units in the last place of their coordinates x and
+ * of their ways since their last impacts, 2^-50 (|x| + |v|) for each; that moves c by at most 2 |d| times as much, and
+ * 2 |d| e <= 2^-40 d.d + 2^40 e^2. So much (and more) is taken from c first: what is in doubt is kept, and computed as
+ * the rung says, from the places where the last of the two changed its flight: a time of impact depends on nothing but
+ * the two flights, whoever computes it and when.
  */
 
 /**
@@ -33,7 +36,7 @@ import static steward.physics.Crowd.Y;
  * their impact. An impact that a neighbour cannot live to see (because it has an earlier one) is left to whoever looks
  * then.
  */
-class QueueSearch {
+sealed class QueueSearch permits ExactQueueSearch {
 
     /** Products below have lost digits to underflow. */
     private static final double LEAST = 1e-250;
@@ -47,8 +50,8 @@ class QueueSearch {
     private final HalfPlane[] planes;
     private final QueuePairs pairs;
     private int[] near = new int[16];
-    private double best;
-    private int partner;
+    double best;
+    int partner;
 
     /** @param pairs which pairs meet at all, or {@code null} when all do */
     QueueSearch(Crowd crowd, EventBuckets events, Arithmetic arithmetic, Wall[] walls, QueuePairs pairs) {
@@ -68,6 +71,16 @@ class QueueSearch {
         if (near.length <= capacity) {
             near = new int[capacity + 1];
         }
+    }
+
+    /** The search of a body has ended; whoever computes more digits of times keeps those of the best now. */
+    void found(int body) {
+        // a double is all there is
+    }
+
+    /** The search of a body begins with the impact that it knows of. */
+    void known(int body) {
+        // a double is all there is
     }
 
     /** What its arrays take, in bytes. */
@@ -95,6 +108,7 @@ class QueueSearch {
         }
         lookAt(body, near, found, now);
         crowd.state[at + IMPACT] = best;
+        found(body);
         if (best < NEVER) {
             crowd.link[at + PARTNER] = partner;
             crowd.link[at + PARTNER_CHANGES] = partner >= 0 ? crowd.link[8 * partner + CHANGES] : 0;
@@ -132,10 +146,12 @@ class QueueSearch {
         if (found > 0) {
             best = state[at + IMPACT];
             partner = link[at + PARTNER];
+            known(body);
             double before = best;
             lookAt(body, near, found, now);
             if (best < before || best < NEVER && partner != link[at + PARTNER]) {
                 state[at + IMPACT] = best;
+                found(body);
                 link[at + PARTNER] = partner;
                 link[at + PARTNER_CHANGES] = crowd.link[8 * partner + CHANGES];
             }
@@ -149,25 +165,32 @@ class QueueSearch {
         }
         double[] state = crowd.state;
         int at = 8 * body;
-        double time = now - state[at + SINCE];
-        double vx = state[at + VX];
-        double vy = state[at + VY];
-        double x = state[at + X] + vx * time;
-        double y = state[at + Y] + vy * time;
-        double radius = state[at + RADIUS];
+        double since = state[at + SINCE];
         for (int w = 0; w < walls.length; w++) {
             HalfPlane plane = planes[w];
             if (plane != null) {
-                double closing = -(vx * plane.insideX() + vy * plane.insideY());
-                if (plane.gap(x, y, radius) * BIT_LESS > closing * (Math.min(best, 1) - now)) {
+                double closing = -(state[at + VX] * plane.insideX() + state[at + VY] * plane.insideY());
+                double gap = plane.gap(state[at + X], state[at + Y], state[at + RADIUS]);
+                if (gap * BIT_LESS > closing * (Math.min(best, 1) - since)) {
                     continue;                          // gap over closing is later; most walls are receded from
                 }
             }
-            double until = walls[w].timeOfImpact(x, y, vx, vy, radius);
-            if (until <= 1 - now && now + until < best && (pairs == null || pairs.meetsWall(body, w))) {
-                best = now + until;
-                partner = ~w;
+            if (pairs == null || pairs.meetsWall(body, w)) {
+                offerWall(body, w, now);
             }
+        }
+    }
+
+    /** Computes when a body meets a wall, and keeps it if that is earlier than the best so far. */
+    void offerWall(int body, int w, double now) {
+        double[] state = crowd.state;
+        int at = 8 * body;
+        double since = state[at + SINCE];
+        double until = walls[w].timeOfImpact(state[at + X], state[at + Y], state[at + VX], state[at + VY],
+            state[at + RADIUS]);
+        if (until <= 1 - since && Math.max(now, since + until) < best) {
+            best = Math.max(now, since + until);
+            partner = ~w;
         }
     }
 
@@ -181,6 +204,8 @@ class QueueSearch {
         double x = state[at + X] + vx * time;
         double y = state[at + Y] + vy * time;
         double radius = state[at + RADIUS];
+        double reach = Math.abs(x) + Math.abs(y) + Math.abs(vx) + Math.abs(vy);
+        double doubt = 0x1p-57 * reach * reach;
         double left = Math.min(best, 1) - now;
         for (int k = 0; k < count; k++) {
             int other = 8 * others[k];
@@ -189,32 +214,48 @@ class QueueSearch {
             double of = now - state[other + SINCE];
             double dx = x - (state[other + X] + state[other + VX] * of);
             double dy = y - (state[other + Y] + state[other + VY] * of);
+            double a = dvx * dvx + dvy * dvy;
             double b = dx * dvx + dy * dvy;
             double touch = radius + state[other + RADIUS];
             double squared = dx * dx + dy * dy;
-            double c = squared - touch * touch - 0x1p-40 * squared;
-            double bound = (dvx * dvx + dvy * dvy) * c;
+            double c = squared - touch * touch - (0x1p-38 * squared + 0x1p-57 * a + doubt);
+            double bound = a * c;
             double twice = b - Math.abs(b);            // 2b if they approach, otherwise 0
-            if ((twice * twice > 4 * bound || bound < LEAST) && !(c > -twice * left) && b < 0) {
-                offer(body, others[k], dx, dy, dvx, dvy, touch, now);
+            if ((twice * twice > 4 * bound || bound < LEAST) && !(c > -twice * left) && b < 0
+                && (pairs == null || pairs.meet(body, others[k]))) {
+                offer(body, others[k], now);
                 left = Math.min(best, 1) - now;
             }
         }
     }
 
-    private void offer(int body, int other, double dx, double dy, double dvx, double dvy, double touch, double now) {
+    /** Computes when a pair meets, and keeps it if that is earlier than the best so far and than the other's next. */
+    void offer(int body, int other, double now) {
+        double[] state = crowd.state;
+        int i = 8 * body;
+        int j = 8 * other;
+        double since = Math.max(state[i + SINCE], state[j + SINCE]);
+        double flownI = since - state[i + SINCE];
+        double flownJ = since - state[j + SINCE];
+        double dx = state[i + X] + state[i + VX] * flownI - (state[j + X] + state[j + VX] * flownJ);
+        double dy = state[i + Y] + state[i + VY] * flownI - (state[j + Y] + state[j + VY] * flownJ);
+        double dvx = state[i + VX] - state[j + VX];
+        double dvy = state[i + VY] - state[j + VY];
+        if (!(dx * dvx + dy * dvy < 0)) {
+            return;
+        }
+        double touch = state[i + RADIUS] + state[j + RADIUS];
         double until = Math.sqrt(dx * dx + dy * dy) <= touch ? 0
             : arithmetic.approachingCircles(dx, dy, dvx, dvy, touch);
-        double time = now + until;
-        if (until <= 1 - now && time <= best && !(time > crowd.state[8 * other + IMPACT])
-            && (time < best || isLower(body, other)) && (pairs == null || pairs.meet(body, other))) {
+        double time = Math.max(now, since + until);
+        if (until <= 1 - since && time <= best && !(time > state[j + IMPACT]) && (time < best || isLower(body, other))) {
             best = time;
             partner = other;
         }
     }
 
     /** At the same time: whether the other's index is lower than that of the partner so far; walls come last. */
-    private boolean isLower(int body, int other) {
+    boolean isLower(int body, int other) {
         return partner < 0 || EventOrder.rank(crowd, body, other) < EventOrder.rank(crowd, body, partner);
     }
 

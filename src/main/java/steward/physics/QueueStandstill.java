@@ -42,6 +42,7 @@ final class QueueStandstill {
             } else if (partner >= 0 && link[8 * partner + CHANGES] != link[8 * body + PARTNER_CHANGES]) {
                 search.lookAround(body, now);
             } else {
+                crowd.setNow(body);
                 boolean isFirst = partner < 0 || crowd.index[body] < crowd.index[partner];
                 stop(isFirst ? body : partner, bodies, now, sink);
                 if (partner >= 0) {
@@ -51,6 +52,7 @@ final class QueueStandstill {
                 search.lookAround(body, now);
             }
         }
+        crowd.nowLow = 0;
         crowd.store(bodies, 1);
         int[] ids = new int[crowd.size];
         int count = 0;

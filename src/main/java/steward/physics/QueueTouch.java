@@ -27,10 +27,12 @@ abstract class QueueTouch {
      */
     abstract boolean happens(int a, int b, double now);
 
-    static QueueTouch of(Crowd crowd, PhysicsParts parts, Collision collision, Wall[] walls) {
+    /** @param rounded is told what rounded coordinates lack, or {@code null} if nobody wants to know */
+    static QueueTouch of(Crowd crowd, PhysicsParts parts, Collision collision, ExactFlight rounded,
+                         Wall[] walls) {
         return parts.reaction() == null
-            ? new Bounce(crowd, collision, parts.law().restitution() == ImpactLaw.Restitution.MINIMUM)
-            : new Ask(crowd, Touch.of(parts, collision, walls), parts.contacts());
+            ? new Bounce(crowd, collision, rounded, parts.law().restitution() == ImpactLaw.Restitution.MINIMUM)
+            : new Ask(crowd, Touch.of(parts, collision, walls), rounded, parts.contacts());
     }
 
     /** Takes over where a body is and how fast after a reaction; one that was pushed finds its cell anew. */
@@ -52,18 +54,23 @@ abstract class QueueTouch {
     static final class Bounce extends QueueTouch {
 
         private final Collision collision;
+        private final ExactFlight rounded;
         private final boolean restitutions;
         private final Bodies two = new Bodies(2);
         private final Named named = new Named();
         private Bodies bodies;
         private TurnSink sink;
 
-        Bounce(Crowd crowd, Collision collision, boolean restitutions) {
+        Bounce(Crowd crowd, Collision collision, ExactFlight rounded, boolean restitutions) {
             super(crowd);
             this.collision = collision;
+            this.rounded = rounded;
             this.restitutions = restitutions;
             two.add(0, 0, 1, 1);
             two.add(0, 0, 1, 1);
+            if (rounded != null) {
+                rounded.room(2);
+            }
         }
 
         @Override
@@ -99,6 +106,9 @@ abstract class QueueTouch {
             two.radius[to] = state[at + RADIUS];
             two.mass[to] = state[at + MASS];
             two.inverseMass[to] = 1 / state[at + MASS];
+            if (rounded != null) {
+                crowd.tell(body, rounded, to);
+            }
             if (restitutions) {
                 two.restitution[to] = bodies.restitution[crowd.index[body]];
             }
@@ -131,13 +141,15 @@ abstract class QueueTouch {
     static final class Ask extends QueueTouch {
 
         private final Touch touch;
+        private final ExactFlight rounded;
         private final Contacts contacts;
         private Bodies bodies;
         private TurnSink sink;
 
-        Ask(Crowd crowd, Touch touch, Contacts contacts) {
+        Ask(Crowd crowd, Touch touch, ExactFlight rounded, Contacts contacts) {
             super(crowd);
             this.touch = touch;
+            this.rounded = rounded;
             this.contacts = contacts;
         }
 
@@ -145,6 +157,9 @@ abstract class QueueTouch {
         void begin(Bodies ofTurn, TurnSink of) {
             bodies = ofTurn;
             sink = of;
+            if (rounded != null) {
+                rounded.room(ofTurn.capacity());
+            }
         }
 
         @Override
@@ -160,6 +175,12 @@ abstract class QueueTouch {
                 crowd.store(a, bodies, now);
                 if (b >= 0) {
                     crowd.store(b, bodies, now);
+                }
+            }
+            if (rounded != null) {
+                crowd.tell(a, rounded, i);
+                if (b >= 0) {
+                    crowd.tell(b, rounded, j);
                 }
             }
             touch.flown(bodies);

@@ -48,7 +48,7 @@ class AllocationTest {
 
     @Test
     void crowdsAllocateNothing() {
-        for (Arithmetic arithmetic : List.of(Arithmetic.OFFICIAL, Arithmetic.DOUBLE, Arithmetic.COMPENSATED)) {
+        for (Arithmetic arithmetic : Arithmetic.values()) {
             check(new QueueAdvance(new PhysicsParts(Scenes.WITH_RESTITUTION.withPushOut(0.5), arithmetic,
                 new Contacts(1), List.of(WALLS), null, true)));
         }

@@ -90,13 +90,13 @@ class QueueAdvanceTest {
                 Bodies bodies = new Bodies(200);
                 for (int k = 0; k < 196; k++) {
                     bodies.add(64 * (k % 14) + (20 + gap / 4.0) * (k % 2), 64 * (k / 14), 10, 1);
-                    bodies.setVelocity(k, k % 14 < 7 ? 32 : -32, k / 14 < 7 ? 16 : -16);
+                    bodies.setVelocity(k, k % 14 < 7 ? 64 : -64, k / 14 < 7 ? 16 : -16);
                 }
                 ImpactLaw law = ImpactLaw.PHYSICS;
-                compare("lattice " + gap, parts(descending ? descending(law) : law, Arithmetic.DOUBLE), bodies, 2);
+                compare("lattice " + gap, parts(descending ? descending(law) : law, Arithmetic.DOUBLE), bodies, 1);
             }
         }
-        assertTrue(impacts > 400, impacts + " impacts");
+        assertTrue(impacts > 100, impacts + " impacts");
     }
 
     /** One hits two that stand side by side, both at the same instant: the lower pair is first. */
