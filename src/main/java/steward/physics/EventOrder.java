@@ -1,6 +1,9 @@
 package steward.physics;
 
-/** Breaks ties between events at the same time, as doubles: in double-double they may differ; then crossings come first, then the lowest pair, bodies before walls. */
+/**
+ * Breaks ties between events at the same time, as doubles: in double-double they may differ; then crossings come first,
+ * and of impacts the lowest pair, bodies before walls.
+ */
 final class EventOrder implements EventBuckets.Order {
 
     private final Crowd crowd;

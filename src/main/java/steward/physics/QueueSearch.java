@@ -248,7 +248,8 @@ sealed class QueueSearch permits ExactQueueSearch {
         double until = Math.sqrt(dx * dx + dy * dy) <= touch ? 0
             : arithmetic.approachingCircles(dx, dy, dvx, dvy, touch);
         double time = Math.max(now, since + until);
-        if (until <= 1 - since && time <= best && !(time > state[j + IMPACT]) && (time < best || isLower(body, other))) {
+        if (until <= 1 - since && time <= best && !(time > state[j + IMPACT])
+            && (time < best || isLower(body, other))) {
             best = time;
             partner = other;
         }

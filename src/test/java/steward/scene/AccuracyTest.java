@@ -10,6 +10,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import steward.physics.Arithmetic;
 import steward.physics.Contacts;
 import steward.physics.EventAdvance;
+import steward.physics.QueueAdvance;
 import steward.physics.StepAdvance;
 
 /** The ladder by its names: in a scene, and in the short form of a command line. */
@@ -74,6 +75,8 @@ class AccuracyTest {
             assertEquals(rung, scene.accuracy());
             Plan plan = Plan.of(scene, new Contacts(1), 1, false, List.of());
             assertEquals(steps ? StepAdvance.class : EventAdvance.class, plan.advance(null).getClass());
+            Plan crowd = Plan.of(scene, new Contacts(1), 1, false, 99, List.of());
+            assertEquals(steps ? StepAdvance.class : QueueAdvance.class, crowd.advance(null).getClass());
         }
     }
 

@@ -115,6 +115,22 @@ class PlanTest {
     }
 
     @Test
+    void manyBodiesGetCellsUnlessTheirLawLooksAtAllPairs() {
+        assertEquals("out advance event looks at all pairs of 23 bodies", broadPhase("", 23));
+        assertEquals("in 24 bodies: cells and an event queue", broadPhase("", 24));
+        assertEquals("out advance event looks at all pairs, because impacts within batchWindow react together",
+            broadPhase("""
+                , "impacts": { "minimumImpulse": 120, "separatingPairs": "react", "batchWindow": 1e-5 }""", 99));
+    }
+
+    private static String broadPhase(String blocks, int bodies) {
+        Plan plan = Plan.of(scene(blocks), ALL, 1, false, bodies, List.of());
+        Part part = plan.parts().stream().filter(p -> p.name().equals(Part.BROAD_PHASE)).findFirst().orElseThrow();
+        assertEquals(part.in(), plan.advance(null) instanceof steward.physics.QueueAdvance);
+        return (part.in() ? "in " : "out ") + part.why();
+    }
+
+    @Test
     void theCallerMayPriceAndColourTheLinesOfATable() {
         Plan plan = Plan.of(scene(""), ALL, 1, false, List.of());
         String second = PlanTable.of(plan, part -> part.in() ? "7" : "(12)",

@@ -27,8 +27,9 @@ public final class PodRaceType implements GameType {
         PodRaceSettings settings = PodRaceSettings.read(scene);
         checkRoom(scene, settings);
         scene.root().done();
-        boolean bumpers = scene.field().map(field -> !field.bumpers().isEmpty()).orElse(false);
-        Plan plan = Plan.of(scene, new Contacts(1), settings.restitution(), bumpers, List.of(
+        int bumpers = scene.field().map(field -> field.bumpers().size()).orElse(0);
+        int bodies = settings.pods() + bumpers;
+        Plan plan = Plan.of(scene, new Contacts(1), settings.restitution(), bumpers > 0, bodies, List.of(
             new Part("headings", true, "pods turn at most 18 degrees a turn", Part.When.COMMANDS),
             new Part("checkpoint sweeps", true, "checkpoints count along the whole path of a turn",
                 Part.When.OUTCOME)));
