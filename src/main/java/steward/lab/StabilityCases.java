@@ -27,6 +27,7 @@ public final class StabilityCases {
             new LatticeCase(),
             new OfficialHeapsCase(),
             new OfficialEdgesCase(),
+            new DensePackingCase(),
             new TimeReversalCase(),
             new LongRunCase(10, 5e-14),
             new LongRunCase(100, 1e-14),
