@@ -13,7 +13,6 @@ import steward.physics.EventAdvance;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.QueueAdvance;
-import steward.physics.TurnLog;
 
 /** Elastic discs in a box, at 10% coverage, from a few to a million. */
 final class CrowdSection implements Section {
@@ -106,14 +105,11 @@ final class CrowdSection implements Section {
     private static double advance(Advance advance, Gas gas, long impacts) {
         Meter meter = new Meter();
         Bodies bodies = gas.bodies();
-        TurnLog log = new TurnLog();
-        long done = 0;
+        ImpactCount count = new ImpactCount();
         long start = meter.cpu(false);
-        while (done < impacts) {
-            log.clear();
-            advance.turn(bodies, log);
-            done += log.impacts();
+        while (count.impacts() < impacts) {
+            advance.turn(bodies, count);
         }
-        return NANOS * done / (meter.cpu(false) - start);
+        return NANOS * count.impacts() / (meter.cpu(false) - start);
     }
 }

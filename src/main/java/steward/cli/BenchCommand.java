@@ -153,7 +153,7 @@ final class BenchCommand implements Callable<Integer> {
                         table.hold(row);
                     }
                 });
-            } catch (Exception problem) {
+            } catch (Exception | OutOfMemoryError problem) {
                 streams.err().println("steward: " + section.name() + ": could not be measured: "
                     + Words.plain(String.valueOf(problem.getMessage())));
                 status = ExitStatus.FAILED;
