@@ -4,6 +4,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
+import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -33,6 +34,7 @@ public final class BenchFiles implements AutoCloseable {
     private final Path folder;
     private final String machine;
     private final String date;
+    private final double load = load();
     private final OutputStream csv;
     private final List<Row> rows = new ArrayList<>();
 
@@ -51,6 +53,11 @@ public final class BenchFiles implements AutoCloseable {
         csv = Files.newOutputStream(folder.resolve(CSV));
         csv.write("section,name,unit,perSecond,nanos,ratio,bytes,note\n".getBytes(StandardCharsets.UTF_8));
         writeJson();
+    }
+
+    /** How many programs want a processor, the mean of a minute; negative where the system does not tell. */
+    private static double load() {
+        return ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage();
     }
 
     /** @throws UncheckedIOException if it cannot be written */
@@ -106,7 +113,8 @@ public final class BenchFiles implements AutoCloseable {
     /** Writes the page; the run is over. */
     public void finish(List<Section> sections) {
         try {
-            Files.writeString(folder.resolve(PAGE), PerformancePage.of(sections, rows, machine, date));
+            Files.writeString(folder.resolve(PAGE), PerformancePage.of(sections, rows,
+                machine, date, String.format(Locale.ROOT, "%.1f when it began and %.1f when it ended", load, load())));
         } catch (IOException problem) {
             throw new UncheckedIOException(folder + ": cannot be written into: " + problem.getMessage(), problem);
         }

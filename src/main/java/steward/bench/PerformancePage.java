@@ -10,10 +10,13 @@ final class PerformancePage {
     private PerformancePage() {
     }
 
-    static String of(List<Section> sections, List<Row> rows, String machine, String date) {
+    static String of(List<Section> sections, List<Row> rows, String machine, String date,
+                     String load) {
         StringBuilder page = new StringBuilder();
         page.append("# Performance\n\n")
-            .append("Written by `steward bench` on ").append(date).append(": ").append(machine).append(".\n\n")
+            .append("Written by `steward bench` on ").append(date).append(": ").append(machine).append(".\n")
+            .append("Load of the machine, this run included: ").append(load).append("; what waits for other programs"
+                + " counts by the wall clock.\n\n")
             .append("Machines differ, and one machine differs from hour to hour: compare the ratios, which are between"
                 + " figures of one run, measured in turns.\nThe first line of each group is what the others are"
                 + " compared with. Unless a section says otherwise, time is CPU time of the\nthread that works, and"
