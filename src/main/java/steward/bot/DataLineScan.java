@@ -7,8 +7,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 
 /**
- * Finds the lines that carry data for rating tools ({@code [TDATA]}, {@code [PDATA]}, {@code [PDATA+]}) among those of a
- * bot's stderr that are otherwise dropped because there are too many.
+ * Finds the lines that carry data for rating tools ({@code [TDATA]}, {@code [PDATA]}, {@code [PDATA+]}) among those of
+ * a bot's stderr that are otherwise dropped because there are too many.
  */
 final class DataLineScan {
 

@@ -89,8 +89,9 @@ final class StderrFile {
     }
 
     /**
-     * What has been written since the last call: its first {@value #KEPT} bytes, a line that says how many more there
-     * were, and of those the lines with data that {@link DataLineScan} finds. A character of which only a part has been written is left for the next call.
+     * What has been written since the last call: its first {@value #KEPT} bytes, a line that says how many more
+     * there were, and of those the lines with data that {@link DataLineScan} finds. A character of which
+     * only a part has been written is left for the next call.
      *
      * @param last whether there is no next call
      * @return {@code null} when nothing has been written
