@@ -1,0 +1,74 @@
+package steward.numerics;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import org.junit.jupiter.api.Test;
+
+/**
+ * Bit for bit the values of StrictMath: at random arguments of every kind, on and beside every number at which the
+ * algorithm changes its way. One million pairs, or what the system property {@code steward.angles} says.
+ */
+class StrictAnglesTest {
+
+    private static final long COUNT = Long.getLong("steward.angles", 1_000_000);
+    private static final long SEED = Long.getLong("steward.seed", 3);
+    private static final double[] RATIOS = {0.4375, 0.6875, 1.1875, 2.4375, 0x1p-28, 0x1p58, 0x1p-60, 0x1p61};
+    private static final double[] ANGLES = {0x1.33333p-2, 0x1.90001p-1, Math.PI / 4, 0x1.921fcp-1, 0x1.921fbp-1,
+        0x1p-26, 0x1p-27, 48, 49, 50, 0};
+
+    private final SplitMix64 random = new SplitMix64(SEED);
+    private final StrictAngles angles = new StrictAngles();
+
+    @Test
+    void everyBitIsThatOfStrictMath() {
+        System.out.println("seed " + SEED + ", " + COUNT + " arguments");
+        for (long k = 0; k < COUNT; k++) {
+            double y = argument();
+            double x = random.nextInt(3) == 0 ? y / near(RATIOS[random.nextInt(RATIOS.length)]) : argument();
+            checkArcTangent(y, x);
+            checkTurn(switch (random.nextInt(6)) {
+                case 0 -> StrictMath.atan2(y, x);
+                case 1 -> StrictMath.atan2(y, x) + random.nextInt(-160, 160) * (Math.PI / 10);
+                case 2 -> near(random.nextInt(-64, 64) * (Math.PI / 4));
+                case 3 -> near(ANGLES[random.nextInt(ANGLES.length)]);
+                default -> argument();
+            });
+        }
+    }
+
+    private double argument() {
+        return switch (random.nextInt(5)) {
+            case 0 -> random.nextInt(-20000, 20000);
+            case 1 -> random.nextInt(-30, 30);
+            case 2 -> Double.longBitsToDouble(random.nextLong());
+            case 3 -> (random.nextDouble() - 0.5) * Math.scalb(1.0, random.nextInt(-80, 80));
+            default -> (random.nextDouble() - 0.5) * 100;
+        };
+    }
+
+    private double near(double value) {
+        return value * (1 + random.nextInt(-5, 5) * Math.scalb(1.0, -random.nextInt(10, 52)));
+    }
+
+    @Test
+    void specialValuesToo() {
+        double[] values = {0, -0.0, 1, -1, Double.MIN_VALUE, Double.MAX_VALUE, Double.NaN, Double.POSITIVE_INFINITY,
+            Double.NEGATIVE_INFINITY, Math.PI, Double.MIN_NORMAL};
+        for (double y : values) {
+            checkTurn(y);
+            for (double x : values) {
+                checkArcTangent(y, x);
+            }
+        }
+    }
+
+    private static void checkArcTangent(double y, double x) {
+        assertEquals(StrictMath.atan2(y, x), StrictAngles.atan2(y, x), () -> "atan2(" + y + ", " + x + ")");
+    }
+
+    private void checkTurn(double angle) {
+        angles.turn(angle);
+        assertEquals(StrictMath.cos(angle), angles.cos(), () -> "cos " + angle);
+        assertEquals(StrictMath.sin(angle), angles.sin(), () -> "sin " + angle);
+    }
+}
