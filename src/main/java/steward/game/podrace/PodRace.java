@@ -7,10 +7,13 @@ import steward.game.Game;
 import steward.game.TurnEvent;
 import steward.numerics.SplitMix64;
 import steward.numerics.StateHash;
+import steward.numerics.StrictAngles;
 import steward.physics.Advance;
 import steward.physics.Bodies;
 import steward.physics.Motion;
+import steward.physics.OfficialAdvance;
 import steward.physics.TurnLog;
+import steward.scene.Accuracy;
 import steward.scene.Bumper;
 import steward.scene.Plan;
 import steward.scene.Scene;
@@ -24,12 +27,6 @@ import steward.scene.Scene;
  */
 public final class PodRace implements Game {
 
-    /** How far a heading can turn in a turn, in radians: 18 degrees. */
-    private static final double MAXIMUM_TURN = Math.PI / 10;
-    private static final double FULL_TURN = 2 * Math.PI;
-    /** Distance of the inner start places from checkpoint 0, in u, and of each further pair from the last. */
-    private static final double START_OFFSET = 500;
-    private static final double START_SPACING = 1000;
     private static final int NOT_OUT = Integer.MAX_VALUE;
 
     /** Pseudo-thrust of a pod whose player gave no command. */
@@ -47,6 +44,7 @@ public final class PodRace implements Game {
     private final TurnLog log = new TurnLog();
     private final List<TurnEvent> events = new ArrayList<>();
     private final StateHash hash = new StateHash();
+    private final StrictAngles angles = new StrictAngles();
     private final RaceStanding standing = new RaceStanding(this);
 
     private final double[] heading;
@@ -75,12 +73,17 @@ public final class PodRace implements Game {
 
     /** A race on a given map, {@code [n][x, y]}. */
     PodRace(PodRaceSettings settings, Scene scene, Plan plan, double[][] checkpoints) {
+        this(settings, scene, plan, checkpoints, advance(settings, scene, plan));
+    }
+
+    /** The same with a given way to advance. */
+    PodRace(PodRaceSettings settings, Scene scene, Plan plan, double[][] checkpoints, Advance advance) {
         this.settings = settings;
         this.checkpoints = checkpoints;
         List<Bumper> bumpers = scene.field().map(field -> field.bumpers()).orElse(List.of());
         int pods = settings.pods();
         bodies = new Bodies(pods + bumpers.size());
-        advance = plan.advance(null);
+        this.advance = advance;
         motion = plan.motion();
         heading = new double[pods];
         shieldTimer = new int[pods];
@@ -106,16 +109,16 @@ public final class PodRace implements Game {
         }
     }
 
-    /** Side by side across checkpoint 0, facing checkpoint 1: offsets -500, +500, -1500, +1500, ... */
+    /** The fast loop of the official law where the scene allows it: the same bits. */
+    private static Advance advance(PodRaceSettings settings, Scene scene, Plan plan) {
+        boolean official = scene.accuracy().way() == Accuracy.Way.EVENT && OfficialAdvance.fits(plan.physics(null))
+            && settings.pods() <= OfficialAdvance.MOST_BODIES;
+        return official ? new OfficialAdvance(settings.radius()) : plan.advance(null);
+    }
+
     private void placePods(double drag) {
-        double dx = checkpoints[1][0] - checkpoints[0][0];
-        double dy = checkpoints[1][1] - checkpoints[0][1];
-        double length = Math.sqrt(dx * dx + dy * dy);
-        for (int pod = 0; pod < settings.pods(); pod++) {
-            double offset = START_OFFSET + START_SPACING * (pod / 2);
-            double side = pod % 2 == 0 ? -offset : offset;
-            int body = bodies.add(Math.floor(checkpoints[0][0] - side * dy / length + 0.5),
-                Math.floor(checkpoints[0][1] + side * dx / length + 0.5), settings.radius(), settings.mass());
+        for (double[] place : StartPlaces.of(checkpoints, settings.pods())) {
+            int body = bodies.add(place[0], place[1], settings.radius(), settings.mass());
             bodies.setRestitution(body, settings.restitution());
             bodies.setDrag(body, drag);
         }
@@ -170,23 +173,14 @@ public final class PodRace implements Game {
         if (command == NO_COMMAND || dx == 0 && dy == 0) {
             return;
         }
-        turnTo(pod, StrictMath.atan2(dy, dx));
+        heading[pod] = Headings.turned(heading[pod], StrictAngles.atan2(dy, dx));
         if (shieldTimer[pod] == 0) {
-            double cos = StrictMath.cos(heading[pod]);
-            double sin = StrictMath.sin(heading[pod]);
+            angles.turn(heading[pod]);
+            double cos = angles.cos();
+            double sin = angles.sin();
             double length = Math.sqrt(cos * cos + sin * sin);
             bodies.vx[pod] += cos / length * power;
             bodies.vy[pod] += sin / length * power;
-        }
-    }
-
-    private void turnTo(int pod, double wanted) {
-        double delta = (wanted - heading[pod]) % FULL_TURN;
-        double shortest = 2 * delta % FULL_TURN - delta;
-        if (Math.abs(shortest) >= MAXIMUM_TURN) {
-            heading[pod] += shortest > 0 ? MAXIMUM_TURN : -MAXIMUM_TURN;
-        } else {
-            heading[pod] = wanted;                    // also while the heading, and with it the difference, is NaN
         }
     }
 
@@ -286,6 +280,10 @@ public final class PodRace implements Game {
     @Override
     public double[] scores() {
         return standing.scores();
+    }
+
+    Advance advance() {
+        return advance;
     }
 
     @Override

@@ -1,0 +1,196 @@
+package steward.game.podrace;
+
+import steward.numerics.StrictAngles;
+
+/**
+ * The headings of pods, turned without angles. The rules keep a heading as an angle in radians, every bit of which
+ * follows from arc tangents and sums. Here it is kept twice: as a unit vector that is known to {@link #VECTOR_ERROR},
+ * which suffices to steer nearly always, and as the recipe of its exact value: an arc tangent that was not yet taken
+ * and the turns by 18 degrees since. The recipe is worked out only when somebody asks for the angle, or when the vector
+ * leaves a doubt. Allocates nothing.
+ *
+ * <p>It owns no headings: they lie in an array, five numbers per pod from an offset on.
+ */
+final class Headings {
+
+    /** How far a heading can turn in a turn, in radians: 18 degrees. */
+    static final double MAXIMUM_TURN = Math.PI / 10;
+    static final double FULL_TURN = 2 * Math.PI;
+
+    /*
+     * What the vector is known to. In the game the direction of an angle h is (cos h, sin h) divided by its length;
+     * call "true" the direction of the stored double h itself. u = 2^-53.
+     *
+     * (1) cos, sin, length and quotients of the game: within 6 u of the true direction of h.
+     * (2) After a turn straight to the target, h is StrictMath's atan2 (2 units in the last place of pi: 16 u), and the
+     *     vector is (dx, dy) / length (3 u): together below 2^-48.
+     * (3) A vector taken from the angle itself is the game's own.
+     * (4) A turn by 18 degrees adds the double pi / 10 to h, rounded: with |h| < 2^10 by at most 2^-44 (half a unit in
+     *     the last place). The rotation of the vector by the cosine and sine of pi / 10 rounds by less than 2^-50.
+     *     After the most of such turns, 40: below 40 (2^-44 + 2^-50) < 2^-38.
+     *
+     * |h| < 2^10 holds because vectors are taken only from angles below 2^9, and 40 turns add less than 13.
+     */
+
+    /** The length of the difference between a vector and what the game computes from the exact angle is below this. */
+    static final double VECTOR_ERROR = 0x1p-37;
+
+    /*
+     * The decision whether to turn by 18 degrees, and to which side, is left to the vectors where the cosine differs
+     * from that of 18 degrees, and the sine from 0, by more than DOUBT. The game's own angle between the two, r,
+     * carries the rounding of a difference of angles below 2^10 + 4 and of multiples of the double 2 pi: less than
+     * 2^-40; so both ways agree on r to less than 2^-36, which moves cosine and sine by no more.
+     */
+    static final double DOUBT = 0x1p-30;
+    static final double COSINE = 0x1.e6f0e134454ffp-1;
+    static final double SINE = 0x1.3c6ef372fe94fp-2;
+    /** Squares of cosines, to be compared before any square root is taken. */
+    static final double SURELY_WITHIN = (COSINE + DOUBT) * (COSINE + DOUBT);
+    static final double SURELY_BEYOND = (COSINE - DOUBT) * (COSINE - DOUBT);
+
+    /** Angles from here on have no vector. */
+    private static final double GREATEST_ANGLE = 0x1p9;
+    /** Squares of distances below lose digits, those above leave no room for their own squares. */
+    private static final double LEAST_SQUARE = 0x1p-400;
+    private static final double GREATEST_SQUARE = 0x1p400;
+    /** A chain of 40 turns: the leading 1 and 40 bits. */
+    static final double LONGEST = 0x1p40;
+
+    /** The vector; NaN while unset, or when the angle is too large. */
+    static final int X = 0;
+    static final int Y = 1;
+    /**
+     * Where the recipe begins: atan2(BASE_Y, BASE_X), or, with NaN for BASE_Y, the angle BASE_X itself (NaN: unset).
+     */
+    static final int BASE_X = 2;
+    static final int BASE_Y = 3;
+    /**
+     * The turns by 18 degrees since the base, as the bits of a whole number: a leading 1, then one for each, 1 if it
+     * was a positive one.
+     */
+    static final int CHAIN = 4;
+    /** How many numbers a heading takes. */
+    static final int NUMBERS = 5;
+
+    private final StrictAngles angles = new StrictAngles();
+    private double directionX;
+    private double directionY;
+
+
+    /** @param angle in radians, NaN for unset */
+    void set(double[] to, int at, double angle) {
+        to[at + BASE_X] = angle;
+        to[at + BASE_Y] = Double.NaN;
+        to[at + CHAIN] = 1;
+        if (Math.abs(angle) < GREATEST_ANGLE) {
+            point(angle);
+            to[at + X] = directionX;
+            to[at + Y] = directionY;
+        } else {
+            to[at + X] = Double.NaN;
+            to[at + Y] = Double.NaN;
+        }
+    }
+
+    /** As the game does it. */
+    private void point(double angle) {
+        angles.turn(angle);
+        double cos = angles.cos();
+        double sin = angles.sin();
+        double length = Math.sqrt(cos * cos + sin * sin);
+        directionX = cos / length;
+        directionY = sin / length;
+    }
+
+    /** Works out the very direction that the game computes: see {@link #directionX()}, {@link #directionY()}. */
+    void direct(double[] headings, int at) {
+        double angle = angle(headings, at);
+        point(angle);
+        headings[at + BASE_X] = angle;
+        headings[at + BASE_Y] = Double.NaN;
+        headings[at + CHAIN] = 1;
+        if (Math.abs(angle) < GREATEST_ANGLE) {
+            headings[at + X] = directionX;
+            headings[at + Y] = directionY;
+        }
+    }
+
+    double directionX() {
+        return directionX;
+    }
+
+    double directionY() {
+        return directionY;
+    }
+
+    /** The exact angle in radians; NaN while unset. */
+    static double angle(double[] headings, int at) {
+        double angle = headings[at + BASE_X];
+        double baseY = headings[at + BASE_Y];
+        if (!Double.isNaN(baseY)) {
+            angle = StrictAngles.atan2(baseY, angle);
+        }
+        double turns = headings[at + CHAIN];
+        return turns == 1 ? angle : turned(angle, (long) turns);
+    }
+
+    private static double turned(double base, long turns) {
+        double angle = base;
+        for (int bit = 62 - Long.numberOfLeadingZeros(turns); bit >= 0; bit--) {
+            angle += (turns >> bit & 1) != 0 ? MAXIMUM_TURN : -MAXIMUM_TURN;
+        }
+        return angle;
+    }
+
+    /** Turns a pod towards a target at (dx, dy) from it, not both 0, by at most 18 degrees. */
+    void turnTo(double[] headings, int at, double dx, double dy) {
+        double hx = headings[at + X];
+        double hy = headings[at + Y];
+        double square = dx * dx + dy * dy;
+        double along = hx * dx + hy * dy;
+        double signedSquare = along * Math.abs(along);
+        if (signedSquare > SURELY_WITHIN * square && square > LEAST_SQUARE && square < GREATEST_SQUARE) {
+            double inverse = 1 / Math.sqrt(square);
+            headings[at + X] = dx * inverse;
+            headings[at + Y] = dy * inverse;
+            headings[at + BASE_X] = dx;
+            headings[at + BASE_Y] = dy;
+            headings[at + CHAIN] = 1;
+            return;
+        }
+        double across = hx * dy - hy * dx;
+        double chain = headings[at + CHAIN];
+        if (signedSquare < SURELY_BEYOND * square && across * across > DOUBT * DOUBT * square && square > LEAST_SQUARE
+            && square < GREATEST_SQUARE && chain < LONGEST) {
+            double side = Math.copySign(1, across);
+            headings[at + X] = hx * COSINE - hy * (side * SINE);
+            headings[at + Y] = hx * (side * SINE) + hy * COSINE;
+            headings[at + CHAIN] = 2 * chain + 0.5 + 0.5 * side;
+        } else {
+            set(headings, at, turned(angle(headings, at), StrictAngles.atan2(dy, dx)));
+        }
+    }
+
+    /** The heading after a turn from one angle towards another. */
+    static double turned(double angle, double wanted) {
+        double delta = remainder(wanted - angle);
+        double shortest = remainder(2 * delta) - delta;
+        if (Math.abs(shortest) >= MAXIMUM_TURN) {
+            return angle + (shortest > 0 ? MAXIMUM_TURN : -MAXIMUM_TURN);
+        }
+        return wanted;                                // also while the angle, and with it the difference, is NaN
+    }
+
+    /** {@code angle % FULL_TURN}: a difference of two numbers within a factor of 2 is exact, as the remainder is. */
+    private static double remainder(double angle) {
+        double size = Math.abs(angle);
+        if (size < FULL_TURN) {
+            return angle;
+        }
+        if (size <= 2 * FULL_TURN) {
+            double rest = size - FULL_TURN;
+            return Math.copySign(rest == FULL_TURN ? 0 : rest, angle);
+        }
+        return angle % FULL_TURN;
+    }
+}

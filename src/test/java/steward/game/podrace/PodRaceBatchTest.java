@@ -1,0 +1,152 @@
+package steward.game.podrace;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
+import org.junit.jupiter.api.Test;
+import steward.numerics.SplitMix64;
+
+/** A batch against the simulator, game by game, bit for bit, on random states of every sort; and with threads. */
+class PodRaceBatchTest {
+
+    private static final int GAMES = 300;
+    private static final long SEED = Long.getLong("steward.seed", 11);
+    private static final int ROUNDS = (int) (Long.getLong("steward.turns", 120_000) / GAMES / 4);
+
+    private final RandomTurns random = new RandomTurns(SEED);
+    private final double[][] map = {{3000, 3000}, {9000, 2000}, {12000, 7000}, {5000, 6500}};
+    private final PodRaceSimulator[] games = new PodRaceSimulator[GAMES];
+    private final PodRaceBatch batch = new PodRaceBatch(map, GAMES);
+    private final PodRaceBatch.Commands commands = new PodRaceBatch.Commands(GAMES);
+
+    @Test
+    void everyGameIsThatOfASimulator() {
+        System.out.println("seed " + SEED + ", " + ROUNDS * 4L * GAMES + " turns in batches");
+        PodRaceSimulator found = new PodRaceSimulator(map);
+        for (int round = 0; round < ROUNDS; round++) {
+            fill(round % 2 == 0);
+            for (int turn = 0; turn < 4; turn++) {
+                for (int game = 0; game < GAMES; game++) {
+                    draw(game);
+                    games[game].play(random.commands);
+                }
+                batch.play(commands);
+                for (int game = 0; game < GAMES; game++) {
+                    batch.get(game, found);
+                    compare(games[game], found, "round " + round + " turn " + turn + " game " + game);
+                    assertEquals(found.toNext(1), batch.toNext(game, 1));
+                    assertEquals(found.passed(2), batch.passed(game, 2));
+                }
+            }
+        }
+    }
+
+    /** Games that go on from the start by plain racing, or from random states. */
+    private void fill(boolean anew) {
+        for (int game = 0; game < GAMES; game++) {
+            if (anew || games[game] == null) {
+                random.state();
+                games[game] = new PodRaceSimulator(map);
+                if (game % 2 == 0) {
+                    random.put(games[game]);
+                }
+            }
+            batch.set(game, games[game]);
+        }
+    }
+
+    private void draw(int game) {
+        double[] x = new double[4];
+        double[] y = new double[4];
+        double[] heading = new double[4];
+        for (int pod = 0; pod < 4; pod++) {
+            x[pod] = games[game].x(pod);
+            y[pod] = games[game].y(pod);
+            heading[pod] = Math.atan2(games[game].directionY(pod), games[game].directionX(pod));
+        }
+        random.commands(x, y, heading);
+        for (int pod = 0; pod < 4; pod++) {
+            commands.set(game, pod, random.commands.targetX(pod), random.commands.targetY(pod),
+                random.commands.thrust(pod));
+        }
+    }
+
+    private static void compare(PodRaceSimulator expected, PodRaceSimulator found, String where) {
+        for (int pod = 0; pod < 4; pod++) {
+            assertEquals(state(expected, pod), state(found, pod), where);
+            assertEquals(expected.nextCheckpoint(pod), found.nextCheckpoint(pod), where);
+        }
+        assertEquals(expected.turnsLeft(0), found.turnsLeft(0), where);
+        assertEquals(expected.turnsLeft(1), found.turnsLeft(1), where);
+    }
+
+    private static PodState state(PodRaceSimulator race, int pod) {
+        return new PodState(race.x(pod), race.y(pod), race.vx(pod), race.vy(pod), race.heading(pod),
+            race.shieldTimer(pod), race.boostLeft(pod), race.passed(pod));
+    }
+
+    @Test
+    void theNumberOfThreadsChangesNothing() throws InterruptedException {
+        long one = hashAfterARace(1);
+        assertEquals(one, hashAfterARace(2));
+        assertEquals(one, hashAfterARace(3));
+        assertEquals(one, hashAfterARace(1000));
+    }
+
+    private long hashAfterARace(int threads) throws InterruptedException {
+        PodRaceBatch race = new PodRaceBatch(map, GAMES);
+        SplitMix64 random = new SplitMix64(SEED);
+        long hash = 0;
+        try (ParallelBatch parallel = new ParallelBatch(race, threads)) {
+            for (int turn = 0; turn < 60; turn++) {
+                steer(race, random);
+                parallel.play(commands);
+            }
+        }
+        int passed = 0;
+        for (int game = 0; game < GAMES; game++) {
+            for (int pod = 0; pod < 4; pod++) {
+                hash = SplitMix64.mix(hash + Double.doubleToLongBits(race.x(game, pod)));
+                hash = SplitMix64.mix(hash + Double.doubleToLongBits(race.y(game, pod)));
+                passed += race.passed(game, pod);
+            }
+        }
+        assertTrue(passed > GAMES, "they race");
+        return hash;
+    }
+
+    private void steer(PodRaceBatch race, SplitMix64 random) {
+        for (int game = 0; game < GAMES; game++) {
+            for (int pod = 0; pod < 4; pod++) {
+                double[] goal = map[(race.passed(game, pod) + 1) % map.length];
+                commands.set(game, pod, goal[0] - 3 * race.vx(game, pod) + random.nextInt(-500, 500),
+                    goal[1] - 3 * race.vy(game, pod) + random.nextInt(-500, 500), 200);
+            }
+        }
+    }
+
+    @Test
+    void aTurnAllocatesNothing() {
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        long allocated = Long.MAX_VALUE;
+        fill(true);
+        for (int count = 0; count < 10 && allocated > 0; count++) {
+            long before = threads.getCurrentThreadAllocatedBytes();
+            for (int turn = 0; turn < 20; turn++) {
+                batch.play(commands);
+            }
+            allocated = threads.getCurrentThreadAllocatedBytes() - before;
+        }
+        assertEquals(0, allocated, "bytes in 20 turns of " + GAMES + " games");
+    }
+
+    @Test
+    void refusesWhatCannotBe() {
+        assertThrows(IllegalArgumentException.class, () -> new PodRaceBatch(map, 0));
+        assertThrows(IllegalArgumentException.class, () -> new ParallelBatch(batch, 0));
+        assertThrows(IllegalArgumentException.class, () -> new ParallelBatch(batch, 100_000));
+    }
+}
