@@ -52,13 +52,16 @@ public final class Golden {
         return hash.value();
     }
 
-    /** Worlds without a game on every rung: a gas among all kinds of walls, heaps of pods, pairs of all sizes. */
+    /**
+     * Worlds without a game on every rung: a gas among all kinds of walls, a crowd, heaps of pods, pairs of all sizes.
+     */
     public static List<Part> worlds(Size size) {
         List<Part> parts = new ArrayList<>();
         for (Rung rung : Rung.all()) {
             int turns = size.pick(3, 40, 400);
             Wall[] walls = {new Arena(0, 0, 900, 0.9), new Segment(-300, -100, 250, 120, 1)};
             parts.add(new Part("gas, " + rung.name(), gas(rung.advance(SOFT, walls), turns)));
+            parts.add(new Part("crowd, " + rung.name(), crowd(rung, size.pick(1, 20, 200))));
             parts.add(new Part("heaps, " + rung.name(),
                 heaps(rung.advance(ImpactLaw.OFFICIAL_POD_RACE), size.pick(100, 3000, 30_000))));
             parts.add(new Part("pairs, " + rung.name(),
@@ -76,6 +79,17 @@ public final class Golden {
             bodies.setVelocity(k, 900 * (random.nextDouble() - 0.5), 900 * (random.nextDouble() - 0.5));
             bodies.setRestitution(k, 0.5 + 0.5 * random.nextDouble());
         }
+        StateHash hash = new StateHash();
+        for (int turn = 0; turn < turns; turn++) {
+            play(advance, bodies, hash);
+        }
+        return hash.value();
+    }
+
+    private static long crowd(Rung rung, int turns) {
+        Gas gas = new Gas(SEED, 200, 0.3);
+        Advance advance = rung.crowdAdvance(ImpactLaw.PHYSICS, gas.walls());
+        Bodies bodies = gas.bodies();
         StateHash hash = new StateHash();
         for (int turn = 0; turn < turns; turn++) {
             play(advance, bodies, hash);

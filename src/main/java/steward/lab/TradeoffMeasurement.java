@@ -57,13 +57,14 @@ public final class TradeoffMeasurement {
      * @return a row per rung, in the order of the ladder
      */
     public List<TradeoffRow> run(Runnable step) {
-        List<Advance> rungs = ladder.stream().map(this::advance).toList();
+        Bodies first = scene.source().get();
+        List<Advance> rungs = ladder.stream().map(rung -> advance(rung, first.size())).toList();
         List<TradeoffErrors> errors = rungs.stream()
             .map(rung -> new TradeoffErrors(rung, scene.motion(), states)).toList();
         List<Bodies> starts = new ArrayList<>();
         long impacts = 0;
         for (int tries = 0; starts.size() < states && tries < TRIES * states; tries++) {
-            Bodies start = scene.source().get();
+            Bodies start = tries == 0 ? first : scene.source().get();
             TurnTruth truth = TurnTruth.of(start, scene.parts());
             if (!truth.limited()) {
                 starts.add(start);
@@ -127,9 +128,9 @@ public final class TradeoffMeasurement {
         return median;
     }
 
-    private Advance advance(Accuracy rung) {
+    private Advance advance(Accuracy rung, int bodies) {
         PhysicsParts parts = scene.parts();
         return rung.advance(new PhysicsParts(parts.law(), rung.arithmetic(), parts.contacts(), parts.walls(), null,
-            parts.infiniteMasses()));
+            parts.infiniteMasses()), bodies);
     }
 }

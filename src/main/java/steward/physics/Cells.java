@@ -13,7 +13,10 @@ import java.util.Arrays;
 /** Square cells that hold bodies, as lists of their places. Sized anew for each turn, by the bodies as they stand. */
 final class Cells {
 
-    /** How many bodies there should be in a cell: measured, {@code CrowdBenchmark}; flat between 0.3 and 0.8. */
+    /**
+     * How many bodies there should be in a cell, where their sizes allow it. From 0.3 to 0.8 an impact costs about the
+     * same: change it and see {@code steward bench --only crowds}.
+     */
     private static final double PER_CELL = 0.5;
     /** Columns and rows at least so far from the origin are too far: there, roundings would near the slack. */
     static final int FAR = 1 << 20;

@@ -5,7 +5,6 @@ import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import steward.physics.Advance;
 import steward.physics.Contacts;
-import steward.physics.EventAdvance;
 import steward.physics.ImpactLaw.Restitution;
 import steward.physics.ImpactLaw;
 import steward.physics.Motion;
@@ -16,13 +15,6 @@ import steward.physics.Wall;
 
 /** Which parts of the engine a scene needs and why, and the physics made of just these. */
 public final class Plan {
-
-    /**
-     * From so many bodies on, {@link QueueAdvance} is at least as fast as {@link EventAdvance} in every kind of turn:
-     * measured by {@code QueueBenchmark}. In turns without impacts the two are equal at about 24 to 28 bodies, with
-     * many impacts at about 8 to 12.
-     */
-    static final int FEWEST_FOR_CELLS = 24;
 
     private final Scene scene;
     private final Contacts contacts;
@@ -92,8 +84,7 @@ public final class Plan {
      */
     public Advance advance(Reaction reaction) {
         PhysicsParts physics = physics(reaction);
-        return scene.onlooker().look(physics,
-            allPairs() == null ? new QueueAdvance(physics) : scene.accuracy().advance(physics));
+        return scene.onlooker().look(physics, scene.accuracy().advance(physics, bodies));
     }
 
     /** The rung that the scene is computed on, and why that one. */
@@ -183,11 +174,13 @@ public final class Plan {
     /** Why all pairs are looked at, or {@code null} if only neighbours are. */
     private String allPairs() {
         String all = "advance " + scene.accuracy().way().text() + " looks at all pairs";
-        if (bodies < FEWEST_FOR_CELLS || scene.accuracy().way() == Accuracy.Way.STEP) {
+        if (scene.accuracy().looksAtNeighbours(scene.law(), bodies)) {
+            return null;
+        }
+        if (bodies < Accuracy.FEWEST_FOR_CELLS || scene.accuracy().way() == Accuracy.Way.STEP) {
             return bodies == 0 ? all : all + " of " + count(bodies, "body", "bodies");
         }
-        String refusal = QueueAdvance.refusal(scene.law());
-        return refusal == null ? null : all + ", because " + refusal;
+        return all + ", because " + QueueAdvance.refusal(scene.law());
     }
 
     private static String count(int number, String what) {
