@@ -43,7 +43,7 @@ public class PartBenchmark {
     String scene;
 
     @Param({PartSteps.EMPTY, "pair impacts", "walls", "restitution", "minimum impulse", "push-out", "batch window",
-        "infinite masses", "drag", "velocity rounding", "position rounding", "reactions"})
+        "infinite masses", "drag", "velocity rounding", "position rounding", "reactions", "broad phase"})
     String part;
 
     private final TurnLog log = new TurnLog();

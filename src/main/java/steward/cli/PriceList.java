@@ -65,14 +65,16 @@ final class PriceList {
     /** A number, or less than what can be told apart. */
     private static String text(Price price) {
         double least = Math.max(1, price.error());
-        return price.nanos() >= least ? String.format(Locale.ROOT, "%.0f", price.nanos())
+        boolean saves = price.part().equals(Part.BROAD_PHASE) && -price.nanos() >= least;
+        return saves || price.nanos() >= least ? String.format(Locale.ROOT, "%.0f", price.nanos())
             : "<" + (long) Math.ceil(least);
     }
 
     /** What the numbers are. */
     String legend() {
         return "A turn takes " + text(prices.turn()) + " ns here, " + text(byPart.get(PartSteps.EMPTY))
-            + " ns of them to fly straight; the parts add their prices, those left out would add what is in brackets. "
+            + " ns of them to fly straight; the parts add their prices (a broad phase saves), those left out would add "
+            + "what is in brackets. "
             + "Measured now on " + setup.scene().accuracy() + ", medians of " + prices.rounds()
             + " rounds; < is less than can be told apart.";
     }

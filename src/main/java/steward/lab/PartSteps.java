@@ -23,9 +23,9 @@ import steward.scene.Scene;
  * adds can then be measured. The parts that the scene has come first, each on top of those before; then, each on top
  * of the whole scene, those that it has not, with settings such as scenes have.
  *
- * <p>Caveats: the broad phase is no step (it takes work away); reactions are those of a game that always answers
- * {@code BOUNCE}; restitution is looked up but bodies keep what they have; a batch window cannot be without a minimum
- * impulse and a push-out, so it brings those that are missing.
+ * <p>Caveats: a broad phase comes last and takes work away, so that its price is below 0; reactions are those of a game
+ * that always answers {@code BOUNCE}; restitution is looked up but bodies keep what they have; a batch window cannot be
+ * without a minimum impulse and a push-out, so it brings those that are missing.
  */
 public final class PartSteps {
 
@@ -41,9 +41,11 @@ public final class PartSteps {
     private final Scene scene;
     private final PhysicsParts full;
     private final List<Wall> someWalls;
+    private final int bodies;
 
     private boolean pairs;
     private boolean ask;
+    private boolean broadPhase;
     private List<Wall> walls = List.of();
     private ImpactLaw law = ImpactLaw.PHYSICS;
     private boolean infiniteMasses;
@@ -63,6 +65,7 @@ public final class PartSteps {
 
     private PartSteps(GameSetup setup, List<Wall> someWalls) {
         scene = setup.scene();
+        bodies = setup.plan().bodies();
         this.someWalls = someWalls;
         boolean asks = setup.plan().parts().stream().anyMatch(part -> part.name().equals(Part.REACTIONS) && part.in());
         full = setup.plan().physics(asks ? PartSteps::bounce : null);
@@ -79,7 +82,8 @@ public final class PartSteps {
      */
     public static List<Step> of(GameSetup setup, List<Wall> someWalls) {
         List<Part> parts = setup.plan().parts().stream()
-            .filter(part -> part.when() == Part.When.PHYSICS && !part.name().equals(Part.BROAD_PHASE)).toList();
+            .filter(part -> part.when() == Part.When.PHYSICS && (part.in() || !part.name().equals(Part.BROAD_PHASE)))
+            .toList();
         PartSteps whole = new PartSteps(setup, someWalls);
         List<Step> steps = new ArrayList<>();
         steps.add(whole.step(EMPTY, true));
@@ -100,7 +104,7 @@ public final class PartSteps {
         PhysicsParts parts = new PhysicsParts(law, full.arithmetic(), contacts(), walls,
             ask ? PartSteps::bounce : null, infiniteMasses);
         Accuracy rung = scene.accuracy();
-        return new Step(part, in, parts, rung.advance(parts), motion);
+        return new Step(part, in, parts, broadPhase ? rung.advance(parts, bodies) : rung.advance(parts), motion);
     }
 
     /** What the scene says; where it does not ask yet, or does not meet at all, something simpler. */
@@ -147,6 +151,7 @@ public final class PartSteps {
             case Part.VELOCITY_ROUNDING -> motion = new Motion(motion.drag(), true, motion.roundPosition());
             case Part.POSITION_ROUNDING -> motion = new Motion(motion.drag(), motion.truncateVelocity(), true);
             case Part.REACTIONS -> ask = true;
+            case Part.BROAD_PHASE -> broadPhase = true;
             default -> throw new IllegalArgumentException("no step for the part " + part);
         }
     }

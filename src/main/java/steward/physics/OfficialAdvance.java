@@ -8,7 +8,7 @@ import java.util.Arrays;
  * Pairs that cannot meet are set aside before any square root and looked at again only when one of the two has changed
  * its course. Allocates nothing in a turn (but for the rare ending by the impact limit).
  *
- * <p>Caveat: at most {@value #MOST_BODIES} bodies.
+ * <p>Caveat: at most {@value #MOST_BODIES} bodies; more, or of different sizes, are left to {@link EventAdvance}.
  */
 public final class OfficialAdvance implements Advance {
 
@@ -30,11 +30,14 @@ public final class OfficialAdvance implements Advance {
     private final double window = law.batchWindow();
     private final double minimum = law.minimumImpulse();
     private final double pushOut = law.pushOut();
-    private final double touch;
-    private final double touchSquare;
-    private final double greatestTouching;
-    private final PhysicsParts parts = new PhysicsParts(law, Arithmetic.OFFICIAL);
-    private final Standstill standstill = new Standstill(parts);
+    private final PhysicsParts parts;
+    private final Standstill standstill;
+    private final EventAdvance general;
+
+    private double radius;
+    private double touch;
+    private double touchSquare;
+    private double greatestTouching;
 
     private int size;
     private long allPairs;
@@ -48,8 +51,29 @@ public final class OfficialAdvance implements Advance {
     private final int[] pairs = new int[first.length];
     private int found;
 
-    /** @param radius of every body, in u */
+    /** @throws IllegalArgumentException if there is more than the official law in the official arithmetic */
+    public OfficialAdvance(PhysicsParts parts) {
+        if (!fits(parts)) {
+            throw new IllegalArgumentException("expected the official law of the pod race in the official arithmetic, "
+                + "every contact a bounce, no walls and finite masses");
+        }
+        this.parts = parts;
+        standstill = new Standstill(parts);
+        general = new EventAdvance(parts);
+    }
+
+    /**
+     * For bodies of one kind.
+     *
+     * @param radius of every body, in u
+     */
     public OfficialAdvance(double radius) {
+        this(new PhysicsParts(ImpactLaw.OFFICIAL_POD_RACE, Arithmetic.OFFICIAL));
+        measure(radius);
+    }
+
+    private void measure(double ofAll) {
+        radius = ofAll;
         touch = radius + radius;
         touchSquare = touch * touch;
         double greatest = touchSquare;
@@ -62,7 +86,7 @@ public final class OfficialAdvance implements Advance {
         greatestTouching = greatest;
     }
 
-    /** Whether it can stand in for the {@link EventAdvance} of these parts; radii and number of bodies are not said. */
+    /** Whether it can stand in for the {@link EventAdvance} of these parts. */
     public static boolean fits(PhysicsParts parts) {
         return parts.law().equals(ImpactLaw.OFFICIAL_POD_RACE) && parts.arithmetic() == Arithmetic.OFFICIAL
             && parts.contacts().allBounce() && parts.walls().isEmpty() && !parts.infiniteMasses();
@@ -70,8 +94,8 @@ public final class OfficialAdvance implements Advance {
 
     @Override
     public void turn(Bodies bodies, TurnSink sink) {
-        if (!Magnitudes.areOrdinary(bodies)) {
-            EventAdvance.scaling(parts).turn(bodies, sink);
+        if (!haveOneRadius(bodies) || bodies.size() > MOST_BODIES || !Magnitudes.areOrdinary(bodies)) {
+            general.turn(bodies, sink);
             return;
         }
         long near = nearPairs(bodies);
@@ -80,6 +104,18 @@ public final class OfficialAdvance implements Advance {
         } else {
             turn(bodies, sink, near, -1);
         }
+    }
+
+    private boolean haveOneRadius(Bodies bodies) {
+        if (bodies.size() > 0 && bodies.radius[0] != radius) {
+            measure(bodies.radius[0]);
+        }
+        for (int body = 1; body < bodies.size(); body++) {
+            if (bodies.radius[body] != radius) {
+                return false;
+            }
+        }
+        return true;
     }
 
     /*

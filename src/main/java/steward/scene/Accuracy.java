@@ -10,6 +10,7 @@ import steward.physics.Advance;
 import steward.physics.Arithmetic;
 import steward.physics.EventAdvance;
 import steward.physics.ImpactLaw;
+import steward.physics.OfficialAdvance;
 import steward.physics.PhysicsParts;
 import steward.physics.QueueAdvance;
 import steward.physics.StepAdvance;
@@ -159,7 +160,8 @@ public record Accuracy(Way way, int steps, Arithmetic arithmetic) {
 
     /** The way to advance so many bodies with this care: the cheapest of those that end with the same impacts. */
     public Advance advance(PhysicsParts parts, int bodies) {
-        return looksAtNeighbours(parts.law(), bodies) ? new QueueAdvance(parts) : advance(parts);
+        return looksAtNeighbours(parts.law(), bodies) ? new QueueAdvance(parts)
+            : setsPairsAside(parts, bodies) ? new OfficialAdvance(parts) : advance(parts);
     }
 
     /** Whether that is by cells and a queue of events, not by a look at all pairs. */
@@ -167,7 +169,12 @@ public record Accuracy(Way way, int steps, Arithmetic arithmetic) {
         return way == Way.EVENT && bodies >= FEWEST_FOR_CELLS && QueueAdvance.refusal(law) == null;
     }
 
-    /** The way to advance with this care that looks at all pairs: for few bodies. */
+    /** Whether that is by the loop made for the official law alone. */
+    boolean setsPairsAside(PhysicsParts parts, int bodies) {
+        return way == Way.EVENT && bodies > 0 && bodies <= OfficialAdvance.MOST_BODIES && OfficialAdvance.fits(parts);
+    }
+
+    /** The way to advance with this care that looks at all pairs, each time: for few bodies. */
     public Advance advance(PhysicsParts parts) {
         return way == Way.STEP ? new StepAdvance(parts, steps) : new EventAdvance(parts);
     }

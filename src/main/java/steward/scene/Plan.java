@@ -62,6 +62,11 @@ public final class Plan {
         return new Plan(scene, contacts, lowestRestitution, infiniteMasses, bodies, gameParts);
     }
 
+    /** How many bodies the scene has, bumpers included, or can have; 0 if it was not said. */
+    public int bodies() {
+        return bodies;
+    }
+
     /** All parts, those of the game last. */
     public List<Part> parts() {
         return parts;
@@ -166,21 +171,19 @@ public final class Plan {
     }
 
     private Part broadPhase() {
-        String all = allPairs();
-        String why = all == null ? bodies + " bodies: cells and an event queue" : all;
-        return new Part(Part.BROAD_PHASE, all == null, why);
-    }
-
-    /** Why all pairs are looked at, or {@code null} if only neighbours are. */
-    private String allPairs() {
-        String all = "advance " + scene.accuracy().way().text() + " looks at all pairs";
-        if (scene.accuracy().looksAtNeighbours(scene.law(), bodies)) {
-            return null;
+        Accuracy rung = scene.accuracy();
+        if (rung.looksAtNeighbours(scene.law(), bodies)) {
+            return new Part(Part.BROAD_PHASE, true, bodies + " bodies: cells and an event queue");
         }
-        if (bodies < Accuracy.FEWEST_FOR_CELLS || scene.accuracy().way() == Accuracy.Way.STEP) {
-            return bodies == 0 ? all : all + " of " + count(bodies, "body", "bodies");
+        if (!contacts.ask() && rung.setsPairsAside(physics(null), bodies)) {
+            return new Part(Part.BROAD_PHASE, true, "pairs of " + bodies + " that cannot meet are set aside");
         }
-        return all + ", because " + QueueAdvance.refusal(scene.law());
+        String all = "advance " + rung.way().text() + " looks at all pairs";
+        if (bodies < Accuracy.FEWEST_FOR_CELLS || rung.way() == Accuracy.Way.STEP) {
+            String of = bodies == 0 ? "" : " of " + count(bodies, "body", "bodies");
+            return new Part(Part.BROAD_PHASE, false, all + of);
+        }
+        return new Part(Part.BROAD_PHASE, false, all + ", because " + QueueAdvance.refusal(scene.law()));
     }
 
     private static String count(int number, String what) {

@@ -123,10 +123,28 @@ class PlanTest {
                 , "impacts": { "minimumImpulse": 120, "separatingPairs": "react", "batchWindow": 1e-5 }""", 99));
     }
 
+    @Test
+    void theOfficialLawAmongFewHasALoopOfItsOwn() {
+        String official = """
+            , "impacts": { "minimumImpulse": 120, "separatingPairs": "react", "batchWindow": 1e-5, "pushOut": 1e-5,
+              "scanOrder": "descending" }""";
+        assertEquals("in pairs of 11 that cannot meet are set aside", broadPhase("official", official, 11));
+        assertEquals("out advance event looks at all pairs of 12 bodies", broadPhase("official", official, 12));
+        assertEquals("out advance event looks at all pairs of 4 bodies",
+            broadPhase("exact", official, 4));
+        assertEquals("out advance event looks at all pairs of 4 bodies",
+            broadPhase("official", official.replace("120", "119"), 4));
+        assertEquals("out advance event looks at all pairs", broadPhase("official", official, 0));
+    }
+
     private static String broadPhase(String blocks, int bodies) {
-        Plan plan = Plan.of(scene(blocks), ALL, 1, false, bodies, List.of());
+        return broadPhase("double", blocks, bodies);
+    }
+
+    private static String broadPhase(String arithmetic, String blocks, int bodies) {
+        Plan plan = Plan.of(scene(arithmetic, blocks), ALL, 1, false, bodies, List.of());
         Part part = plan.parts().stream().filter(p -> p.name().equals(Part.BROAD_PHASE)).findFirst().orElseThrow();
-        assertEquals(part.in(), plan.advance(null) instanceof steward.physics.QueueAdvance);
+        assertEquals(part.in(), !(plan.advance(null) instanceof steward.physics.EventAdvance));
         return (part.in() ? "in " : "out ") + part.why();
     }
 
@@ -141,8 +159,12 @@ class PlanTest {
     }
 
     private static Scene scene(String more) {
+        return scene("double", more);
+    }
+
+    private static Scene scene(String arithmetic, String more) {
         return SceneReader.read("""
             { "name": "s", "game": "g", "players": 2, "time": { "firstAnswerMs": 1000, "answerMs": 75 },
-              "accuracy": { "advance": "event", "arithmetic": "double" }""" + more + " }", "s.json");
+              "accuracy": { "advance": "event", "arithmetic": \"""" + arithmetic + "\" }" + more + " }", "s.json");
     }
 }

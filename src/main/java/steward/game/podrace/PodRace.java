@@ -11,9 +11,7 @@ import steward.numerics.StrictAngles;
 import steward.physics.Advance;
 import steward.physics.Bodies;
 import steward.physics.Motion;
-import steward.physics.OfficialAdvance;
 import steward.physics.TurnLog;
-import steward.scene.Accuracy;
 import steward.scene.Bumper;
 import steward.scene.Plan;
 import steward.scene.Scene;
@@ -73,7 +71,7 @@ public final class PodRace implements Game {
 
     /** A race on a given map, {@code [n][x, y]}. */
     PodRace(PodRaceSettings settings, Scene scene, Plan plan, double[][] checkpoints) {
-        this(settings, scene, plan, checkpoints, advance(settings, scene, plan));
+        this(settings, scene, plan, checkpoints, plan.advance(null));
     }
 
     /** The same with a given way to advance. */
@@ -107,13 +105,6 @@ public final class PodRace implements Game {
             int body = bodies.add(bumper.x(), bumper.y(), bumper.radius(), Double.POSITIVE_INFINITY);
             bodies.setRestitution(body, bumper.restitution());
         }
-    }
-
-    /** The fast loop of the official law where the scene allows it: the same bits. */
-    private static Advance advance(PodRaceSettings settings, Scene scene, Plan plan) {
-        boolean official = scene.accuracy().way() == Accuracy.Way.EVENT && OfficialAdvance.fits(plan.physics(null))
-            && settings.pods() <= OfficialAdvance.MOST_BODIES;
-        return official ? new OfficialAdvance(settings.radius()) : plan.advance(null);
     }
 
     private void placePods(double drag) {
