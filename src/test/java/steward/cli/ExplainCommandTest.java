@@ -70,8 +70,8 @@ class ExplainCommandTest {
         for (Part part : setup.plan().parts()) {
             assertEquals(part.name().equals(Part.BROAD_PHASE) ? "" : part.in() ? "<1 ns" : "(<1 ns)", prices.of(part));
         }
-        assertEquals("A turn takes <1 ns here, <1 ns of them to fly straight; the parts add their prices (a broad phase "
-            + "saves), those left out would add what is in brackets. Measured now on event/double, medians of 5 "
+        assertEquals("A turn takes <1 ns here, <1 ns of them to fly straight; the parts add their prices (a broad "
+            + "phase saves), those left out would add what is in brackets. Measured now on event/double, medians of 5 "
             + "rounds; < is less than can be told apart.", prices.legend());
         String told = err.toString(StandardCharsets.UTF_8);
         assertTrue(told.startsWith("\rmeasuring prices: 38%") && told.contains("\rmeasuring prices: 100%"), told);
