@@ -14,6 +14,8 @@ public final class OfficialAdvance implements Advance {
 
     /** So that the pairs fit into the 64 bits of a set. */
     public static final int MOST_BODIES = 11;
+    /** The set of all bodies. */
+    public static final int ALL = -1;
 
     /**
      * A pair is set aside if it stays outside of the touching distance s by so much: its distance squared exceeds
@@ -102,7 +104,7 @@ public final class OfficialAdvance implements Advance {
         if (near == 0) {
             EventAdvance.fly(bodies, 1);
         } else {
-            turn(bodies, sink, near, -1);
+            turnOfOrdinary(bodies, sink, near, ALL);
         }
     }
 
@@ -226,10 +228,22 @@ public final class OfficialAdvance implements Advance {
      * Plays a turn of which the near pairs are known, and not none.
      *
      * @param exact the bodies (bits) whose velocities are exact, at least those of the near pairs; the others are off
-     *              by 2^-26 u per turn at most
-     * @return false if somebody has been thrown at one of the others: nothing that was done holds
+     *              by 2^-26 u per turn at most. {@link #ALL}: everybody's
+     * @return false if it takes all velocities exactly: somebody has been thrown at one of the others, or there are
+     *         numbers whose squares leave the range of doubles; nothing that was done holds
+     * @throws IllegalArgumentException as {@link Advance#turn}
      */
     public boolean turn(Bodies bodies, TurnSink sink, long near, int exact) {
+        if (Magnitudes.areOrdinary(bodies)) {
+            return turnOfOrdinary(bodies, sink, near, exact);
+        }
+        if (exact == ALL) {
+            general.turn(bodies, sink);
+        }
+        return exact == ALL;
+    }
+
+    private boolean turnOfOrdinary(Bodies bodies, TurnSink sink, long near, int exact) {
         long doubtful = 0;
         for (int body = 0; body < size; body++) {
             doubtful |= (exact >> body & 1) != 0 ? 0 : pairsOf[body];

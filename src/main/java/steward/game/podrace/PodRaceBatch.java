@@ -1,6 +1,7 @@
 package steward.game.podrace;
 
 import java.util.Arrays;
+import java.util.Objects;
 
 /**
  * Many independent official pod races of four pods on one map, played together: one call plays a turn of every game.
@@ -17,29 +18,46 @@ public final class PodRaceBatch {
     private static final int PODS = 4;
     private static final int PLAYERS = 2;
     private static final int LAPS = 3;
+    private static final int MOST_GAMES = 100_000_000;
 
     private final double[][] checkpoints;
+    private final PodRaceSimulator start;
     private final double[][] states;
     private final int[][] counts;
     private final PodTurn turn;
 
-    /** Commands for all pods of all games. */
+    /** Commands for all pods of all games. A command stays until another is set. */
     public static final class Commands {
 
         private final double[] targetX;
         private final double[] targetY;
         private final int[] thrust;
 
-        /** No commands. */
+        /**
+         * No commands.
+         *
+         * @param games how many games they are for, 1..100,000,000
+         * @throws IllegalArgumentException if that is not so
+         */
         public Commands(int games) {
+            checkGames(games);
             targetX = new double[PODS * games];
             targetY = new double[PODS * games];
             thrust = new int[PODS * games];
             Arrays.fill(thrust, PodCommands.NO_COMMAND);
         }
 
-        /** As {@link PodCommands#set}. */
+        /**
+         * As {@link PodCommands#set}.
+         *
+         * @param game which, from 0 on
+         * @param pod  which, 0..3
+         * @throws IllegalArgumentException  if the target is not finite, or there is no such thrust
+         * @throws IndexOutOfBoundsException if there is no such game or pod
+         */
         public void set(int game, int pod, double podTargetX, double podTargetY, int podThrust) {
+            Objects.checkIndex(pod, PODS);
+            PodCommands.check(pod, podTargetX, podTargetY, podThrust);
             int at = PODS * game + pod;
             targetX[at] = podTargetX;
             targetY[at] = podTargetY;
@@ -50,21 +68,25 @@ public final class PodRaceBatch {
     /**
      * Games at the start.
      *
-     * @param checkpoints {@code [n][x, y]}, n at least 2
-     * @param games       at least 1
-     * @throws IllegalArgumentException if there are too few
+     * @param checkpoints as for {@link PodRaceSimulator#PodRaceSimulator(double[][])}
+     * @param games       how many, 1..100,000,000
+     * @throws IllegalArgumentException if that is not so, and as there
      */
     public PodRaceBatch(double[][] checkpoints, int games) {
-        if (games < 1) {
-            throw new IllegalArgumentException(games + " games, expected at least 1");
-        }
-        PodRaceSimulator start = new PodRaceSimulator(checkpoints);
-        this.checkpoints = checkpoints;
+        checkGames(games);
+        start = new PodRaceSimulator(checkpoints);
+        this.checkpoints = Arrays.stream(checkpoints).map(double[]::clone).toArray(double[][]::new);
         states = new double[games][PodTurn.NUMBERS * PODS];
         counts = new int[games][PodTurn.COUNTS * PODS + PLAYERS];
         turn = kernel();
         for (int game = 0; game < games; game++) {
             set(game, start);
+        }
+    }
+
+    private static void checkGames(int games) {
+        if (games < 1 || games > MOST_GAMES) {
+            throw new IllegalArgumentException(games + " games, expected 1.." + MOST_GAMES);
         }
     }
 
@@ -78,9 +100,21 @@ public final class PodRaceBatch {
         return states.length;
     }
 
-    /** Plays a turn of every game. */
+    /**
+     * Plays a turn of every game.
+     *
+     * @throws IllegalArgumentException if the commands are for another number of games
+     */
     public void play(Commands commands) {
+        check(commands);
         play(commands, turn, 0, states.length);
+    }
+
+    void check(Commands commands) {
+        if (commands.thrust.length != PODS * states.length) {
+            throw new IllegalArgumentException("commands for " + commands.thrust.length / PODS + " games, expected "
+                + states.length);
+        }
     }
 
     /** Plays a turn of the games from {@code first} up to, without, {@code end}. */
@@ -90,28 +124,42 @@ public final class PodRaceBatch {
         }
     }
 
-    /** Puts a game into the state of a race on the same map. */
+    /**
+     * Puts a game into the state of a race on the same map.
+     *
+     * @throws IllegalArgumentException if its numbers of pods, players or checkpoints are others
+     */
     public void set(int game, PodRaceSimulator from) {
+        start.checkAlike(from);
         from.copyTo(states[game], counts[game]);
     }
 
-    /** Puts a race on the same map into the state of a game. */
+    /**
+     * Puts a race on the same map into the state of a game.
+     *
+     * @throws IllegalArgumentException if its numbers of pods, players or checkpoints are others
+     */
     public void get(int game, PodRaceSimulator to) {
+        start.checkAlike(to);
         to.copyFrom(states[game], counts[game]);
     }
 
+    /** Where a pod is, in u. */
     public double x(int game, int pod) {
         return states[game][PodTurn.NUMBERS * pod + PodTurn.X];
     }
 
+    /** Where a pod is, in u. */
     public double y(int game, int pod) {
         return states[game][PodTurn.NUMBERS * pod + PodTurn.Y];
     }
 
+    /** The speed of a pod, in u per turn. */
     public double vx(int game, int pod) {
         return states[game][PodTurn.NUMBERS * pod + PodTurn.VX];
     }
 
+    /** The speed of a pod, in u per turn. */
     public double vy(int game, int pod) {
         return states[game][PodTurn.NUMBERS * pod + PodTurn.VY];
     }

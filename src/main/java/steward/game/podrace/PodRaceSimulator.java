@@ -1,6 +1,7 @@
 package steward.game.podrace;
 
 import java.util.Arrays;
+import java.util.Objects;
 import steward.physics.OfficialAdvance;
 import steward.physics.TurnLog;
 
@@ -29,7 +30,15 @@ import steward.physics.TurnLog;
  */
 public final class PodRaceSimulator {
 
+    /** The most pods in a race. */
+    public static final int MOST_PODS = OfficialAdvance.MOST_BODIES;
+
+    /** The greatest place (u) and speed (u per turn) that can be put in. */
+    public static final double GREATEST = 0x1p200;
+
     private static final int LAPS = 3;
+    private static final int MOST_LAPS = 1000;
+    private static final int MOST_PASSED = 1_000_000;
 
     private final int pods;
     private final int perPlayer;
@@ -41,23 +50,28 @@ public final class PodRaceSimulator {
     /**
      * Four pods, those of player 0 first, three laps; pods stand at the start places, headings unset.
      *
-     * @param checkpoints {@code [n][x, y]} in u, n at least 2
+     * @param checkpoints {@code [n][x, y]} in u, n at least 2; copied
+     * @throws IllegalArgumentException if there are too few, a number is not finite, or the first two are in one place
      */
     public PodRaceSimulator(double[][] checkpoints) {
         this(checkpoints, 2, 2, LAPS);
     }
 
     /**
+     * The same for other numbers of players, pods and laps.
+     *
+     * @param checkpoints   as above
      * @param players       1 or more
-     * @param podsPerPlayer 1 or more; at most {@link OfficialAdvance#MOST_BODIES} pods together
-     * @param laps          1 or more
+     * @param podsPerPlayer 1 or more; at most {@link #MOST_PODS} pods together
+     * @param laps          1..1,000
+     * @throws IllegalArgumentException as above, and if a number is out of range
      */
     public PodRaceSimulator(double[][] checkpoints, int players, int podsPerPlayer, int laps) {
-        require(checkpoints.length >= 2, checkpoints.length + " checkpoints, expected at least 2");
-        require(players >= 1 && podsPerPlayer >= 1 && players * podsPerPlayer <= OfficialAdvance.MOST_BODIES,
-            players + " players with " + podsPerPlayer + " pods, expected at most " + OfficialAdvance.MOST_BODIES
+        checkMap(checkpoints);
+        require(players >= 1 && podsPerPlayer >= 1 && (long) players * podsPerPlayer <= MOST_PODS,
+            players + " players with " + podsPerPlayer + " pods, expected at least one of each and at most " + MOST_PODS
             + " pods together");
-        require(laps >= 1, laps + " laps, expected at least 1");
+        require(laps >= 1 && laps <= MOST_LAPS, laps + " laps, expected 1.." + MOST_LAPS);
         pods = players * podsPerPlayer;
         perPlayer = podsPerPlayer;
         this.checkpoints = checkpoints.length;
@@ -71,6 +85,22 @@ public final class PodRaceSimulator {
         Arrays.fill(counts, PodTurn.COUNTS * pods, counts.length, PodTurn.TURNS_WITHOUT_CHECKPOINT);
     }
 
+    private static void checkMap(double[][] checkpoints) {
+        require(checkpoints.length >= 2, checkpoints.length + " checkpoints, expected at least 2");
+        for (int k = 0; k < checkpoints.length; k++) {
+            double[] place = checkpoints[k];
+            require(place.length == 2 && isPlayable(place[0]) && isPlayable(place[1]), "checkpoint " + k + ": "
+                + Arrays.toString(place) + ", expected x and y of at most " + GREATEST);
+        }
+        require(checkpoints[0][0] != checkpoints[1][0] || checkpoints[0][1] != checkpoints[1][1],
+            "checkpoints 0 and 1 are in the same place, expected two places: pods start across them");
+    }
+
+    /** Not NaN either. */
+    private static boolean isPlayable(double value) {
+        return Math.abs(value) <= GREATEST;
+    }
+
     private static void require(boolean fulfilled, String problem) {
         if (!fulfilled) {
             throw new IllegalArgumentException(problem);
@@ -78,22 +108,37 @@ public final class PodRaceSimulator {
     }
 
     /**
-     * Puts a pod into a state. Whole numbers are usual; others are played as {@link PodRace} would, if they are
-     * ordinary (it computes with more than doubles where squares leave their range).
+     * Puts a pod into a state. Whole numbers are usual; others are played as {@link PodRace} would. How many turns the
+     * player has left stays as it is.
      *
+     * @param x             in u, of at most {@link #GREATEST} in magnitude
+     * @param y             in u, likewise
+     * @param vx            in u per turn, likewise
+     * @param vy            in u per turn, likewise
      * @param heading       in radians, NaN while unset
      * @param podTimer      4 after the turn the shield was raised, counting down to 0
-     * @param podPassed     checkpoints passed since the start; the next is number {@code (podPassed + 1) % n}
-     * @throws IllegalArgumentException if a number is not finite (but for an unset heading) or out of range
+     * @param podBoostLeft  whether the boost is still there
+     * @param podPassed     checkpoints passed since the start, 0..1,000,000; the next is number
+     *                      {@code (podPassed + 1) % n}
+     * @throws IllegalArgumentException  if a number is out of range; the state is as before
+     * @throws IndexOutOfBoundsException if there is no such pod
      */
     public void setPod(int pod, double x, double y, double vx, double vy, double heading, int podTimer,
                        boolean podBoostLeft, int podPassed) {
-        require(!Double.isInfinite(heading), "pod " + pod + ": heading " + heading + ", expected finite or NaN");
-        require(podTimer >= 0 && podTimer <= PodRaceSettings.SHIELD_TURNS, "pod " + pod + ": shield timer " + podTimer
-            + ", expected 0.." + PodRaceSettings.SHIELD_TURNS);
-        require(podPassed >= 0, "pod " + pod + ": passed " + podPassed + ", expected at least 0");
-        require(Double.isFinite(x) && Double.isFinite(y) && Double.isFinite(vx) && Double.isFinite(vy),
-            "pod " + pod + ": place " + x + " " + y + ", speed " + vx + " " + vy + ", expected finite numbers");
+        Objects.checkIndex(pod, pods);
+        if (Double.isInfinite(heading)) {
+            throw wrong(pod, "heading " + heading + ", expected finite or NaN");
+        }
+        if (podTimer < 0 || podTimer > PodRaceSettings.SHIELD_TURNS) {
+            throw wrong(pod, "shield timer " + podTimer + ", expected 0.." + PodRaceSettings.SHIELD_TURNS);
+        }
+        if (podPassed < 0 || podPassed > MOST_PASSED) {
+            throw wrong(pod, "passed " + podPassed + ", expected 0.." + MOST_PASSED);
+        }
+        if (!(isPlayable(x) && isPlayable(y) && isPlayable(vx) && isPlayable(vy))) {
+            throw wrong(pod, "place " + x + " " + y + ", speed " + vx + " " + vy + ", expected magnitudes of at most "
+                + GREATEST);
+        }
         int at = PodTurn.NUMBERS * pod;
         state[at + PodTurn.X] = x;
         state[at + PodTurn.Y] = y;
@@ -107,8 +152,18 @@ public final class PodRaceSimulator {
         counts[at + PodTurn.NEXT] = (podPassed + 1) % checkpoints;
     }
 
-    /** @param turns how many turns the player has left to pass a checkpoint */
+    private static IllegalArgumentException wrong(int pod, String problem) {
+        return new IllegalArgumentException("pod " + pod + ": " + problem);
+    }
+
+    /**
+     * Says how long a player may go on without a checkpoint: at the start 100 turns.
+     *
+     * @param turns how many turns the player has left to pass a checkpoint
+     * @throws IndexOutOfBoundsException if there is no such player
+     */
     public void setTurnsLeft(int player, int turns) {
+        Objects.checkIndex(player, pods / perPlayer);
         counts[PodTurn.COUNTS * pods + player] = turns;
     }
 
@@ -120,12 +175,23 @@ public final class PodRaceSimulator {
     /**
      * Becomes a copy of another race on the same map, without its log.
      *
-     * @throws IllegalArgumentException if the numbers of pods or players differ
+     * @throws IllegalArgumentException if the numbers of pods, players or checkpoints differ
      */
     public void copyFrom(PodRaceSimulator other) {
-        require(pods == other.pods && perPlayer == other.perPlayer, "another number of pods or players");
+        checkAlike(other);
         System.arraycopy(other.state, 0, state, 0, state.length);
         System.arraycopy(other.counts, 0, counts, 0, counts.length);
+    }
+
+    /** Whether a state of the other fits here. */
+    void checkAlike(PodRaceSimulator other) {
+        if (pods != other.pods || perPlayer != other.perPlayer || checkpoints != other.checkpoints) {
+            throw new IllegalArgumentException(other.words() + ", expected " + words());
+        }
+    }
+
+    private String words() {
+        return "a race of " + pods + " pods, " + perPlayer + " per player, with " + checkpoints + " checkpoints";
     }
 
     void copyFrom(double[] fromState, int[] fromCounts) {
@@ -138,8 +204,15 @@ public final class PodRaceSimulator {
         System.arraycopy(counts, 0, toCounts, 0, counts.length);
     }
 
-    /** Plays one turn. */
+    /**
+     * Plays one turn. The commands stay as they are.
+     *
+     * @throws IllegalArgumentException if they are for another number of pods
+     */
     public void play(PodCommands commands) {
+        if (commands.thrust.length != pods) {
+            throw new IllegalArgumentException("commands for " + commands.pods() + " pods, expected " + pods);
+        }
         turn.play(state, counts, commands.targetX, commands.targetY, commands.thrust, 0);
     }
 
@@ -153,18 +226,22 @@ public final class PodRaceSimulator {
         return pod / perPlayer;
     }
 
+    /** Where a pod is, in u: whole after a turn. */
     public double x(int pod) {
         return state[PodTurn.NUMBERS * pod + PodTurn.X];
     }
 
+    /** Where a pod is, in u: whole after a turn. */
     public double y(int pod) {
         return state[PodTurn.NUMBERS * pod + PodTurn.Y];
     }
 
+    /** The speed of a pod, in u per turn: whole after a turn. */
     public double vx(int pod) {
         return state[PodTurn.NUMBERS * pod + PodTurn.VX];
     }
 
+    /** The speed of a pod, in u per turn: whole after a turn. */
     public double vy(int pod) {
         return state[PodTurn.NUMBERS * pod + PodTurn.VY];
     }
@@ -174,13 +251,15 @@ public final class PodRaceSimulator {
         return Headings.angle(state, PodTurn.NUMBERS * pod + PodTurn.HEADING);
     }
 
-    /** The x component of the direction in which a pod heads, known to 1e-11; NaN while unset,
-     * and from 512 radians on. At hand. */
+    /**
+     * The x component of the direction in which a pod heads, known to 1e-11; NaN while unset, and from 512 radians on.
+     * At hand.
+     */
     public double directionX(int pod) {
         return state[PodTurn.NUMBERS * pod + PodTurn.HEADING];
     }
 
-    /** The y component. */
+    /** The y component of the direction in which a pod heads, see {@link #directionX}. */
     public double directionY(int pod) {
         return state[PodTurn.NUMBERS * pod + PodTurn.HEADING + 1];
     }
@@ -190,6 +269,7 @@ public final class PodRaceSimulator {
         return counts[PodTurn.COUNTS * pod + PodTurn.TIMER];
     }
 
+    /** Whether the boost is still there. */
     public boolean boostLeft(int pod) {
         return counts[PodTurn.COUNTS * pod + PodTurn.BOOST] != 0;
     }

@@ -19,7 +19,6 @@ final class PodTurn {
     static final double DRAG = 0.15;
     static final double KEEP = 1 - DRAG;
     private static final int MAXIMUM_THRUST = 200;
-    static final int LAPS = 3;
     static final int TURNS_WITHOUT_CHECKPOINT = 100;
 
     /** Shield timers: masses are 1 and 10. */
@@ -131,7 +130,7 @@ final class PodTurn {
         for (int player = COUNTS * pods; player < last; player++) {
             counts[player]--;
         }
-        int mayPass = near == 0 ? glide(-1) : collide(near);
+        int mayPass = near == 0 ? glide(OfficialAdvance.ALL) : collide(near);
         if (mayPass != 0) {
             countCheckpoints(mayPass);
         }
@@ -330,7 +329,7 @@ final class PodTurn {
         int exact = advance.bodiesOf(near, pods);
         if (!collide(near, exact) || paths.corners() > MOST_CORNERS || !areSure(~exact)) {
             paths.clear();
-            exact = -1;
+            exact = OfficialAdvance.ALL;
             collide(near, exact);
         }
         for (int pod = 0; pod < pods; pod++) {

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
+import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import steward.numerics.SplitMix64;
 
@@ -89,14 +90,14 @@ class PodRaceBatchTest {
     }
 
     @Test
-    void theNumberOfThreadsChangesNothing() throws InterruptedException {
+    void theNumberOfThreadsChangesNothing() {
         long one = hashAfterARace(1);
         assertEquals(one, hashAfterARace(2));
         assertEquals(one, hashAfterARace(3));
         assertEquals(one, hashAfterARace(1000));
     }
 
-    private long hashAfterARace(int threads) throws InterruptedException {
+    private long hashAfterARace(int threads) {
         PodRaceBatch race = new PodRaceBatch(map, GAMES);
         SplitMix64 random = new SplitMix64(SEED);
         long hash = 0;
@@ -130,23 +131,83 @@ class PodRaceBatchTest {
 
     @Test
     void aTurnAllocatesNothing() {
-        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-        long allocated = Long.MAX_VALUE;
         fill(true);
-        for (int count = 0; count < 10 && allocated > 0; count++) {
-            long before = threads.getCurrentThreadAllocatedBytes();
-            for (int turn = 0; turn < 20; turn++) {
-                batch.play(commands);
+        assertAllocatesNothing(() -> batch.play(commands));
+    }
+
+    /** Neither in the caller's thread nor in the others. */
+    @Test
+    void aTurnOnManyThreadsAllocatesNothing() {
+        fill(true);
+        try (ParallelBatch parallel = new ParallelBatch(batch, 3)) {
+            assertEquals(3, parallel.threads());
+            assertAllocatesNothing(() -> parallel.play(commands));
+        }
+    }
+
+    /** Once the buffers have grown and the JVM has compiled the code. */
+    private void assertAllocatesNothing(Runnable turn) {
+        for (int game = 0; game < GAMES; game++) {
+            draw(game);
+        }
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        long[] others = Thread.getAllStackTraces().keySet().stream()
+            .filter(thread -> thread.getName().startsWith("pod-race-batch-")).mapToLong(Thread::getId).toArray();
+        long allocated = Long.MAX_VALUE;
+        for (int count = 0; count < 20 && allocated > 0; count++) {
+            fill(true);
+            long before = Arrays.stream(threads.getThreadAllocatedBytes(others)).sum();
+            long own = threads.getCurrentThreadAllocatedBytes();
+            for (int k = 0; k < 20; k++) {
+                turn.run();
             }
-            allocated = threads.getCurrentThreadAllocatedBytes() - before;
+            own = threads.getCurrentThreadAllocatedBytes() - own;
+            allocated = own + Arrays.stream(threads.getThreadAllocatedBytes(others)).sum() - before;
         }
         assertEquals(0, allocated, "bytes in 20 turns of " + GAMES + " games");
     }
 
     @Test
+    void aThreadThatIsInterruptedFinishesTheTurn() {
+        try (ParallelBatch parallel = new ParallelBatch(batch, 3)) {
+            Thread.currentThread().interrupt();
+            for (int turn = 0; turn < 10; turn++) {
+                parallel.play(commands);
+            }
+            assertTrue(Thread.interrupted());
+        }
+        assertEquals(90, batch.turnsLeft(GAMES - 1, 1));
+    }
+
+    @Test
     void refusesWhatCannotBe() {
-        assertThrows(IllegalArgumentException.class, () -> new PodRaceBatch(map, 0));
-        assertThrows(IllegalArgumentException.class, () -> new ParallelBatch(batch, 0));
-        assertThrows(IllegalArgumentException.class, () -> new ParallelBatch(batch, 100_000));
+        assertRefused("0 games", () -> new PodRaceBatch(map, 0));
+        assertRefused("0 games", () -> new PodRaceBatch.Commands(0));
+        assertRefused("0 threads", () -> new ParallelBatch(batch, 0));
+        assertRefused("100000 threads", () -> new ParallelBatch(batch, 100_000));
+        assertRefused("commands for 7 games, expected 300", () -> batch.play(new PodRaceBatch.Commands(7)));
+        assertRefused("thrust 651", () -> commands.set(0, 0, 0, 0, 651));
+        assertRefused("target NaN", () -> commands.set(0, 0, Double.NaN, 0, 1));
+        assertThrows(IndexOutOfBoundsException.class, () -> commands.set(0, 4, 0, 0, 1));
+        assertRefused("a race of 2 pods", () -> batch.set(0, new PodRaceSimulator(map, 2, 1, 3)));
+        assertRefused("with 2 checkpoints", () -> batch.get(0, new PodRaceSimulator(new double[][] {{0, 0}, {9, 9}})));
+        ParallelBatch closed = new ParallelBatch(batch, 2);
+        closed.close();
+        assertThrows(IllegalStateException.class, () -> closed.play(commands));
+    }
+
+    private static void assertRefused(String said, org.junit.jupiter.api.function.Executable call) {
+        String message = assertThrows(IllegalArgumentException.class, call).getMessage();
+        assertTrue(message.contains(said), message);
+    }
+
+    /** The caller may do with his array what he likes. */
+    @Test
+    void theMapIsCopied() {
+        double[][] places = {{3000, 3000}, {9000, 2000}};
+        PodRaceBatch race = new PodRaceBatch(places, 1);
+        double before = race.toNext(0, 0);
+        places[1][0] = 0;
+        assertEquals(before, race.toNext(0, 0));
     }
 }

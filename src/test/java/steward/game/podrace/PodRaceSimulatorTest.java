@@ -12,8 +12,8 @@ import steward.physics.TurnLog;
 /**
  * The simulator against the plain kernel (the event loop of every scene, all pairs each time) and against the textbook
  * (StrictMath, no shared code): every number of every state, and every impact, bit for bit. Turns are random; their
- * number is 100,000, or what the system property {@code steward.turns} says, the seed is printed, and {@code
- * steward.seed} sets another.
+ * number is 100,000, or what {@code -Psteward.turns=10000000} says, the seed is printed, and {@code -Psteward.seed}
+ * sets another: {@code gradle test --tests '*PodRaceSimulatorTest' -Psteward.turns=10000000}.
  */
 class PodRaceSimulatorTest {
 
@@ -128,7 +128,7 @@ class PodRaceSimulatorTest {
         }
     }
 
-    private static void compareImpacts(TurnLog expected, TurnLog found, Supplier<String> where) {
+    static void compareImpacts(TurnLog expected, TurnLog found, Supplier<String> where) {
         assertEquals(expected.impacts(), found.impacts(), where);
         for (int k = 0; k < expected.impacts(); k++) {
             assertEquals(expected.impact(k), found.impact(k), where);

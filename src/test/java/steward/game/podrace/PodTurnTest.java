@@ -1,7 +1,6 @@
 package steward.game.podrace;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -9,9 +8,12 @@ import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.function.Executable;
 import steward.bench.TextbookPodRace;
 import steward.numerics.SplitMix64;
 import steward.physics.OfficialAdvance;
+import steward.scene.SceneFiles;
+import steward.scene.SceneReader;
 
 /**
  * The fast turn at its edges: the official recordings, doubts, filters, what it refuses, and that it allocates nothing.
@@ -246,13 +248,62 @@ class PodTurnTest {
     @Test
     void theSameMapAndPodsAreAskedFor() {
         PodRaceSimulator race = new PodRaceSimulator(MAP);
-        assertThrows(IllegalArgumentException.class, () -> race.copyFrom(new PodRaceSimulator(MAP, 2, 1, 3)));
-        assertThrows(IllegalArgumentException.class, () -> new PodRaceSimulator(MAP, 4, 3, 3));
-        assertThrows(IllegalArgumentException.class, () -> new PodRaceSimulator(new double[][] {{1, 2}}));
-        assertThrows(IllegalArgumentException.class, () -> race.setPod(0, Double.NaN, 0, 0, 0, 0, 0, true, 0));
-        assertThrows(IllegalArgumentException.class,
-            () -> race.setPod(0, 0, 0, 0, 0, Double.POSITIVE_INFINITY, 0, true, 0));
-        assertThrows(IllegalArgumentException.class, () -> race.setPod(0, 0, 0, 0, 0, 0, 5, true, 0));
-        assertFalse(Double.isNaN(race.x(0)));
+        assertRefused("a race of 2 pods", () -> race.copyFrom(new PodRaceSimulator(MAP, 2, 1, 3)));
+        assertRefused("with 2 checkpoints", () -> race.copyFrom(new PodRaceSimulator(new double[][] {{0, 0}, {1, 2}})));
+        assertRefused("commands for 2 pods, expected 4", () -> race.play(new PodCommands(2)));
+        assertRefused("commands for 2 pods, expected 4", () -> new PodCommands(4).copyFrom(new PodCommands(2)));
+    }
+
+    @Test
+    void racesThatCannotBeAreRefused() {
+        assertRefused("4 players with 3 pods", () -> new PodRaceSimulator(MAP, 4, 3, 3));
+        assertRefused("65536 players with 65536 pods", () -> new PodRaceSimulator(MAP, 1 << 16, 1 << 16, 3));
+        assertRefused("0 players", () -> new PodRaceSimulator(MAP, 0, 1, 3));
+        assertRefused("0 laps", () -> new PodRaceSimulator(MAP, 2, 2, 0));
+        assertRefused("1 checkpoints", () -> new PodRaceSimulator(new double[][] {{1, 2}}));
+        assertRefused("checkpoint 1: [NaN, 3.0]", () -> new PodRaceSimulator(new double[][] {{1, 2}, {Double.NaN, 3}}));
+        assertRefused("checkpoint 0: [1.0]", () -> new PodRaceSimulator(new double[][] {{1}, {2, 3}}));
+        assertRefused("in the same place", () -> new PodRaceSimulator(new double[][] {{1, 2}, {1, 2}}));
+    }
+
+    @Test
+    void statesAndCommandsThatCannotBeAreRefused() {
+        PodRaceSimulator race = new PodRaceSimulator(MAP);
+        double x = race.x(0);
+        assertRefused("place NaN", () -> race.setPod(0, Double.NaN, 0, 0, 0, 0, 0, true, 0));
+        assertRefused("speed 0.0 1.0E61", () -> race.setPod(0, 0, 0, 0, 1e61, 0, 0, true, 0));
+        assertRefused("heading Infinity", () -> race.setPod(0, 0, 0, 0, 0, Double.POSITIVE_INFINITY, 0, true, 0));
+        assertRefused("shield timer 5", () -> race.setPod(0, 0, 0, 0, 0, 0, 5, true, 0));
+        assertRefused("passed 2147483647", () -> race.setPod(0, 0, 0, 0, 0, 0, 0, true, Integer.MAX_VALUE));
+        assertThrows(IndexOutOfBoundsException.class, () -> race.setPod(4, 0, 0, 0, 0, 0, 0, true, 0));
+        assertThrows(IndexOutOfBoundsException.class, () -> race.setTurnsLeft(-1, 7));
+        assertEquals(x, race.x(0), "nothing of a refused state is kept");
+        assertEquals(3, race.nextCheckpoint(3) + 2, "nor written elsewhere");
+
+        PodCommands commands = new PodCommands(4);
+        assertRefused("pod 1: thrust 651", () -> commands.set(1, 0, 0, 651));
+        assertRefused("pod 1: thrust -4", () -> commands.set(1, 0, 0, -4));
+        assertRefused("target 0.0 Infinity", () -> commands.set(1, 0, Double.POSITIVE_INFINITY, 1));
+        assertRefused("0 pods", () -> new PodCommands(0));
+    }
+
+    private static void assertRefused(String said, Executable call) {
+        String message = assertThrows(IllegalArgumentException.class, call).getMessage();
+        assertTrue(message.contains(said), message);
+    }
+
+    /** Who measures a scene sees, and can replace, the fast loop too. */
+    @Test
+    void theOnlookerOfTheOfficialSceneIsAsked() {
+        PodRaceType.PodRaceSetup official = Races.setup("mad-pod-racing");
+        PodRaceType.PodRaceSetup still = new PodRaceType().open(
+            SceneReader.read(SceneFiles.load("mad-pod-racing").text(), "watched")
+                .withOnlooker((parts, advance) -> (bodies, sink) -> { }));
+        PodRace race = still.create(MAP);
+        race.setPod(0, new PodState(0, 0, 100, 0, 0, 0, true, 0));
+        race.play();
+
+        assertEquals(0, race.pod(0).x(), "nobody flew");
+        assertTrue(official.create(MAP).advance() instanceof OfficialAdvance);
     }
 }
