@@ -47,10 +47,6 @@ sealed class CarefulCollision extends Collision permits ExactCollision {
 
     @Override
     void pushOffWall(Bodies bodies, int a, double nx, double ny, double restitution, double impulse) {
-        if (wallsHaveMinimum) {
-            super.pushOffWall(bodies, a, nx, ny, restitution, impulse);
-            return;
-        }
         project(bodies.vx[a], 0, bodies.vy[a], 0, nx, 0, ny, 0);
         withRestitution(restitution);
         push(bodies, a, -high, -low, nx, 0, ny, 0);

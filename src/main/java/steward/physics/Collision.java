@@ -6,26 +6,24 @@ package steward.physics;
  */
 sealed class Collision permits CarefulCollision {
 
-    static final double ELASTIC = 1;
     /** A body so far behind a wall, relative to its coordinates, is there by rounding: some units in the last place. */
     private static final double ROUNDING = 0x1p-46;
 
     final Impulse pairImpulse;
     final Impulse wallImpulse;
-    final boolean elastic;
-    final boolean partsForGood;
-    final boolean wallsHaveMinimum;
-    final boolean pushes;
+    final CollisionParts.GivenBack givenBack;
+    final CollisionParts.Parting parting;
+    final CollisionParts.Pushing pushing;
     final double pushOut;
     final Wall[] walls;
 
     Collision(ImpactLaw law, Wall[] walls) {
         pairImpulse = Impulse.of(law, true);
         wallImpulse = Impulse.of(law, law.minimumImpulseAtWalls());
-        elastic = law.restitution() == ImpactLaw.Restitution.ELASTIC;
-        partsForGood = !law.separatingPairsReact();
-        wallsHaveMinimum = law.minimumImpulseAtWalls() && law.minimumImpulse() > 0;
-        pushes = !Double.isNaN(law.pushOut());
+        CollisionParts parts = CollisionParts.of(law);
+        givenBack = parts.givenBack();
+        parting = parts.parting();
+        pushing = parts.pushing();
         pushOut = law.pushOut();
         this.walls = walls;
     }
@@ -62,26 +60,19 @@ sealed class Collision permits CarefulCollision {
         double vby = bodies.vy[b];
         double inverse = bodies.inverseMass[a] + bodies.inverseMass[b];
         double first = (nx * (vax - vbx) + ny * (vay - vby)) / inverse;
-        double restitution = elastic ? ELASTIC : Math.min(bodies.restitution[a], bodies.restitution[b]);
+        double restitution = givenBack.ofPair(bodies, a, b);
         double second = pairImpulse.secondStep(first, restitution);
         double impulse = first + second;
         double massA = bodies.mass[a];
         double massB = bodies.mass[b];
         pushPair(bodies, a, b, nx, ny, restitution, impulse);
-        if (partsForGood) {
-            endApproach(bodies, a, b, dx, dy, nx, ny, Math.abs(vax) + Math.abs(vay) + Math.abs(vbx) + Math.abs(vby));
-        }
+        parting.end(this, bodies, a, b, nx, ny, Math.abs(vax) + Math.abs(vay) + Math.abs(vbx) + Math.abs(vby));
         sink.impact(time, bodies.id(a), bodies.id(b), ax, ay, bx, by, nx, ny, impulse,
             inverse * (second * second - first * first) / 2, massA, massB,
             vax, vay, bodies.vx[a], bodies.vy[a], vbx, vby, bodies.vx[b], bodies.vy[b]);
         sink.knot(bodies.id(a), time, ax, ay);
         sink.knot(bodies.id(b), time, bx, by);
-        double overlap = bodies.radius[a] + bodies.radius[b] - distance;
-        if (pushes && overlap >= 0) {
-            double each = overlap / 2 + pushOut;
-            pushApart(bodies, a, nx, ny, massB == Double.POSITIVE_INFINITY ? -2 * each : -each, time, sink);
-            pushApart(bodies, b, nx, ny, massA == Double.POSITIVE_INFINITY ? 2 * each : each, time, sink);
-        }
+        pushing.pair(this, bodies, a, b, nx, ny, distance, time, sink);
     }
 
     /** An impulse along the unit vector from a to b sends the two apart. */
@@ -117,7 +108,7 @@ sealed class Collision permits CarefulCollision {
             return;
         }
         double first = approach / inverse;
-        double restitution = elastic ? ELASTIC : Math.min(bodies.restitution[a], wall.restitution());
+        double restitution = givenBack.atWall(bodies, a, wall);
         double second = wallImpulse.secondStep(first, restitution);
         double impulse = first + second;
         pushOffWall(bodies, a, nx, ny, restitution, impulse);
@@ -128,11 +119,31 @@ sealed class Collision permits CarefulCollision {
             inverse * (second * second - first * first) / 2, mass, Double.POSITIVE_INFINITY,
             vax, vay, bodies.vx[a], bodies.vy[a], 0, 0, 0, 0);
         sink.knot(bodies.id(a), time, ax, ay);
-        if (pushes && gap <= 0) {
-            pushApart(bodies, a, nx, ny, gap - 2 * pushOut, time, sink);
-        } else if (gap < 0 && -gap < ROUNDING * (Math.abs(ax) + Math.abs(ay) + bodies.radius[a])) {
-            bodies.x[a] += nx * gap;                  // or ten thousand impacts, all rounded outward, would add up
+        pushing.fromWall(this, bodies, a, nx, ny, gap, time, sink);
+    }
+
+    /** Ten thousand impacts, all rounded outward, would add up. */
+    void settleAtWall(Bodies bodies, int a, double nx, double ny, double gap) {
+        if (gap < 0 && -gap < ROUNDING * (Math.abs(bodies.x[a]) + Math.abs(bodies.y[a]) + bodies.radius[a])) {
+            bodies.x[a] += nx * gap;
             bodies.y[a] += ny * gap;
+        }
+    }
+
+    /** From behind a wall, or from its face: to where it is touched, and twice as far as one of a pair beyond. */
+    void pushFromWall(Bodies bodies, int a, double nx, double ny, double gap, double time, TurnSink sink) {
+        if (gap <= 0) {
+            pushApart(bodies, a, nx, ny, gap - 2 * pushOut, time, sink);
+        }
+    }
+
+    /** Each by half of the overlap and a little more; one alone by all of it if the other cannot be moved. */
+    void pushApart(Bodies bodies, int a, int b, double nx, double ny, double distance, double time, TurnSink sink) {
+        double overlap = bodies.radius[a] + bodies.radius[b] - distance;
+        if (overlap >= 0) {
+            double each = overlap / 2 + pushOut;
+            pushApart(bodies, a, nx, ny, bodies.mass[b] == Double.POSITIVE_INFINITY ? -2 * each : -each, time, sink);
+            pushApart(bodies, b, nx, ny, bodies.mass[a] == Double.POSITIVE_INFINITY ? 2 * each : each, time, sink);
         }
     }
 
@@ -144,8 +155,9 @@ sealed class Collision permits CarefulCollision {
      */
 
     /** @param speeds of both before, summed: say what a unit in the last place is */
-    private static void endApproach(Bodies bodies, int a, int b, double dx, double dy, double nx, double ny,
-                                    double speeds) {
+    void endApproach(Bodies bodies, int a, int b, double nx, double ny, double speeds) {
+        double dx = bodies.x[b] - bodies.x[a];
+        double dy = bodies.y[b] - bodies.y[a];
         boolean first = bodies.inverseMass[a] >= bodies.inverseMass[b];
         int body = first ? a : b;
         double step = first ? -Math.ulp(speeds) : Math.ulp(speeds);

@@ -37,7 +37,7 @@ public final class EventAdvance implements Advance {
             scans = Scan.of(parts, pairs, wallTimes);
             queue = refining;
             flight = exact;
-            touch = Touch.of(parts, new ExactCollision(law, walls, pairs, wallTimes, exact), walls);
+            touch = Touch.of(parts, ExactCollision.of(law, walls, pairs, wallTimes, exact), walls);
         } else {
             scans = Scan.of(parts, PairTime.of(law, parts.arithmetic()));
             queue = ImpactQueue.of(law);

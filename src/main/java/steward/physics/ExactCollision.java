@@ -4,8 +4,8 @@ import steward.numerics.DoubleDouble;
 import steward.numerics.ErrorFree;
 
 /**
- * The reactions of {@link CarefulCollision} from where the bodies are before rounding (see {@link ExactFlight}), and
- * with minimum impulses too: all numbers are two doubles each, good to some units of 2^-106, and impulse and new
+ * The reactions of {@link CarefulCollision} from where the bodies are before rounding (see {@link ExactFlight}): all
+ * numbers are two doubles each, good to some units of 2^-106, and impulse and new
  * velocities are rounded once, when they are stored. Masses count as stored, not their rounded inverses. Two bodies
  * that touch but for 2^-60 of the distance touch: that is what a time of impact in double-double leaves open.
  *
@@ -14,7 +14,7 @@ import steward.numerics.ErrorFree;
  * rounded, relative to the touching distance. Then, and after an impact without restitution, what is left of the
  * approach is taken away as in {@link Collision}; exact signs say whether there is any.
  */
-final class ExactCollision extends CarefulCollision {
+sealed class ExactCollision extends CarefulCollision permits ExactAtLeast {
 
     private static final double TOUCH = 0x1p-60;
     private static final double WALL_TOUCH = 0x1p-46;
@@ -24,33 +24,36 @@ final class ExactCollision extends CarefulCollision {
     private final ExactPairs pairs;
     private final ExactWalls wallTimes;
     private final ExactFlight flight;
-    private final boolean pairsHaveMinimum;
     private final DoubleDouble normalX = new DoubleDouble();
     private final DoubleDouble normalY = new DoubleDouble();
-    private final DoubleDouble first = new DoubleDouble();
-    private final DoubleDouble second = new DoubleDouble();
-    private final DoubleDouble work = new DoubleDouble();
-    private final DoubleDouble other = new DoubleDouble();
+    final DoubleDouble work = new DoubleDouble();
+    final DoubleDouble other = new DoubleDouble();
 
     /** From centre to centre, times 2^-scale; and its length. */
-    private double dx;
-    private double dxLow;
-    private double dy;
-    private double dyLow;
+    double dx;
+    double dxLow;
+    double dy;
+    double dyLow;
     private int scale;
     private boolean coincident;
-    private double length;
-    private double lengthLow;
+    double length;
+    double lengthLow;
     /** Of the impact at hand. */
-    private double impulse;
-    private double energy;
+    double impulse;
+    double energy;
+
+    /** What the law needs, and no more. */
+    static ExactCollision of(ImpactLaw law, Wall[] walls, ExactPairs pairs, ExactWalls wallTimes, ExactFlight flight) {
+        return !(law.minimumImpulse() > 0) ? new ExactCollision(law, walls, pairs, wallTimes, flight)
+            : law.minimumImpulseAtWalls() ? new ExactAtLeast.AtWallsToo(law, walls, pairs, wallTimes, flight)
+            : new ExactAtLeast(law, walls, pairs, wallTimes, flight);
+    }
 
     ExactCollision(ImpactLaw law, Wall[] walls, ExactPairs pairs, ExactWalls wallTimes, ExactFlight flight) {
         super(law, walls);
         this.pairs = pairs;
         this.wallTimes = wallTimes;
         this.flight = flight;
-        pairsHaveMinimum = law.minimumImpulse() > 0;
     }
 
     @Override
@@ -66,23 +69,15 @@ final class ExactCollision extends CarefulCollision {
         direct(bodies, a, b);
         project(vax, vbx, vay, vby, dx, dxLow, dy, dyLow);
         measure();
-        double restitution = elastic ? ELASTIC : Math.min(bodies.restitution[a], bodies.restitution[b]);
-        if (pairsHaveMinimum) {
-            exchange(bodies, a, b, restitution);
-        } else {
-            giveBack(bodies, a, b, restitution);
-        }
-        if (partsForGood) {
-            endApproach(bodies, a, b, Math.abs(vax) + Math.abs(vay) + Math.abs(vbx) + Math.abs(vby));
-        }
+        double restitution = givenBack.ofPair(bodies, a, b);
+        exchange(bodies, a, b, restitution);
+        parting.end(this, bodies, a, b, dx, dy, Math.abs(vax) + Math.abs(vay) + Math.abs(vbx) + Math.abs(vby));
         sink.impact(time, bodies.id(a), bodies.id(b), ax, ay, bx, by, dx / length, dy / length, impulse, energy,
             bodies.mass[a], bodies.mass[b], vax, vay, bodies.vx[a], bodies.vy[a], vbx, vby, bodies.vx[b],
             bodies.vy[b]);
         sink.knot(bodies.id(a), time, ax, ay);
         sink.knot(bodies.id(b), time, bx, by);
-        if (pushes) {
-            pushApart(bodies, a, b, time, sink);
-        }
+        pushing.pair(this, bodies, a, b, dx, dy, length, time, sink);
     }
 
     /** The vector from a to b; centres that coincide part along x. */
@@ -118,7 +113,7 @@ final class ExactCollision extends CarefulCollision {
     }
 
     /** Without a minimum impulse, speeds say all: the impulse is only for the record. */
-    private void giveBack(Bodies bodies, int a, int b, double restitution) {
+    void exchange(Bodies bodies, int a, int b, double restitution) {
         double massA = bodies.mass[a];
         double massB = bodies.mass[b];
         double speed = high * length;
@@ -138,38 +133,6 @@ final class ExactCollision extends CarefulCollision {
         energy = impulse * speed * (restitution - 1) / 2;
     }
 
-    /** The impulse under the law, and what it does. */
-    private void exchange(Bodies bodies, int a, int b, double restitution) {
-        double massA = bodies.mass[a];
-        double massB = bodies.mass[b];
-        multiply(high, low, length, lengthLow);
-        boolean finite = massA < Double.POSITIVE_INFINITY;
-        takeShare(finite ? massB : massA, finite ? massA : massB, high, low);
-        multiply(high, low, finite ? massA : massB, 0);
-        sumSteps(pairImpulse, restitution, bodies.inverseMass[a] + bodies.inverseMass[b]);
-        divide(work.high(), work.low(), length, lengthLow);
-        double size = high;
-        double sizeLow = low;
-        pushByImpulse(bodies, a, -size, -sizeLow);
-        pushByImpulse(bodies, b, size, sizeLow);
-    }
-
-    /** From the first step to the impulse, which is left in {@code work}. */
-    private void sumSteps(Impulse law, double restitution, double inverse) {
-        first.setFastSum(high, low);
-        law.toSecondStep(second.set(first), restitution);
-        impulse = work.set(first).add(second).high();
-        energy = inverse * other.set(second).subtract(first).high() * (second.high() + first.high()) / 2;
-    }
-
-    private void pushByImpulse(Bodies bodies, int body, double size, double sizeLow) {
-        double mass = bodies.mass[body];
-        if (mass < Double.POSITIVE_INFINITY) {
-            divide(size, sizeLow, mass, 0);
-            push(bodies, body, high, low, dx, dxLow, dy, dyLow);
-        }
-    }
-
     @Override
     void reactWall(Bodies bodies, int a, int w, double time, TurnSink sink) {
         Wall wall = walls[w];
@@ -182,38 +145,50 @@ final class ExactCollision extends CarefulCollision {
         double vay = bodies.vy[a];
         double mass = bodies.mass[a];
         project(vax, 0, vay, 0, nx, normalX.low(), ny, normalY.low());
-        double speed = high;
-        if (!(speed > 0)) {                           // an earlier impact of the same batch has turned it round
+        if (!(high > 0)) {                            // an earlier impact of the same batch has turned it round
             endApproachToWall(bodies, a, w);
             return;
         }
-        double restitution = elastic ? ELASTIC : Math.min(bodies.restitution[a], wall.restitution());
-        if (wallsHaveMinimum) {
-            multiply(high, low, mass, 0);
-            sumSteps(wallImpulse, restitution, bodies.inverseMass[a]);
-            divide(work.high(), work.low(), mass, 0);
-            push(bodies, a, -high, -low, nx, normalX.low(), ny, normalY.low());
-        } else {
-            withRestitution(restitution);
-            push(bodies, a, -high, -low, nx, normalX.low(), ny, normalY.low());
-            multiply(high, low, mass, 0);
-            impulse = high + low;
-            energy = impulse * speed * (restitution - 1) / 2;
-        }
+        double restitution = givenBack.atWall(bodies, a, wall);
+        exchangeWithWall(bodies, a, restitution);
         endApproachToWall(bodies, a, w);
         double gap = wall.gap(ax, ay, bodies.radius[a]);
         double reach = gap + bodies.radius[a];
         sink.impact(time, bodies.id(a), ~w, ax, ay, ax + nx * reach, ay + ny * reach, nx, ny, impulse, energy, mass,
             Double.POSITIVE_INFINITY, vax, vay, bodies.vx[a], bodies.vy[a], 0, 0, 0, 0);
         sink.knot(bodies.id(a), time, ax, ay);
-        double rounding = WALL_TOUCH * (Math.abs(ax) + Math.abs(ay) + bodies.radius[a]);
-        if (pushes && gap <= rounding) {
+        pushing.fromWall(this, bodies, a, nx, ny, gap, time, sink);
+    }
+
+    /** The same off a wall, along the normal. */
+    void exchangeWithWall(Bodies bodies, int a, double restitution) {
+        double speed = high;
+        withRestitution(restitution);
+        pushAlongNormal(bodies, a);
+        multiply(high, low, bodies.mass[a], 0);
+        impulse = high + low;
+        energy = impulse * speed * (restitution - 1) / 2;
+    }
+
+    final void pushAlongNormal(Bodies bodies, int a) {
+        push(bodies, a, -high, -low, normalX.high(), normalX.low(), normalY.high(), normalY.low());
+    }
+
+    @Override
+    void settleAtWall(Bodies bodies, int a, double nx, double ny, double gap) {
+    }
+
+    @Override
+    void pushFromWall(Bodies bodies, int a, double nx, double ny, double gap, double time, TurnSink sink) {
+        double rounding = WALL_TOUCH * (Math.abs(bodies.x[a]) + Math.abs(bodies.y[a]) + bodies.radius[a]);
+        if (gap <= rounding) {
             pushApart(bodies, a, (gap < -rounding ? gap : 0) - 2 * pushOut, time, sink);
         }
     }
 
     /** Along the line between the stored places, for it is there that they must not approach. */
-    private void endApproach(Bodies bodies, int a, int b, double speeds) {
+    @Override
+    void endApproach(Bodies bodies, int a, int b, double nx, double ny, double speeds) {
         if (!pairs.approach(bodies, a, b)) {
             return;
         }
@@ -245,7 +220,8 @@ final class ExactCollision extends CarefulCollision {
         }
     }
 
-    private void pushApart(Bodies bodies, int a, int b, double time, TurnSink sink) {
+    @Override
+    void pushApart(Bodies bodies, int a, int b, double nx, double ny, double ofCentres, double time, TurnSink sink) {
         double touch = bodies.radius[a] + bodies.radius[b];
         double distance = coincident ? 0 : Math.scalb(length, scale);
         double distanceLow = coincident ? 0 : Math.scalb(lengthLow, scale);

@@ -58,7 +58,7 @@ public final class QueueAdvance implements Advance {
             ExactWalls exactWalls = new ExactWalls(walls);
             ExactFlight rounded = new ExactFlight();
             search = new ExactQueueSearch(crowd, events, walls, pairs, exactPairs, exactWalls);
-            collision = new ExactCollision(law, walls, exactPairs, exactWalls, rounded);
+            collision = ExactCollision.of(law, walls, exactPairs, exactWalls, rounded);
             touch = QueueTouch.of(crowd, parts, collision, rounded, walls);
         } else {
             search = new QueueSearch(crowd, events, parts.arithmetic(), walls, pairs);
