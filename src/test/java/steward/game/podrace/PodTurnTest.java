@@ -200,7 +200,7 @@ class PodTurnTest {
         assertTrue(asideOfFar > 100_000);
     }
 
-    private static boolean meets(double dx, double dy, double wx, double wy) {
+    static boolean meets(double dx, double dy, double wx, double wy) {
         if (Math.sqrt(dx * dx + dy * dy) <= TOUCH) {
             return true;
         }
