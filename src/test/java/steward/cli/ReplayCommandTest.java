@@ -116,7 +116,8 @@ class ReplayCommandTest {
         Path file = folder.resolve("cut.jsonl");
         byte[] bytes = duel.bytes();
         int last = -1;
-        for (int size = 1; size < bytes.length; size += size < 40 ? 1 : 211) {
+        int complete = bytes.length - 1;           // all but the last line end, see the next test
+        for (int size = 1; size < complete; size += size < 40 ? 1 : 211) {
             Files.write(file, Arrays.copyOf(bytes, size));
             Cli cli = replay(file, "--verify");
             assertEquals(ExitStatus.DONE, cli.status(), size + ": " + cli.err() + cli.out());
