@@ -9,22 +9,25 @@ import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;
 import org.openjdk.jmh.annotations.Measurement;
 import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OperationsPerInvocation;
 import org.openjdk.jmh.annotations.OutputTimeUnit;
 import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
-import steward.game.Game;
 import steward.game.GameSetup;
 import steward.game.GameTypes;
+import steward.game.podrace.PodRace;
 import steward.game.podrace.PodRaceType;
+import steward.game.podrace.PodState;
 import steward.replay.ReplayHeader;
 import steward.replay.ReplayWriter;
 import steward.scene.SceneFiles;
 import steward.scene.SceneText;
 
 /**
- * What one line costs on the official scene: a player's turn frame, an answer, a turn of the replay without impacts:
+ * What one line costs on the official scene: a player's turn frame, an answer, a turn of the replay without impacts.
+ * Before every frame and turn all pods have moved, since what has not is not written anew:
  * {@code ./gradlew jmh -Pbench=Frame}; add {@code -prof gc} to the options to see what is allocated.
  */
 @State(Scope.Benchmark)
@@ -42,32 +45,53 @@ public class FrameBenchmark {
     private Dialogue dialogue;
     private ReplayWriter replay;
     private Turn turn;
+    private PodRace race;
+    private final PodState[][] states = new PodState[256][];
+    private int next;
 
     /** Some turns into a race, so that headings are no whole numbers. */
     @Setup
     public void play() {
         SceneText scene = SceneFiles.load("mad-pod-racing");
         GameSetup setup = new GameTypes(List.of(new PodRaceType())).open(scene.text(), scene.source());
-        Game game = setup.create(1);
-        dialogue = Dialogue.of(Protocol.JSON, setup, game, setup.codec(game));
+        race = (PodRace) setup.create(1);
+        dialogue = Dialogue.of(Protocol.JSON, setup, race, setup.codec(race));
         replay = new ReplayWriter(OutputStream.nullOutputStream(), new ReplayHeader(setup.scene().gameId(),
             setup.scene().json(), 1, List.of("a", "b"), List.of("a", "b"), 1));
-        replay.start(game, setup.codec(game));
+        replay.start(race, setup.codec(race));
         for (int k = 0; k < 10; k++) {
             answer();
             dialogue.readAnswer(1, ANSWER, ANSWER.length);
-            game.play();
+            race.play();
         }
         answer();
         dialogue.readAnswer(1, ANSWER, ANSWER.length);
+        for (int k = 0; k < states.length; k++) {
+            states[k] = new PodState[race.settings().pods()];
+            for (int pod = 0; pod < states[k].length; pod++) {
+                PodState now = race.pod(pod);
+                states[k][pod] = new PodState(now.x() + 3 * k, now.y() - 2 * k, now.vx() + k, now.vy() - k,
+                    now.heading() + k, 0, true, now.passed());
+            }
+        }
         turn = Turn.of(11, 2);
         turn.answer(0, null, null, 1000);
         turn.answer(1, null, null, 1000);
     }
 
+    /** Puts all pods somewhere else. */
+    private void move() {
+        PodState[] pods = states[next++ & states.length - 1];
+        for (int pod = 0; pod < pods.length; pod++) {
+            race.setPod(pod, pods[pod]);
+        }
+    }
+
     @Benchmark
+    @OperationsPerInvocation(2)
     public int frame() {
-        return dialogue.turn(0).size();
+        move();
+        return dialogue.turn(0).size() + dialogue.turn(1).size();
     }
 
     @Benchmark
@@ -77,6 +101,7 @@ public class FrameBenchmark {
 
     @Benchmark
     public ReplayWriter replayTurn() {
+        move();
         replay.commands(turn);
         replay.played(turn);
         return replay;

@@ -2,6 +2,8 @@ package steward.bench;
 
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
+import steward.game.Game;
 import steward.game.GameSetup;
 
 /** The parts of the table that every game has. */
@@ -15,9 +17,14 @@ public final class Sections {
         return new MatchSection(kit, threads, games);
     }
 
-    /** Lines of one turn; {@code answer} must be a good one. */
-    public static Section frames(MatchKit kit, String answer) {
-        return new FrameSection(kit, answer);
+    /**
+     * Lines of one turn.
+     *
+     * @param next   puts a game into another state, at next to no cost
+     * @param answer a good one
+     */
+    public static Section frames(MatchKit kit, Consumer<Game> next, String answer) {
+        return new FrameSection(kit, next, answer);
     }
 
     /** Replays. */

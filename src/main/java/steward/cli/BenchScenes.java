@@ -38,7 +38,7 @@ final class BenchScenes {
         List<Section> sections = new ArrayList<>();
         sections.add(Sections.matches(kit, threads, games));
         sections.add(Sections.growth(kit, growth()));
-        sections.add(Sections.frames(kit, ANSWER));
+        sections.add(Sections.frames(kit, new BenchStates(kit.setup()), ANSWER));
         sections.add(Sections.verify(kit));
         sections.add(Sections.processes(kit, scene(TURNS_LEFT, TURNS_LEFT.replace("100", "500")),
             scene(MAXIMUM, MAXIMUM.replace("500", "1")),

@@ -61,21 +61,31 @@ public final class JsonNumbers {
      * @throws IllegalStateException if it is infinite or NaN: no frame and no replay may ever hold that
      */
     public static void write(JsonGenerator out, double value) {
-        long whole = (long) value;
-        if (whole == value && Math.abs(value) <= EXACT && (whole != 0 || 1 / value > 0)) {
-            out.writeNumber(whole);
+        if (isWhole(value)) {
+            out.writeNumber((long) value);
             return;
         }
-        if (!Double.isFinite(value)) {
-            throw new IllegalStateException("the number " + value + " cannot be written: the state is damaged");
-        }
         char[] digits = DIGITS.get();
-        int count = ShortestDecimal.write(value, digits);
+        int count = ShortestDecimal.write(finite(value), digits);
         if (count == ShortestDecimal.NOT_HERE) {
             out.writeNumber(value);
         } else {
             out.writeNumber(digits, 0, count);
         }
+    }
+
+    /** Whether a number is written without a fraction: -0.0 is not, for the sake of its sign. */
+    static boolean isWhole(double value) {
+        long whole = (long) value;
+        return whole == value && Math.abs(value) <= EXACT && (whole != 0 || 1 / value > 0);
+    }
+
+    /** The number itself, or an exception. */
+    static double finite(double value) {
+        if (!Double.isFinite(value)) {
+            throw new IllegalStateException("the number " + value + " cannot be written: the state is damaged");
+        }
+        return value;
     }
 
     /** A field with a finite number, or null for NaN. */

@@ -5,6 +5,7 @@ import java.util.Locale;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.JsonNumbers;
+import steward.game.RawJson;
 import steward.game.TurnEvent;
 import steward.physics.Impact;
 import steward.physics.TurnLog;
@@ -23,15 +24,6 @@ final class OutcomeJson {
     /** The names that turns write, encoded once. */
     private static final class Name {
         static final SerializedString TIME = new SerializedString("time");
-        static final SerializedString AX = new SerializedString("ax");
-        static final SerializedString AY = new SerializedString("ay");
-        static final SerializedString BX = new SerializedString("bx");
-        static final SerializedString BY = new SerializedString("by");
-        static final SerializedString IMPULSE = new SerializedString("impulse");
-        static final SerializedString ENERGY = new SerializedString("energy");
-        static final SerializedString A = new SerializedString("a");
-        static final SerializedString WALL = new SerializedString("wall");
-        static final SerializedString B = new SerializedString("b");
         static final SerializedString IMPACTS_IN_ALL = new SerializedString("impactsInAll");
         static final SerializedString ID = new SerializedString("id");
         static final SerializedString IMPACT_LIMIT = new SerializedString("impactLimit");
@@ -43,11 +35,22 @@ final class OutcomeJson {
         static final SerializedString HASH = new SerializedString("hash");
     }
 
-    private OutcomeJson() {
-    }
+    private static final byte[] TIME = RawJson.text("{\"time\":");
+    private static final byte[] A = RawJson.text(",\"a\":");
+    private static final byte[] B = RawJson.text(",\"b\":");
+    private static final byte[] WALL = RawJson.text(",\"wall\":");
+    private static final byte[] AX = RawJson.text(",\"ax\":");
+    private static final byte[] AY = RawJson.text(",\"ay\":");
+    private static final byte[] BX = RawJson.text(",\"bx\":");
+    private static final byte[] BY = RawJson.text(",\"by\":");
+    private static final byte[] IMPULSE = RawJson.text(",\"impulse\":");
+    private static final byte[] ENERGY = RawJson.text(",\"energy\":");
+    private static final byte[] KNOT = RawJson.text("[");
+
+    private final RawJson text = new RawJson();
 
     /** One object: the outcome of the turn just played. */
-    static void write(JsonGenerator out, Game game, FrameCodec codec) {
+    void write(JsonGenerator out, Game game, FrameCodec codec) {
         out.writeStartObject();
         TurnLog log = game.log();
         writeImpacts(out, log);
@@ -79,29 +82,14 @@ final class OutcomeJson {
         JsonNumbers.writeHash(out, game.hash());
     }
 
-    private static void writeImpacts(JsonGenerator out, TurnLog log) {
+    private void writeImpacts(JsonGenerator out, TurnLog log) {
         if (log.impacts() == 0) {
             return;
         }
         out.writeName(Name.IMPACTS);
         out.writeStartArray();
         for (int k = 0; k < Math.min(MOST, log.impacts()); k++) {
-            Impact impact = log.impact(k);
-            out.writeStartObject();
-            JsonNumbers.write(out, Name.TIME, impact.time());
-            JsonNumbers.write(out, Name.A, impact.a());
-            if (impact.isWall()) {
-                JsonNumbers.write(out, Name.WALL, impact.wall());
-            } else {
-                JsonNumbers.write(out, Name.B, impact.b());
-            }
-            JsonNumbers.write(out, Name.AX, impact.ax());
-            JsonNumbers.write(out, Name.AY, impact.ay());
-            JsonNumbers.write(out, Name.BX, impact.bx());
-            JsonNumbers.write(out, Name.BY, impact.by());
-            JsonNumbers.write(out, Name.IMPULSE, impact.impulse());
-            JsonNumbers.write(out, Name.ENERGY, impact.energy());
-            out.writeEndObject();
+            out.writeRawValue(impact(log.impact(k)));
         }
         out.writeEndArray();
         if (log.impacts() > MOST) {
@@ -109,8 +97,19 @@ final class OutcomeJson {
         }
     }
 
+    private RawJson impact(Impact impact) {
+        text.begin(TIME).add(impact.time()).add(A).add(impact.a());
+        if (impact.isWall()) {
+            text.add(WALL).add(impact.wall());
+        } else {
+            text.add(B).add(impact.b());
+        }
+        return text.add(AX).add(impact.ax()).add(AY).add(impact.ay()).add(BX).add(impact.bx()).add(BY).add(impact.by())
+            .add(IMPULSE).add(impact.impulse()).add(ENERGY).add(impact.energy()).add('}');
+    }
+
     /** Per body that was touched, in the order of first touch: its id and its corners (time, x, y). */
-    private static void writePaths(JsonGenerator out, Game game, TurnLog log) {
+    private void writePaths(JsonGenerator out, Game game, TurnLog log) {
         if (log.knots() == 0) {
             return;
         }
@@ -125,11 +124,8 @@ final class OutcomeJson {
                 out.writeStartArray();
                 for (int k = first; k < knots; k++) {
                     if (log.knotBody(k) == log.knotBody(first)) {
-                        out.writeStartArray();
-                        JsonNumbers.write(out, log.knotTime(k));
-                        JsonNumbers.write(out, log.knotX(k));
-                        JsonNumbers.write(out, log.knotY(k));
-                        out.writeEndArray();
+                        out.writeRawValue(text.begin(KNOT).add(log.knotTime(k)).add(',').add(log.knotX(k)).add(',')
+                            .add(log.knotY(k)).add(']'));
                     }
                 }
                 out.writeEndArray();

@@ -41,6 +41,7 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
     /** Stays open from line to line, which costs nothing. */
     private final JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), line);
     private final StateHash hash = new StateHash();
+    private final OutcomeJson outcome = new OutcomeJson();
     private Game game;
     private FrameCodec codec;
 
@@ -145,7 +146,7 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
     public void played(Turn turn) {
         out.writeName(Name.OUTCOME);
         if (observations == null) {
-            OutcomeJson.write(out, game, codec);
+            outcome.write(out, game, codec);
         } else {
             out.writeStartObject();
             observations.writeOutcome(out, turn.number());

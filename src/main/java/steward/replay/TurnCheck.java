@@ -34,6 +34,7 @@ final class TurnCheck {
     private final Resimulation again;
     private final LineBuffer outcome = new LineBuffer();
     private final JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), outcome);
+    private final OutcomeJson json = new OutcomeJson();
     private final StateHash hash = new StateHash();
 
     /** What came of looking at a line. */
@@ -81,7 +82,7 @@ final class TurnCheck {
     /** Writes the outcome of the turn last played; the bytes count up to {@link #outcomeLength}. */
     byte[] outcome() {
         outcome.reset();
-        OutcomeJson.write(out, again.game(), again.codec());
+        json.write(out, again.game(), again.codec());
         out.flush();
         return outcome.bytes();
     }

@@ -14,34 +14,17 @@ import tools.jackson.core.io.SerializedString;
 /** The frames of the pod race, its state in replays and its drawing, as JSON. Answers are read by {@link PodAnswer}. */
 final class PodRaceJson implements FrameCodec {
 
-    private static final double HALF_TURN_DEGREES = 180;
-    private static final double FULL_TURN_DEGREES = 360;
-
     /** The names that every turn writes, encoded once. */
     private static final class Name {
         static final SerializedString TURNS_LEFT = new SerializedString("turnsLeft");
-        static final SerializedString NEXT_CHECKPOINT = new SerializedString("nextCheckpoint");
-        static final SerializedString LAP = new SerializedString("lap");
-        static final SerializedString SHIELD_TIMER = new SerializedString("shieldTimer");
-        static final SerializedString ID = new SerializedString("id");
-        static final SerializedString PLAYER = new SerializedString("player");
-        static final SerializedString BOOST_LEFT = new SerializedString("boostLeft");
-        static final SerializedString HEADING = new SerializedString("heading");
-        static final SerializedString X = new SerializedString("x");
-        static final SerializedString Y = new SerializedString("y");
-        static final SerializedString VX = new SerializedString("vx");
-        static final SerializedString VY = new SerializedString("vy");
         static final SerializedString PODS = new SerializedString("pods");
-        static final SerializedString THRUST = new SerializedString("thrust");
-        static final SerializedString SHIELD = new SerializedString("shield");
-        static final SerializedString BOOST = new SerializedString("boost");
-        static final SerializedString PASSED = new SerializedString("passed");
         static final SerializedString BODIES = new SerializedString("bodies");
     }
 
     private final PodRace race;
     private final Scene scene;
     private final PodAnswer answer;
+    private final PodTexts texts;
     private final String[] messages;
 
     PodRaceJson(PodRace race, Scene scene) {
@@ -49,6 +32,7 @@ final class PodRaceJson implements FrameCodec {
         this.scene = scene;
         answer = new PodAnswer(race.settings().podsPerPlayer(), race.settings().maximumThrust());
         messages = new String[race.players()];
+        texts = new PodTexts(race);
     }
 
     @Override
@@ -101,35 +85,9 @@ final class PodRaceJson implements FrameCodec {
         out.writeName(Name.PODS);
         out.writeStartArray();
         for (int pod = 0; pod < race.settings().pods(); pod++) {
-            out.writeStartObject();
-            writeMotion(out, pod);
-            JsonNumbers.writeOrNull(out, Name.HEADING, degrees(race.heading(pod)));
-            JsonNumbers.write(out, Name.NEXT_CHECKPOINT, race.nextCheckpoint(pod));
-            JsonNumbers.write(out, Name.LAP, race.lap(pod));
-            if (race.playerOf(pod) == player) {
-                JsonNumbers.write(out, Name.SHIELD_TIMER, race.shieldTimer(pod));
-                JsonNumbers.write(out, Name.BOOST_LEFT, race.boostLeft(pod));
-            }
-            out.writeEndObject();
+            out.writeRawValue(texts.view(pod, race.playerOf(pod) == player));
         }
         out.writeEndArray();
-    }
-
-    private void writeMotion(JsonGenerator out, int pod) {
-        Bodies bodies = race.bodies();
-        JsonNumbers.write(out, Name.ID, bodies.id(pod));
-        JsonNumbers.write(out, Name.PLAYER, race.playerOf(pod));
-        JsonNumbers.write(out, Name.X, bodies.x[pod]);
-        JsonNumbers.write(out, Name.Y, bodies.y[pod]);
-        JsonNumbers.write(out, Name.VX, bodies.vx[pod]);
-        JsonNumbers.write(out, Name.VY, bodies.vy[pod]);
-    }
-
-    /** A heading as bots see it: degrees in [0, 360), NaN while unset. */
-    static double degrees(double radians) {
-        double degrees = radians * HALF_TURN_DEGREES / Math.PI % FULL_TURN_DEGREES;
-        double wrapped = degrees < 0 ? degrees + FULL_TURN_DEGREES : degrees;
-        return wrapped >= FULL_TURN_DEGREES ? 0 : wrapped + 0.0;
     }
 
     @Override
@@ -153,20 +111,7 @@ final class PodRaceJson implements FrameCodec {
 
     @Override
     public void writeCommand(JsonGenerator out, int player) {
-        int first = player * race.settings().podsPerPlayer();
-        out.writeStartArray();
-        for (int pod = first; pod < first + race.settings().podsPerPlayer(); pod++) {
-            out.writeStartObject();
-            JsonNumbers.write(out, Name.X, race.targetX(pod));
-            JsonNumbers.write(out, Name.Y, race.targetY(pod));
-            switch (race.thrust(pod)) {
-                case PodRace.SHIELD -> JsonNumbers.write(out, Name.SHIELD, true);
-                case PodRace.BOOST -> JsonNumbers.write(out, Name.BOOST, true);
-                default -> JsonNumbers.write(out, Name.THRUST, race.thrust(pod));
-            }
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+        out.writeRawValue(texts.command(player));
     }
 
     @Override
@@ -186,13 +131,7 @@ final class PodRaceJson implements FrameCodec {
         out.writeName(Name.BODIES);
         out.writeStartArray();
         for (int pod = 0; pod < race.settings().pods(); pod++) {
-            out.writeStartObject();
-            writeMotion(out, pod);
-            JsonNumbers.writeOrNull(out, Name.HEADING, race.heading(pod));
-            JsonNumbers.write(out, Name.SHIELD_TIMER, race.shieldTimer(pod));
-            JsonNumbers.write(out, Name.BOOST_LEFT, race.boostLeft(pod));
-            JsonNumbers.write(out, Name.PASSED, race.passed(pod));
-            out.writeEndObject();
+            out.writeRawValue(texts.state(pod));
         }
         out.writeEndArray();
         out.writeName(Name.TURNS_LEFT);

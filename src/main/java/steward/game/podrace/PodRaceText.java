@@ -79,7 +79,7 @@ final class PodRaceText implements TextCodec {
 
     /** Whole degrees, 0..360 after wrapping and rounding; -1 while unset. */
     static long angle(double heading) {
-        return Double.isNaN(heading) ? -1 : Math.round(PodRaceJson.degrees(heading));
+        return Double.isNaN(heading) ? -1 : Math.round(PodTexts.degrees(heading));
     }
 
     private void writeSinglePod(StringBuilder out, int player) {
@@ -106,7 +106,7 @@ final class PodRaceText implements TextCodec {
         if (Double.isNaN(heading)) {
             return 0;
         }
-        double degrees = (Math.toDegrees(StrictMath.atan2(dy, dx)) - PodRaceJson.degrees(heading)) % FULL_TURN;
+        double degrees = (Math.toDegrees(StrictMath.atan2(dy, dx)) - PodTexts.degrees(heading)) % FULL_TURN;
         double wrapped = degrees > FULL_TURN / 2 ? degrees - FULL_TURN
             : degrees < -FULL_TURN / 2 ? degrees + FULL_TURN : degrees;
         return Math.round(wrapped);

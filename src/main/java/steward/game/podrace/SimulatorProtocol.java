@@ -99,7 +99,7 @@ public final class SimulatorProtocol {
             append(lines, state.y()).append(' ');
             append(lines, state.vx()).append(' ');
             append(lines, state.vy()).append(' ');
-            append(lines, PodRaceJson.degrees(state.heading())).append(' ');
+            append(lines, PodTexts.degrees(state.heading())).append(' ');
             lines.append(race.nextCheckpoint(pod)).append(' ').append(Math.max(0, state.shieldTimer() - 1)).append(' ')
                 .append(state.boostLeft() ? 0 : 1).append('\n');
         }
