@@ -169,10 +169,12 @@ class BenchBotsTest {
         Dialogue dialogue = Dialogue.of(Protocol.JSON, kit.setup(), game, kit.setup().codec(game));
         byte[] answer = "{\"pods\":[{\"x\":8000,\"y\":4500,\"thrust\":50},{\"x\":-80,\"y\":45,\"shield\":true}]}"
             .getBytes(StandardCharsets.UTF_8);
+        BenchStates states = new BenchStates(kit.setup());
         long least = Long.MAX_VALUE;
         for (int count = 0; count < 30 && least > 0; count++) {
             long before = threads.getCurrentThreadAllocatedBytes();
             for (int k = 0; k < 300; k++) {
+                states.accept(game);
                 assertTrue(dialogue.turn(k % 2).size() > 300);
                 assertTrue(dialogue.readAnswer(k % 2, answer, answer.length) == null);
             }

@@ -1,6 +1,7 @@
 package steward.replay;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
@@ -8,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.game.JsonNumbers;
+import steward.game.RawJson;
 import steward.numerics.SplitMix64;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.ObjectWriteContext;
@@ -19,12 +21,18 @@ import tools.jackson.core.ObjectWriteContext;
  */
 class NumberTextTest {
 
+    private static final byte[] NOTHING = {};
+    private static final RawJson RAW = new RawJson();
+
+    /** As a generator writes it, which is as it is spelled byte by byte. */
     private static String text(double value) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), bytes)) {
             JsonNumbers.write(out, value);
         }
-        return bytes.toString(StandardCharsets.UTF_8);
+        String text = bytes.toString(StandardCharsets.UTF_8);
+        assertEquals(text, RAW.begin(NOTHING).add(value).getValue());
+        return text;
     }
 
     @ParameterizedTest
@@ -60,6 +68,60 @@ class NumberTextTest {
             if (Double.isFinite(value)) {
                 assertEquals(value, Double.parseDouble(text(value)));
             }
+        }
+    }
+
+    @Test
+    void everydayNumbersReadBackToo() {
+        SplitMix64 random = new SplitMix64(2);
+        for (int k = 0; k < 100_000; k++) {
+            double value = (random.nextLong() >> 11) * 0x1p-40;
+            assertEquals(value, Double.parseDouble(text(value)));
+            assertEquals(Math.rint(value), Double.parseDouble(text(Math.rint(value))));
+        }
+    }
+
+    /** Every number of digits, and their ends. */
+    @Test
+    void wholeNumbersAreSpelledDigitByDigit() {
+        for (long power = 1; power < 1_000_000_000_000_000_000L; power *= 10) {
+            for (long value : new long[] {power - 1, power, power + 1, 7 * power, -power, 1 - power}) {
+                assertEquals(Long.toString(value), RAW.begin(NOTHING).add(value).getValue());
+            }
+        }
+        for (long value : new long[] {Long.MAX_VALUE, Long.MIN_VALUE, Long.MIN_VALUE + 1, 1L << 31, -1L << 31}) {
+            assertEquals(Long.toString(value), RAW.begin(NOTHING).add(value).getValue());
+        }
+    }
+
+    /** More than a generator has room for, at any place of its buffer. */
+    @Test
+    void aLongValueGoesWholeIntoALine() {
+        RAW.begin(RawJson.text("[0"));
+        for (int k = 1; k < 5000; k++) {
+            RAW.add(',').add(k);
+        }
+        RAW.add(']');
+        for (int before : new int[] {0, 1, 4000, 7990, 8000, 9000}) {
+            ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+            try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), bytes)) {
+                out.writeStartArray();
+                out.writeString("x".repeat(before));
+                out.writeRawValue(RAW);
+                out.writeRawValue(RAW);
+                out.writeEndArray();
+            }
+            assertEquals("[\"" + "x".repeat(before) + "\"," + RAW.getValue() + "," + RAW.getValue() + "]",
+                bytes.toString(StandardCharsets.UTF_8));
+        }
+    }
+
+    @Test
+    void aDamagedStateIsNotSpelled() {
+        for (double value : new double[] {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY}) {
+            IllegalStateException refusal = assertThrows(IllegalStateException.class,
+                () -> RAW.begin(NOTHING).add(value));
+            assertEquals("the number " + value + " cannot be written: the state is damaged", refusal.getMessage());
         }
     }
 
