@@ -22,8 +22,7 @@ import steward.scene.Nearest;
     footer = {"", "Ratios are between figures of one run and mean more than the figures.",
         "", "Examples:", "  steward bench --quick", "  steward bench --only crowds --bodies 100 --bodies 1000",
         "  steward bench --long --out results",
-        "", "Exit status: 0 done; 1 something could not be measured, or the run was interrupted; 2 the call cannot be"
-        + " used."})
+        "", "Exit status: 0 done; 1 something could not be measured; 2 the call cannot be used; 130 Ctrl-C."})
 final class BenchCommand implements Callable<Integer> {
 
     private static final int MOST_THREADS = 256;

@@ -75,7 +75,7 @@ final class OutputFiles {
                 throw new InputException(folder + ": cannot be written into: no permission");
             }
         } catch (FileAlreadyExistsException problem) {
-            throw new InputException(folder + ": found a file, expected a folder for the replays");
+            throw new InputException(folder + ": found a file, expected a folder, there or to be made");
         } catch (IOException problem) {
             throw new InputException(folder + ": cannot be made: " + reason(folder, problem));
         }

@@ -24,7 +24,7 @@ import steward.scene.Nearest;
     footer = {"", "Examples:", "  steward stability",
         "  steward stability --quick --case masses --case 'extreme speeds'",
         "  steward stability --long --out results",
-        "", "Exit status: 0 every demand is met; 1 one is not, or the run was interrupted; 2 the call cannot be used."})
+        "", "Exit status: 0 every demand is met; 1 one is not; 2 the call cannot be used; 130 Ctrl-C."})
 final class StabilityCommand implements Callable<Integer> {
 
     private final Streams streams;

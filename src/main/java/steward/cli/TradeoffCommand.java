@@ -25,7 +25,7 @@ import steward.lab.TradeoffScene;
     footer = {"", "Examples:", "  steward tradeoff --out results",
         "  steward tradeoff --quick --scene bullets --scene my-scene.json",
         "  steward tradeoff --calibrate my-scene.json",
-        "", "Exit status: 0 done; 1 the run was interrupted; 2 the call or a scene cannot be used."})
+        "", "Exit status: 0 done; 2 the call or a scene cannot be used; 130 Ctrl-C: what was measured is kept."})
 final class TradeoffCommand implements Callable<Integer> {
 
     private final Streams streams;

@@ -17,7 +17,6 @@ final class TradeoffPage {
     private static final String EXACT = "event/exact";
 
     private static final String MEANING = """
-
         ## What was measured
 
         Cost is CPU time of one thread, the median of interleaved rounds in one JVM; compare ratios rather than
@@ -41,12 +40,12 @@ final class TradeoffPage {
         out.append("# Speed against accuracy\n\nWritten by `steward tradeoff` on ").append(result.date())
             .append(": ").append(result.machine()).append(".\n\n![Position error against cost](")
             .append(TradeoffPlot.PNG).append(")\n\n");
-        out.append("## How to choose\n\n");
         int number = 1;
         for (String sentence : page.sentences()) {
-            out.append(number++).append(". ").append(sentence).append('\n');
+            out.append(number == 1 ? "## How to choose\n\n" : "").append(number++).append(". ").append(sentence)
+                .append('\n');
         }
-        out.append(MEANING);
+        out.append(number == 1 ? "" : "\n").append(MEANING);
         for (String scene : result.scenes()) {
             page.table(scene, out);
         }

@@ -78,7 +78,7 @@ public record AccuracyFigures(String source, String physics, String key, String 
      * @throws SceneException if it is no such file, or of another format
      */
     public static AccuracyFigures read(String text, String source) {
-        Block root = new Block(source, "", JsonTree.read(text, source));
+        Block root = new Block(source, "", JsonTree.read(text, source, "the figures of a scene's accuracy"));
         int format = root.integer("format", 0, Integer.MAX_VALUE);
         if (format != FORMAT) {
             throw root.error("format", Integer.toString(format), FORMAT + ", the one that this version reads");

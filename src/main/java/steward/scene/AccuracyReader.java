@@ -25,7 +25,8 @@ final class AccuracyReader {
     static AccuracyChoice read(Block scene, Optional<Path> figures, Accuracy instead) {
         Block block = scene.block("accuracy");
         if (block.isThere(ERROR) || block.isThere(SHARE)) {
-            AccuracyDemand demand = new AccuracyDemand(block.positive(ERROR), share(block));
+            AccuracyDemand demand = new AccuracyDemand(positive(block, ERROR, Double.POSITIVE_INFINITY),
+                positive(block, SHARE, 1));
             block.done();
             return instead == null ? AccuracyFigures.choose(demand, scene, figures)
                 : called(instead, demand.text());
@@ -42,12 +43,13 @@ final class AccuracyReader {
         return new AccuracyChoice(instead, false, "as the call says; the scene's own is " + inFile);
     }
 
-    private static double share(Block block) {
-        double share = block.number(SHARE, 0, 1);
-        if (share == 0) {
-            throw block.error(SHARE, block.shown(SHARE), "a number above 0, up to 1");
+    /** However small: a scene of short lengths may ask for less than others can have. */
+    private static double positive(Block block, String name, double high) {
+        double value = block.number(name, 0, high);
+        if (value == 0) {
+            throw block.error(name, block.shown(name), "a number above 0" + (high == 1 ? ", up to 1" : ""));
         }
-        return share;
+        return value;
     }
 
     private static Accuracy rung(Block block) {

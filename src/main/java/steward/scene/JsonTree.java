@@ -26,21 +26,24 @@ final class JsonTree {
     private static final JsonFactory JSON = JsonFactory.builder().enable(JsonWriteFeature.ESCAPE_NON_ASCII).build();
 
     private final String source;
+    private final String what;
     private final JsonParser json;
 
-    private JsonTree(String source, JsonParser json) {
+    private JsonTree(String source, String what, JsonParser json) {
         this.source = source;
+        this.what = what;
         this.json = json;
     }
 
     /**
      * @param text   one JSON object
      * @param source names the text in errors
+     * @param what   says there what the text should be, as in {@code a scene}
      * @throws SceneException if it is not JSON, not one object, or an object names a field twice
      */
-    static JsonObject read(String text, String source) {
+    static JsonObject read(String text, String source, String what) {
         try (JsonParser json = JSON.createParser(ObjectReadContext.empty(), text)) {
-            return new JsonTree(source, json).file();
+            return new JsonTree(source, what, json).file();
         }
     }
 
@@ -59,13 +62,14 @@ final class JsonTree {
         } catch (JacksonException e) {
             Place place = Place.of(e.getLocation() == null ? json.currentLocation() : e.getLocation());
             String why = JsonProblem.words(e);
-            throw SceneException.at(source, place, "", "found malformed JSON (" + why + "), expected a scene in JSON");
+            throw SceneException.at(source, place, "", "found malformed JSON (" + why + "), expected " + what
+                + " in JSON");
         }
     }
 
     private JsonObject onlyObject() {
         if (json.nextToken() == null) {
-            throw SceneException.at(source, new Place(1, 1), "", "found an empty file, expected a scene in JSON");
+            throw SceneException.at(source, new Place(1, 1), "", "found an empty file, expected " + what + " in JSON");
         }
         JsonValue value = value("");
         if (!(value instanceof JsonObject)) {

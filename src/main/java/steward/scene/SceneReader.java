@@ -35,7 +35,7 @@ public final class SceneReader {
      * @param instead a rung in place of what the file says, or {@code null}
      */
     public static Scene read(SceneText text, Accuracy instead) {
-        Block root = new Block(text.source(), "", JsonTree.read(text.text(), text.source()));
+        Block root = new Block(text.source(), "", JsonTree.read(text.text(), text.source(), "a scene"));
         String name = root.text("name");
         if (name.isBlank() || name.chars().anyMatch(Character::isISOControl)) {
             throw root.error("name", root.shown("name"), "a name without control characters");

@@ -19,6 +19,9 @@ import tools.jackson.databind.json.JsonMapper;
 /** {@code steward stability}: the table, its files, and the golden hash under other JVM flags. */
 class StabilityCommandTest {
 
+    /** The number of the signal that {@code Process.destroy} sends; Ctrl-C is 2. */
+    private static final int TERMINATED = 15;
+
     @TempDir
     private Path folder;
 
@@ -98,7 +101,7 @@ class StabilityCommandTest {
             }
         } finally {
             run.destroy();
-            run.waitFor();
+            assertEquals(128 + TERMINATED, run.waitFor());
         }
         int lines = Files.readAllLines(out.resolve("stability.csv")).size();
         assertTrue(lines >= 4, "lines " + lines);

@@ -21,6 +21,9 @@ import tools.jackson.databind.json.JsonMapper;
 /** {@code steward tradeoff}: the table, its files, and what is refused. */
 class TradeoffCommandTest {
 
+    /** The number of the signal that {@code Process.destroy} sends; Ctrl-C is 2. */
+    private static final int TERMINATED = 15;
+
     @TempDir
     private Path folder;
 
@@ -89,7 +92,7 @@ class TradeoffCommandTest {
             }
         } finally {
             run.destroy();
-            run.waitFor();
+            assertEquals(128 + TERMINATED, run.waitFor());
         }
         assertEquals(1 + Accuracy.ladder().size(), Files.readAllLines(out.resolve("tradeoff.csv")).size());
         JsonNode rows = JsonMapper.shared().readTree(Files.readString(out.resolve("tradeoff.json"))).get("rows");

@@ -246,6 +246,7 @@ class TradeoffTest {
         String page = TradeoffPage.text(new TradeoffResult("a machine", "2030-01-02", ladder("my scene"), List.of()));
         assertTrue(page.contains("### my scene"), page);
         assertFalse(page.contains("\n1. "), page);
+        assertFalse(page.contains("How to choose"), page);
         assertFalse(page.contains("### Headings"), page);
         assertNull(new TradeoffResult("", "", List.of(), List.of()).row("a", "b"));
     }

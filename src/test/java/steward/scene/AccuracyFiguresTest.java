@@ -127,8 +127,8 @@ class AccuracyFiguresTest {
     @Test
     void aDemandThatNoRungMeetsIsToldTheBest() throws IOException {
         Path kept = calibrated();
-        Path file = write(demand("1e-12", "0.999"));
-        assertEquals(file + ":3:36: accuracy.maxPositionError: found 1e-12, which no rung meets, expected at least "
+        Path file = write(demand("1e-15", "0.999"));
+        assertEquals(file + ":3:36: accuracy.maxPositionError: found 1e-15, which no rung meets, expected at least "
             + "2e-12, the error of the best one, event/exact, in 99.9% of 100000 states (" + kept + ")",
             refusal(file));
     }
@@ -136,9 +136,10 @@ class AccuracyFiguresTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
         "\"maxPositionError\": 0.1 | accuracy.share: found nothing, expected a number 0..1",
-        "\"share\": 0.9 | accuracy.maxPositionError: found nothing, expected above 0",
-        "\"maxPositionError\": 0, \"share\": 0.9 | accuracy.maxPositionError: found 0, expected above 0",
-        "\"maxPositionError\": -1, \"share\": 0.9 | accuracy.maxPositionError: found -1, expected above 0",
+        "\"share\": 0.9 | accuracy.maxPositionError: found nothing, expected a number of at least 0",
+        "\"maxPositionError\": 0, \"share\": 0.9 | accuracy.maxPositionError: found 0, expected a number above 0",
+        "\"maxPositionError\": -1, \"share\": 0.9 | accuracy.maxPositionError: found -1, expected a number of at "
+            + "least 0",
         "\"maxPositionError\": 1, \"share\": 0 | accuracy.share: found 0, expected a number above 0, up to 1",
         "\"maxPositionError\": 1, \"share\": 1.5 | accuracy.share: found 1.5, expected a number 0..1",
         "\"maxPositionError\": 1, \"share\": \"most\" | accuracy.share: found \"most\", expected a number 0..1",
@@ -166,6 +167,15 @@ class AccuracyFiguresTest {
     }
 
     @Test
+    void aFileThatIsCutOffIsSaidToBeNoScene() throws IOException {
+        Path kept = calibrated();
+        Files.writeString(kept, "{");
+        String refusal = refusal(write(demand("1", "0.9")));
+        assertTrue(refusal.startsWith(kept + ":1:2: found malformed JSON ("), refusal);
+        assertTrue(refusal.endsWith("), expected the figures of a scene's accuracy in JSON"), refusal);
+    }
+
+    @Test
     void theKeyIsOfWhatMattersAndNotOfHowItIsSpelt() {
         String key = key(text("\"advance\": \"step\", \"steps\": 1"));
         assertEquals(key, key(demand("1", "1").replace("\"s\"", "\"other\"").replace("1000", "9")
@@ -176,7 +186,7 @@ class AccuracyFiguresTest {
     }
 
     private static String key(String text) {
-        return SceneKey.of(new Block("s", "", JsonTree.read(text, "s")));
+        return SceneKey.of(new Block("s", "", JsonTree.read(text, "s", "a scene")));
     }
 
     @Test

@@ -165,6 +165,6 @@ class BlockTest {
     }
 
     private static Block block(String text) {
-        return new Block("s.json", "", JsonTree.read(text.replace('\'', '"'), "s.json"));
+        return new Block("s.json", "", JsonTree.read(text.replace('\'', '"'), "s.json", "a scene"));
     }
 }
