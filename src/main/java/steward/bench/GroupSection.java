@@ -23,7 +23,12 @@ public record GroupSection(String name, String about, List<Group> groups) implem
 
     @Override
     public int steps(Effort effort) {
-        return groups.stream().mapToInt(group -> group.contenders().size() * (1 + effort.rounds())).sum();
+        return steps(groups.stream().mapToInt(group -> group.contenders().size()).sum(), effort);
+    }
+
+    /** How many steps so many contenders take, in whatever groups. */
+    public static int steps(int contenders, Effort effort) {
+        return contenders * (1 + effort.rounds());
     }
 
     @Override

@@ -20,6 +20,10 @@ final class Meter {
     private final OperatingSystemMXBean system =
         (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
 
+    private long now(Contender.Clock clock) {
+        return clock == Contender.Clock.WALL ? System.nanoTime() : cpu(clock == Contender.Clock.JVM);
+    }
+
     /** CPU time of the calling thread, or of the whole JVM, in nanoseconds. */
     long cpu(boolean all) {
         return all ? system.getProcessCpuTime() : threads.getCurrentThreadCpuTime();
@@ -41,21 +45,21 @@ final class Meter {
             }
         }
         for (int k = 0; k < speeds.length; k++) {
-            bytes[k] = contenders.get(k).threads() ? Double.NaN : bytes(contenders.get(k));
+            bytes[k] = contenders.get(k).clock() == Contender.Clock.THREAD ? bytes(contenders.get(k)) : Double.NaN;
             double median = median(speeds[k]);
             double ratio = k == 0 ? 1 : median / median(speeds[0]);
             rows.accept(new Row(section, contenders.get(k).name(), unit, median, ratio, bytes[k], ""));
         }
     }
 
-    /** Units per second of CPU time, over at least so many milliseconds of it. */
+    /** Units per second by the contender's clock, over at least so many milliseconds. */
     private double speed(Contender contender, long ms) throws Exception {
         long units = 0;
-        long start = cpu(contender.threads());
+        long start = now(contender.clock());
         long now = start;
         while (now - start < ms * NANOS_PER_MS) {
             units += contender.work().run();
-            now = cpu(contender.threads());
+            now = now(contender.clock());
         }
         return NANOS * units / (now - start);
     }

@@ -16,9 +16,9 @@ import steward.bench.Section;
 import steward.lab.TradeoffMachine;
 import steward.scene.Nearest;
 
-/** {@code steward bench}: how fast matches, frames, replays, bot processes and crowds are. */
-@Command(name = "bench", description = "Measures how fast matches, frames, replays, bot processes and crowds of bodies "
-    + "are on this machine, with plain textbook ways to do the same beside them.",
+/** {@code steward bench}: how fast pod turns, matches, frames, replays, bot processes and crowds are. */
+@Command(name = "bench", description = "Measures how fast pod turns, matches, frames, replays, bot processes and "
+    + "crowds of bodies are on this machine, with plain textbook ways to do the same beside them.",
     footer = {"", "Ratios are between figures of one run and mean more than the figures.",
         "", "Examples:", "  steward bench --quick", "  steward bench --only crowds --bodies 100 --bodies 1000",
         "  steward bench --long --out results",
@@ -43,7 +43,7 @@ final class BenchCommand implements Callable<Integer> {
     private boolean full;
 
     @Option(names = "--threads", paramLabel = "T",
-        description = "Up to how many threads play matches (default: as many as there are processors).")
+        description = "Up to how many threads play matches and batches (default: as many as there are processors).")
     private Integer threads;
 
     @Option(names = "--games", paramLabel = "N", description = "How many matches the threads play (default: 2000).")

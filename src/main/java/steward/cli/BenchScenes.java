@@ -10,6 +10,7 @@ import steward.bench.Responder;
 import steward.bench.Section;
 import steward.bench.Sections;
 import steward.game.GameSetup;
+import steward.game.podrace.PodRaceType;
 import steward.scene.SceneFiles;
 import steward.scene.SceneText;
 
@@ -36,6 +37,7 @@ final class BenchScenes {
     static List<Section> all(int threads, int games, List<Integer> bodies) {
         MatchKit kit = kit();
         List<Section> sections = new ArrayList<>();
+        sections.add(new BenchPods((PodRaceType.PodRaceSetup) kit.setup(), threads));
         sections.add(Sections.matches(kit, threads, games));
         sections.add(Sections.growth(kit, growth()));
         sections.add(Sections.frames(kit, new BenchStates(kit.setup()), ANSWER));

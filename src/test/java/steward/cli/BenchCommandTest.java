@@ -41,6 +41,27 @@ class BenchCommandTest {
         }
     }
 
+    /** Five ways, a race and a brawl; whoever played another game than the textbook would have ended the part. */
+    @Test
+    void podTurnsAreMeasuredInEveryWay() throws IOException {
+        Cli cli = Cli.run("bench", "--quick", "--only", "pods", "--threads", "2", "--out",
+            folder.resolve("pods").toString());
+
+        assertEquals(0, cli.status(), cli.err());
+        JsonNode rows = JsonMapper.shared().readTree(Files.readString(folder.resolve("pods/bench.json"))).get("rows");
+        List<String> ways = List.of("textbook", "engine of matches", "simulator", "batch",
+            "batch, 2 threads, wall clock");
+        assertEquals(2 * ways.size(), rows.size());
+        for (int k = 0; k < rows.size(); k++) {
+            JsonNode row = rows.get(k);
+            assertEquals((k < ways.size() ? "race, " : "brawl, ") + ways.get(k % ways.size()),
+                row.get("name").stringValue());
+            assertEquals("turns", row.get("unit").stringValue());
+            double base = rows.get(k - k % ways.size()).get("perSecond").doubleValue();
+            assertEquals(row.get("perSecond").doubleValue() / base, row.get("ratio").doubleValue(), 1e-3);
+        }
+    }
+
     @Test
     void whatIsThereStays() throws IOException {
         Files.writeString(folder.resolve("bench.json"), "mine");
@@ -76,7 +97,7 @@ class BenchCommandTest {
         Map<String, Integer> names = new java.util.TreeMap<>();
         BenchScenes.all(1, 1, List.of(10)).forEach(section -> names.merge(section.name(), 1, Integer::sum));
 
-        assertTrue(names.keySet().containsAll(List.of("matches", "growth", "frames", "verify", "processes", "start",
+        assertTrue(names.keySet().containsAll(List.of("pods", "matches", "growth", "frames", "verify", "processes", "start",
             "crowds")), names::toString);
         assertTrue(names.values().stream().allMatch(count -> count == 1), names::toString);
     }
