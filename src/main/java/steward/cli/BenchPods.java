@@ -36,8 +36,8 @@ final class BenchPods implements Section {
     public String about() {
         return "Turns of four pods by the official rules, by CPU time, on threads by the wall clock: "
             + BenchPodGames.GAMES + " games of " + BenchPodGames.TURNS + " turns, which have to end alike for"
-            + " everybody. In a race each pod is after its checkpoints, in a brawl after another pod. A plain port of the rules;"
-            + " the engine of matches; the simulator for bots that search; all games in a batch.";
+            + " everybody. In a race each pod is after its checkpoints, in a brawl after another pod. A plain port of"
+            + " the rules; the engine of matches; the simulator for bots that search; all games in a batch.";
     }
 
     @Override
