@@ -104,4 +104,28 @@ class EngineAgainstOracleTest {
         }
         assertTrue(compared >= 95, compared + " of 100 turns agree");
     }
+
+    /**
+     * A batch of two: when the outer ones meet the heavy one between them, the second is 1.03e-5 u late. The first
+     * push takes 1e-5 u of that, so 3e-7 u are left, and nobody is pushed a second time.
+     */
+    @ParameterizedTest
+    @MethodSource("rungs")
+    void whoReactsInABatchWithoutTouchingIsNotPushed(Rung rung) {
+        Bodies bodies = new Bodies(3);
+        bodies.add(0, 0, 400, 1);
+        bodies.add(1000, 0, 400, 10);
+        bodies.add(2000.0000103, 0, 400, 1);
+        bodies.setVelocity(0, 400, 0);
+        bodies.setVelocity(2, -400, 0);
+        List<OracleBody> truth = OracleBody.of(bodies);
+        assertEquals(2, new Oracle(ImpactLaw.OFFICIAL_POD_RACE, List.of()).turn(truth).size());
+        TurnLog log = new TurnLog();
+        rung.advanceOfAnyMass(ImpactLaw.OFFICIAL_POD_RACE).turn(bodies, log);
+        assertEquals(2, log.impacts());
+        for (int k = 0; k < 3; k++) {
+            assertEquals(truth.get(k).x.doubleValue(), bodies.x[k], 1e-7, "body " + k);
+            assertEquals(truth.get(k).vx.doubleValue(), bodies.vx[k], 1e-9, "body " + k);
+        }
+    }
 }

@@ -217,4 +217,31 @@ class ExactCirclesTest {
             exponent + random.nextInt(-spread, spread))));
         return random.nextInt(2) == 0 ? value : -value;
     }
+
+    /** Where the quick way in double-double answers at all, no sum has lost more than 36 of its 106 bits. */
+    @Test
+    void theQuickWayIsGoodToTenDigitsMoreThanADoubleOrSilent() {
+        SplitMix64 random = new SplitMix64(36);
+        int answers = 0;
+        for (int n = 0; n < 12_000; n++) {
+            double off = StrictMath.pow(10, -17 * random.nextDouble());
+            double along = StrictMath.pow(10, -17 * random.nextDouble());
+            double across = n % 2 == 0 ? 1 - off : random.nextDouble();
+            double angle = 2 * Math.PI * random.nextDouble();
+            double cos = StrictMath.cos(angle);
+            double sin = StrictMath.sin(angle);
+            double back = -Math.sqrt(1 - across * across) - (n % 3 == 0 ? along : 1 + random.nextDouble());
+            double x = 800 * (back * cos - across * sin);
+            double y = 800 * (back * sin + across * cos);
+            Bodies bodies = pair(x, y, 900 * cos, 900 * sin, 390 + 1e-3 * random.nextDouble(), 410);
+            if (FastCircles.first(bodies, 0, 1, false, time)) {
+                BigDecimal exact = touch(bodies);
+                BigDecimal found = Exact.of(time.high()).add(Exact.of(time.low()));
+                String what = "off " + off + ", gap " + along + ", angle " + angle;
+                assertTrue(found.subtract(exact).abs().compareTo(exact.multiply(Exact.of(0x1p-62))) <= 0, what);
+                answers++;
+            }
+        }
+        assertTrue(answers > 5000, "answers " + answers);
+    }
 }

@@ -254,4 +254,24 @@ class ExactTurnTest {
             assertArrayEquals(Scenes.bits(bodies), Scenes.bits(twin), "seed " + seed);
         }
     }
+
+    /**
+     * <pre>
+     *             1 (10, 2e-9)      the touch with 1 is at 1/2 + 6e-20, with 2 at 1/2 + 2e-20: the same double,
+     *     0 -->   2 (10, 1e-9)      and the lower pair would be 0, 1
+     * </pre>
+     */
+    @Test
+    void whoIsNearerByLessThanADoubleCanSayIsFirst() {
+        Bodies bodies = new Bodies(3);
+        bodies.add(0, 0, 1, 1);
+        bodies.add(10, 2e-9, 1, 1);
+        bodies.add(10, 1e-9, 1, 1);
+        bodies.setVelocity(0, 16, 0);
+        TurnLog log = new TurnLog();
+        exact(ImpactLaw.PHYSICS).turn(bodies, log);
+        assertEquals(0, log.impact(0).a());
+        assertEquals(2, log.impact(0).b());
+        assertEquals(0.5, log.impact(0).time());
+    }
 }
