@@ -19,7 +19,9 @@ import steward.match.Turn;
 /** Turns between bot processes, against bare pipes to the same programs; and what a match costs before its turns. */
 final class ProcessSection implements Section {
 
-    private static final int WARM_TURNS = 20;
+    private static final String[] CLOCKS =
+        {"wall clock", "CPU time of all processes", "CPU time of the asking thread"};
+    private static final int WARM_TURNS = 200;
     private static final double NANOS = 1e9;
     private static final double NANOS_PER_MS = 1e6;
     /** As long as a turn frame of the official scene. */
@@ -27,17 +29,20 @@ final class ProcessSection implements Section {
 
     private final MatchKit kit;
     private final GameSetup longGame;
+    private final int longTurns;
     private final GameSetup oneTurn;
     private final List<String> shell;
 
     /**
-     * @param longGame a scene in which bots that never arrive play many turns
-     * @param oneTurn  a scene that is over after one turn
-     * @param shell    a program that starts at once and answers every line with a good one
+     * @param longGame  a scene in which bots that never arrive play many turns
+     * @param longTurns how many
+     * @param oneTurn   a scene that is over after one turn
+     * @param shell     a program that starts at once and answers every line with a good one
      */
-    ProcessSection(MatchKit kit, GameSetup longGame, GameSetup oneTurn, List<String> shell) {
+    ProcessSection(MatchKit kit, GameSetup longGame, int longTurns, GameSetup oneTurn, List<String> shell) {
         this.kit = kit;
         this.longGame = longGame;
+        this.longTurns = longTurns;
         this.oneTurn = oneTurn;
         this.shell = shell;
     }
@@ -50,67 +55,64 @@ final class ProcessSection implements Section {
     @Override
     public String about() {
         return "Turns of a match between two bot processes that answer at once, against two bare pipes to the same"
-            + " program, asked in sequence with as many bytes: by the wall clock, and by the CPU time of the asking"
-            + " thread alone. Then whole matches of a single turn between two shells, against starting, asking and"
-            + " ending the same shells without a referee: the rest is our own.";
+            + " program, asked in sequence with as many bytes: by the wall clock, by the CPU time of all processes"
+            + " together, and by that of the asking thread alone. Then whole matches of a single turn between two"
+            + " shells, against starting, asking and ending the same shells without a referee: the rest is our own.";
     }
 
     @Override
     public int steps(Effort effort) {
-        return (effort == Effort.QUICK ? 1 : 15) + 2 * effort.rounds() + (effort == Effort.QUICK ? 15 : 150);
+        return warmUps(effort) + 2 * effort.rounds() + starts(effort) * 3 / 2;
+    }
+
+    private static int warmUps(Effort effort) {
+        return effort == Effort.QUICK ? 1 : 15;
+    }
+
+    private static int starts(Effort effort) {
+        return effort == Effort.QUICK ? 10 : 100;
     }
 
     @Override
     public void run(Effort effort, Consumer<String> about, Consumer<Row> rows) throws Exception {
         int rounds = effort.rounds();
-        double[][] bare = new double[2][rounds];
-        double[][] match = new double[2][rounds];
-        int turns = longGame.create(0).players() > 0 ? turns() : 0;
-        for (int warm = effort == Effort.QUICK ? 1 : 15; warm > 0; warm--) {
+        double[][] bare = new double[CLOCKS.length][rounds];
+        double[][] match = new double[CLOCKS.length][rounds];
+        for (int warm = warmUps(effort); warm > 0; warm--) {
             about.accept("warming up");
-            match(new double[2][1], 0);
+            match(new double[CLOCKS.length][1], 0);
         }
         for (int round = 0; round < rounds; round++) {
             about.accept("bare pipes");
-            bare(bare, round, turns);
+            bare(bare, round);
             about.accept("match");
             match(match, round);
         }
-        for (int k = 0; k < 2; k++) {
-            String clock = k == 0 ? "wall clock" : "CPU time of the asking thread";
+        for (int k = 0; k < CLOCKS.length; k++) {
             double one = Meter.median(bare[k]);
             double other = Meter.median(match[k]);
-            rows.accept(new Row(name(), "bare pipes, " + clock, "turns", NANOS / one, 1, Double.NaN, ""));
-            rows.accept(new Row(name(), "match, " + clock, "turns", NANOS / other, one / other, Double.NaN,
+            if (Double.isNaN(one) || Double.isNaN(other)) {
+                continue;
+            }
+            rows.accept(new Row(name(), "bare pipes, " + CLOCKS[k], "turns", NANOS / one, 1, Double.NaN, ""));
+            rows.accept(new Row(name(), "match, " + CLOCKS[k], "turns", NANOS / other, one / other, Double.NaN,
                 String.format(Locale.ROOT, "%.2f times the bare pipes", other / one)));
         }
         starts(effort, about, rows);
     }
 
-    private int turns() throws InterruptedException {
-        int[] turns = new int[1];
-        play(longGame, kit.responder(), new MatchListener() {
-            @Override
-            public void played(Turn turn) {
-                turns[0] = turn.number();
-            }
-        });
-        return turns[0] - WARM_TURNS;
-    }
-
-    private void bare(double[][] into, int round, int turns) throws IOException {
+    private void bare(double[][] into, int round) throws IOException {
         byte[] frame = new byte[FRAME_BYTES];
         Arrays.fill(frame, (byte) 'x');
         frame[FRAME_BYTES - 1] = '\n';
-        Meter meter = new Meter();
         try (PipeRoundTrip one = new PipeRoundTrip(kit.responder());
                 PipeRoundTrip other = new PipeRoundTrip(kit.responder())) {
             exchange(one, other, frame, WARM_TURNS);
-            long wall = System.nanoTime();
-            long cpu = meter.cpu(false);
-            exchange(one, other, frame, turns);
-            into[1][round] = (double) (meter.cpu(false) - cpu) / turns;
-            into[0][round] = (double) (System.nanoTime() - wall) / turns;
+            Clocks clocks = new Clocks();
+            clocks.start();
+            exchange(one, other, frame, longTurns - WARM_TURNS);
+            clocks.stop();
+            clocks.write(into, round, longTurns - WARM_TURNS);
         }
     }
 
@@ -122,35 +124,45 @@ final class ProcessSection implements Section {
     }
 
     private void match(double[][] into, int round) throws InterruptedException {
-        Clock clock = new Clock();
-        play(longGame, kit.responder(), clock);
-        into[0][round] = (double) (clock.wall - clock.firstWall) / (clock.turn - WARM_TURNS);
-        into[1][round] = (double) (clock.cpu - clock.firstCpu) / (clock.turn - WARM_TURNS);
+        Clocks clocks = new Clocks();
+        play(longGame, kit.responder(), new MatchListener() {
+            @Override
+            public void played(Turn turn) {
+                if (turn.number() == WARM_TURNS) {
+                    clocks.start();
+                } else if (turn.number() == longTurns) {
+                    clocks.stop();
+                }
+            }
+        });
+        clocks.write(into, round, longTurns - WARM_TURNS);
     }
 
-    /** Looks at the clocks after every turn, on the thread that plays. */
-    private static final class Clock implements MatchListener {
+    /** Looked at by the thread that asks, while the bots are there. */
+    private static final class Clocks {
 
         private final Meter meter = new Meter();
-        private long firstWall;
-        private long firstCpu;
+        private double tree;
+        private long thread;
         private long wall;
-        private long cpu;
-        private int turn;
 
-        @Override
-        public void played(Turn played) {
-            turn = played.number();
-            if (turn == WARM_TURNS) {
-                firstCpu = meter.cpu(false);
-                firstWall = System.nanoTime();
-            }
+        void start() {
+            tree = TreeClock.nanos();
+            thread = meter.cpu(false);
+            wall = System.nanoTime();
         }
 
-        @Override
-        public void end(steward.match.MatchResult result) {
-            wall = System.nanoTime();
-            cpu = meter.cpu(false);
+        void stop() {
+            wall = System.nanoTime() - wall;
+            thread = meter.cpu(false) - thread;
+            tree = TreeClock.nanos() - tree;
+        }
+
+        /** In the order of {@link #CLOCKS}. */
+        void write(double[][] into, int round, int turns) {
+            into[0][round] = (double) wall / turns;
+            into[1][round] = tree / turns;
+            into[2][round] = (double) thread / turns;
         }
     }
 
@@ -166,7 +178,7 @@ final class ProcessSection implements Section {
     }
 
     private void starts(Effort effort, Consumer<String> about, Consumer<Row> rows) throws Exception {
-        int rounds = effort == Effort.QUICK ? 10 : 100;
+        int rounds = starts(effort);
         double[] bare = new double[rounds];
         double[] match = new double[rounds];
         byte[] line = {'\n'};

@@ -35,12 +35,14 @@ public final class Sections {
     /**
      * Bot processes.
      *
-     * @param longGame a scene in which bots that never arrive play many turns
-     * @param oneTurn  a scene that is over after one turn
-     * @param shell    a program that starts at once and answers every line with a good one
+     * @param longGame  a scene in which bots that never arrive play many turns
+     * @param longTurns how many
+     * @param oneTurn   a scene that is over after one turn
+     * @param shell     a program that starts at once and answers every line with a good one
      */
-    public static Section processes(MatchKit kit, GameSetup longGame, GameSetup oneTurn, List<String> shell) {
-        return new ProcessSection(kit, longGame, oneTurn, shell);
+    public static Section processes(MatchKit kit, GameSetup longGame, int longTurns, GameSetup oneTurn,
+                                    List<String> shell) {
+        return new ProcessSection(kit, longGame, longTurns, oneTurn, shell);
     }
 
     /**

@@ -98,15 +98,39 @@ final class AnswerLines {
         return to > from && buffer[to - 1] == '\r' ? to - from - 1 : to - from;
     }
 
+    /**
+     * Reads what is there, or waits for something. A read of more than is there asks the system how much that is, twice
+     * over, which takes as long as the read itself: so we read one byte, find out by skipping how much has come with
+     * it into the stream's memory, and read that. Where a skip would wait, the line is neither complete nor too long,
+     * and so do we.
+     */
     private boolean read() {
         try {
-            int count = stream.read(buffer, end, Math.min(READ, buffer.length - end));
-            end += Math.max(0, count);
-            return count > 0;
+            if (!stream.markSupported()) {
+                return add(stream.read(buffer, end, READ));
+            }
+            int first = stream.read();
+            if (first < 0) {
+                return false;
+            }
+            buffer[end++] = (byte) first;
+            boolean enough = first == '\n' || end - afterLines > LINE_LIMIT;
+            if (enough && stream.available() == 0) {
+                return true;
+            }
+            stream.mark(READ);
+            int more = (int) stream.skip(READ - 1);
+            stream.reset();
+            return more == 0 || add(stream.read(buffer, end, more));
         } catch (IOException e) {
             // The same to us: nothing more will come.
             return false;
         }
+    }
+
+    private boolean add(int count) {
+        end += Math.max(0, count);
+        return count > 0;
     }
 
     /** Makes room for one read; returns by how much the unread bytes have moved to the front. */

@@ -26,6 +26,8 @@ final class BenchScenes {
         + "{\"x\":8000,\"y\":4500,\"thrust\":50}]}";
     private static final String TURNS_LEFT = "\"turnsWithoutCheckpoint\": 100";
     private static final String MAXIMUM = "\"maximumTurns\": 500";
+    /** Turns of a match in which a JVM that plays it gets warm. */
+    private static final String LONG = "5000";
     private static final String PLAYERS = "\"players\": 2";
     private static final List<String> QUICK_JVM = List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC",
         "-Xshare:auto", "-XX:-UsePerfData");
@@ -42,8 +44,9 @@ final class BenchScenes {
         sections.add(Sections.growth(kit, growth()));
         sections.add(Sections.frames(kit, new BenchStates(kit.setup()), ANSWER));
         sections.add(Sections.verify(kit));
-        sections.add(Sections.processes(kit, scene(TURNS_LEFT, TURNS_LEFT.replace("100", "500")),
-            scene(MAXIMUM, MAXIMUM.replace("500", "1")),
+        sections.add(Sections.processes(kit,
+            scene(TURNS_LEFT, TURNS_LEFT.replace("100", LONG), MAXIMUM, MAXIMUM.replace("500", LONG)),
+            Integer.parseInt(LONG), scene(MAXIMUM, MAXIMUM.replace("500", "1")),
             List.of("sh", "-c", "while read -r line; do echo '" + ANSWER + "'; done")));
         sections.add(Sections.start(kit));
         sections.add(Sections.crowds(bodies));
@@ -86,12 +89,16 @@ final class BenchScenes {
         return scenes;
     }
 
-    /** The official scene with one thing changed. */
-    private static GameSetup scene(String from, String to) {
+    /** The official scene with some things changed: what, and into what. */
+    private static GameSetup scene(String... changes) {
         SceneText text = SceneFiles.load(SCENE);
-        if (!text.text().contains(from)) {
-            throw new IllegalStateException("the scene " + SCENE + " has no " + from);
+        String changed = text.text();
+        for (int k = 0; k < changes.length; k += 2) {
+            if (!changed.contains(changes[k])) {
+                throw new IllegalStateException("the scene " + SCENE + " has no " + changes[k]);
+            }
+            changed = changed.replace(changes[k], changes[k + 1]);
         }
-        return Games.types().open(text.text().replace(from, to), text.source());
+        return Games.types().open(changed, text.source());
     }
 }

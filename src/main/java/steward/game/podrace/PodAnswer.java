@@ -6,6 +6,8 @@ import java.util.Set;
 import java.util.TreeSet;
 import steward.game.JsonNumbers;
 import steward.game.LineParser;
+import steward.game.LineScan;
+import steward.game.RawJson;
 import steward.scene.JsonProblem;
 import steward.scene.Nearest;
 import tools.jackson.core.JacksonException;
@@ -25,10 +27,19 @@ final class PodAnswer {
     private static final Set<String> FIELDS = new TreeSet<>(Set.of("pods", "message"));
     private static final int NOT_GIVEN = Integer.MIN_VALUE;
 
+    private static final byte[] PODS = RawJson.text("\"pods\"");
+    private static final byte[] X = RawJson.text("\"x\"");
+    private static final byte[] Y = RawJson.text("\"y\"");
+    private static final byte[] THRUST = RawJson.text("\"thrust\"");
+    private static final byte[] SHIELD = RawJson.text("\"shield\"");
+    private static final byte[] BOOST = RawJson.text("\"boost\"");
+    private static final byte[] TRUE = RawJson.text("true");
+
     private final double[] x;
     private final double[] y;
     private final int[] thrust;
     private final int maximumThrust;
+    private final LineScan scan = new LineScan();
     private final LineParser lines = new LineParser();
     private String message;
 
@@ -63,10 +74,53 @@ final class PodAnswer {
 
     /** @return {@code null} if the line is a good answer, otherwise what is wrong with it */
     String read(byte[] line, int length) {
-        return isGood(line, length) ? null : readCarefully(line, length);
+        return isPlain(line, length) || isGood(line, length) ? null : readCarefully(line, length);
     }
 
-    /** Nearly always; and then nothing has been allocated but the message. */
+    /** As nearly all bots answer most of the time: no message, the fields in the order that the manual has them in. */
+    private boolean isPlain(byte[] line, int length) {
+        message = null;
+        scan.begin(line, length);
+        if (!scan.passes('{') || !scan.passesName(PODS) || !scan.passes('[')) {
+            return false;
+        }
+        for (int pod = 0; pod < x.length; pod++) {
+            if (pod > 0 && !scan.passes(',') || !isPlainPod(pod)) {
+                return false;
+            }
+        }
+        return scan.passes(']') && scan.passes('}') && scan.isOver();
+    }
+
+    private boolean isPlainPod(int pod) {
+        if (!scan.passes('{') || !scan.passesName(X) || !scan.passesNumber()) {
+            return false;
+        }
+        x[pod] = scan.number();
+        if (!scan.passes(',') || !scan.passesName(Y) || !scan.passesNumber()) {
+            return false;
+        }
+        y[pod] = scan.number();
+        return scan.passes(',') && isPlainThrust(pod) && scan.passes('}');
+    }
+
+    private boolean isPlainThrust(int pod) {
+        if (scan.passesName(THRUST)) {
+            double value = scan.passesNumber() ? scan.number() : Double.NaN;
+            thrust[pod] = (int) value;
+            return thrust[pod] == value && value >= 0 && value <= maximumThrust;
+        }
+        if (scan.passesName(SHIELD)) {
+            thrust[pod] = PodRace.SHIELD;
+        } else if (scan.passesName(BOOST)) {
+            thrust[pod] = PodRace.BOOST;
+        } else {
+            return false;
+        }
+        return scan.passes(TRUE);
+    }
+
+    /** Nearly always, as far as it is not plain; and then nothing has been allocated but the message. */
     private boolean isGood(byte[] line, int length) {
         if (!LineParser.canRead(line, 0, length)) {
             return false;

@@ -1,6 +1,7 @@
 package steward.game.podrace;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
@@ -41,6 +42,60 @@ class RepeatedAnswersTest {
 
             assertEquals(said(new PodAnswer(2, 200), line), said(reused, line), "seed 4, line " + k);
         }
+    }
+
+    /**
+     * A line that a plain reader can read is, with an empty message behind the pods, one that it cannot: both readers
+     * must say the same, to the bit, of good lines and of lines in which something is out of place.
+     */
+    @Test
+    void plainLinesAreReadAsByTheParser() {
+        SplitMix64 random = new SplitMix64(6);
+        int good = 0;
+        for (int k = 0; k < 200_000; k++) {
+            String pods = "{\"pods\":[" + pod(random) + "," + pod(random) + "]";
+            String damaged = k % 2 == 0 ? pods : damaged(pods, random);
+            String plain = said(new PodAnswer(2, 200), damaged + "}");
+            String parsed = said(new PodAnswer(2, 200), damaged + ",\"message\":\"\"}");
+            if (plain.startsWith("x [")) {
+                good++;
+                assertEquals(plain.substring(0, plain.lastIndexOf(',')),
+                    parsed.substring(0, Math.max(0, parsed.lastIndexOf(','))), "seed 6, line " + k + ": " + damaged);
+            } else {
+                assertEquals(false, parsed.startsWith("x ["), "seed 6, line " + k + ": " + damaged);
+            }
+        }
+        assertTrue(good > 50_000, "good lines: " + good);
+    }
+
+    private static String pod(SplitMix64 random) {
+        String blank = random.nextInt(3) == 0 ? " " : "";
+        String third = switch (random.nextInt(6)) {
+            case 0 -> "\"shield\":" + blank + "true";
+            case 1 -> "\"boost\":" + blank + "true";
+            case 2 -> "\"thrust\":" + random.nextInt(250);
+            case 3 -> "\"thrust\":" + random.nextInt(200) + ".0";
+            default -> "\"thrust\":" + blank + random.nextInt(201);
+        };
+        return "{" + blank + "\"x\":" + number(random) + blank + ",\"y\":" + blank + number(random) + "," + blank
+            + third + blank + "}";
+    }
+
+    private static String number(SplitMix64 random) {
+        long digits = random.nextLong() >>> 1 + random.nextInt(62);
+        String whole = (random.nextInt(2) == 0 ? "-" : "") + digits;
+        return switch (random.nextInt(5)) {
+            case 0 -> whole + "." + (random.nextLong() >>> 1 + random.nextInt(62));
+            case 1 -> whole + ".000" + random.nextInt(100);
+            case 2 -> "0." + "0".repeat(random.nextInt(14)) + random.nextInt(1000);
+            default -> whole;
+        };
+    }
+
+    private static String damaged(String line, SplitMix64 random) {
+        int at = random.nextInt(line.length());
+        String inserted = new String[] {"", "0", "-", ".", " ", ",", "}", "\"", "e1", "\t", "x"}[random.nextInt(11)];
+        return line.substring(0, at) + inserted + line.substring(at + random.nextInt(2));
     }
 
     /** A program that writes two bytes for a character was understood, if it did so from its first line on. */

@@ -1,0 +1,125 @@
+package steward.game;
+
+/**
+ * Reads the plain lines that nearly all bots write, in the order in which the caller expects them: names, brackets and
+ * short decimal numbers, blanks between them. It says no to anything else, also to much that is good JSON, and a real
+ * parser must then read the line from its beginning.
+ */
+public final class LineScan {
+
+    /** So many digits fit into the 53 bits of a double. */
+    private static final int MOST_DIGITS = 15;
+
+    private static final double[] POWERS = new double[MOST_DIGITS + 1];
+
+    static {
+        POWERS[0] = 1;
+        for (int k = 1; k < POWERS.length; k++) {
+            POWERS[k] = 10 * POWERS[k - 1];
+        }
+    }
+
+    private byte[] bytes;
+    private int at;
+    private int end;
+    private double number;
+
+    /** Begins a line of so many bytes. */
+    public void begin(byte[] line, int length) {
+        bytes = line;
+        at = 0;
+        end = length;
+    }
+
+    private void skipBlanks() {
+        while (at < end && (bytes[at] == ' ' || bytes[at] == '\t')) {
+            at++;
+        }
+    }
+
+    /** Whether this one ASCII character is next, after blanks; passes it then. */
+    public boolean passes(char one) {
+        skipBlanks();
+        if (at < end && bytes[at] == one) {
+            at++;
+            return true;
+        }
+        return false;
+    }
+
+    /** Whether these bytes are next, after blanks; passes them then. */
+    public boolean passes(byte[] text) {
+        skipBlanks();
+        if (text.length > end - at) {
+            return false;
+        }
+        for (int k = 0; k < text.length; k++) {
+            if (bytes[at + k] != text[k]) {
+                return false;
+            }
+        }
+        at += text.length;
+        return true;
+    }
+
+    /** Whether this name and a colon are next; passes them then. */
+    public boolean passesName(byte[] quoted) {
+        return passes(quoted) && passes(':');
+    }
+
+    /** Whether nothing but blanks and line ends are left. */
+    public boolean isOver() {
+        for (; at < end; at++) {
+            if (bytes[at] != ' ' && bytes[at] != '\t' && bytes[at] != '\r' && bytes[at] != '\n') {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /**
+     * Whether a number is next, after blanks: perhaps a minus, digits, perhaps a point and more digits; passes it then,
+     * see {@link #number}. Digits and powers of ten up to 10^15 are exact doubles, and so their quotient is the nearest
+     * double to the decimal (W. Clinger, "How to read floating point numbers accurately", 1990, its fast path).
+     */
+    public boolean passesNumber() {
+        skipBlanks();
+        boolean negative = at < end && bytes[at] == '-';
+        int first = negative ? at + 1 : at;
+        int place = first;
+        long digits = 0;
+        for (; place < end && isDigit(bytes[place]) && place - first <= MOST_DIGITS; place++) {
+            digits = 10 * digits + bytes[place] - '0';
+        }
+        int whole = place - first;
+        boolean leadingZero = whole > 1 && bytes[first] == '0';
+        int fraction = 0;
+        if (place < end && bytes[place] == '.') {
+            int point = place++;
+            for (; place < end && isDigit(bytes[place]) && place - point <= MOST_DIGITS; place++) {
+                digits = 10 * digits + bytes[place] - '0';
+            }
+            fraction = place - point - 1;
+            if (fraction == 0) {
+                return false;
+            }
+        }
+        boolean goesOn = place < end && (isDigit(bytes[place]) || bytes[place] == '.' || bytes[place] == 'e'
+            || bytes[place] == 'E');
+        if (whole == 0 || leadingZero || goesOn || whole + fraction > MOST_DIGITS || negative && digits == 0) {
+            return false;
+        }
+        number = (negative ? -digits : digits) / POWERS[fraction];
+        at = place;
+        return true;
+    }
+
+    private static boolean isDigit(byte one) {
+        return one >= '0' && one <= '9';
+    }
+
+    /** The number last passed. */
+    public double number() {
+        return number;
+    }
+}
