@@ -231,9 +231,10 @@ class ExactCirclesTest {
             double cos = StrictMath.cos(angle);
             double sin = StrictMath.sin(angle);
             double back = -Math.sqrt(1 - across * across) - (n % 3 == 0 ? along : 1 + random.nextDouble());
-            double x = 800 * (back * cos - across * sin);
-            double y = 800 * (back * sin + across * cos);
-            Bodies bodies = pair(x, y, 900 * cos, 900 * sin, 390 + 1e-3 * random.nextDouble(), 410);
+            double radius = 390 + 1e-3 * random.nextDouble();
+            double x = (radius + 410) * (back * cos - across * sin);
+            double y = (radius + 410) * (back * sin + across * cos);
+            Bodies bodies = pair(x, y, 900 * cos, 900 * sin, radius, 410);
             if (FastCircles.first(bodies, 0, 1, false, time)) {
                 BigDecimal exact = touch(bodies);
                 BigDecimal found = Exact.of(time.high()).add(Exact.of(time.low()));
