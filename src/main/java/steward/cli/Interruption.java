@@ -1,6 +1,7 @@
 package steward.cli;
 
 import java.nio.file.Path;
+import java.util.function.Supplier;
 
 /**
  * Says where the turns so far are when a match ends by Ctrl-C. There is nothing else to do then: each turn has been
@@ -18,9 +19,14 @@ final class Interruption implements AutoCloseable {
 
     /** @param kept says where what was done so far is, or {@code null}: then there is nothing to say */
     Interruption(Streams streams, String kept) {
+        this(streams, kept == null ? null : () -> kept);
+    }
+
+    /** @param kept is asked when it happens, in another thread; {@code null} if there is nothing to say */
+    Interruption(Streams streams, Supplier<String> kept) {
         hook = kept == null ? null : new Thread(() -> {
             if (!over) {
-                streams.err().println("steward: interrupted; " + kept);
+                streams.err().println("steward: interrupted; " + kept.get());
             }
         }, "interruption");
         if (hook != null) {

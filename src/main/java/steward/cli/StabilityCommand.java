@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
+import java.util.function.Function;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import steward.lab.Golden;
@@ -24,8 +25,11 @@ import steward.scene.Nearest;
     footer = {"", "Examples:", "  steward stability",
         "  steward stability --quick --case masses --case 'extreme speeds'",
         "  steward stability --long --out results",
+        "  steward stability --case 'crowd of 1000, 10%' --rung double --impacts 1000000000",
         "", "Exit status: 0 every demand is met; 1 one is not; 2 the call cannot be used; 130 Ctrl-C."})
 final class StabilityCommand implements Callable<Integer> {
+
+    private static final long MOST_IMPACTS = 1_000_000_000_000L;
 
     private final Streams streams;
 
@@ -37,6 +41,13 @@ final class StabilityCommand implements Callable<Integer> {
 
     @Option(names = "--case", paramLabel = "NAME", description = "Only this case; can be repeated.")
     private List<String> names = new ArrayList<>();
+
+    @Option(names = "--rung", paramLabel = "NAME", description = "Only on this rung of accuracy; can be repeated.")
+    private List<String> rungNames = new ArrayList<>();
+
+    @Option(names = "--impacts", paramLabel = "N", description = "Each crowd is played for so many impacts, on each "
+        + "event rung (default: 1000000; with --quick 20000; with --long 10000000, in double up to 1000000000).")
+    private Long impacts;
 
     @Option(names = "--out", paramLabel = "DIR", description = "Writes the table to " + StabilityFiles.CSV + " and "
         + StabilityFiles.JSON + " in a folder too, row by row.")
@@ -61,23 +72,26 @@ final class StabilityCommand implements Callable<Integer> {
         if (overwrite && out == null) {
             throw new InputException("--overwrite: expected --out");
         }
+        if (impacts != null && !(impacts >= 1 && impacts <= MOST_IMPACTS)) {
+            throw new InputException("--impacts: found " + impacts + ", expected 1 to " + MOST_IMPACTS);
+        }
         Size size = full ? Size.LONG : quick ? Size.SMALL : Size.NORMAL;
         if (golden) {
-            if (out != null || !names.isEmpty()) {
+            if (out != null || !names.isEmpty() || !rungNames.isEmpty() || impacts != null) {
                 throw new InputException("--golden goes with --quick or --long only");
             }
             return golden(size);
         }
-        List<StabilityCase> cases = cases();
+        List<StabilityCase> cases = chosen("--case", names, StabilityCases.all(impacts == null ? 0 : impacts),
+            StabilityCase::name);
+        List<Rung> rungs = chosen("--rung", rungNames, Rung.all(), Rung::name);
+        StabilityTable table = new StabilityTable(streams, cases.size() * rungs.size());
         if (out == null) {
-            return table(cases, size, null);
+            return table(cases, rungs, size, table, null, "the rows so far are above");
         }
         Path folder = OutputFiles.path(out);
-        try (StabilityFiles files = files(folder, size); Interruption interruption = new Interruption(
-            streams, "the rows so far are in " + folder)) {
-            int status = table(cases, size, files);
-            interruption.over();
-            return status;
+        try (StabilityFiles files = files(folder, size)) {
+            return table(cases, rungs, size, table, files, "the rows so far are in " + folder);
         }
     }
 
@@ -90,16 +104,15 @@ final class StabilityCommand implements Callable<Integer> {
         return ExitStatus.DONE;
     }
 
-    private List<StabilityCase> cases() {
-        List<StabilityCase> all = StabilityCases.all();
-        List<String> known = all.stream().map(StabilityCase::name).toList();
+    private static <T> List<T> chosen(String option, List<String> names, List<T> all, Function<T, String> nameOf) {
+        List<String> known = all.stream().map(nameOf).toList();
         for (String name : names) {
             if (!known.contains(name)) {
-                throw new InputException("--case: found '" + name + "', expected one of " + String.join("; ", known)
+                throw new InputException(option + ": found '" + name + "', expected one of " + String.join("; ", known)
                     + Nearest.of(name, known).map(near -> "; did you mean '" + near + "'?").orElse(""));
             }
         }
-        return names.isEmpty() ? all : all.stream().filter(each -> names.contains(each.name())).toList();
+        return names.isEmpty() ? all : all.stream().filter(each -> names.contains(nameOf.apply(each))).toList();
     }
 
     private StabilityFiles files(Path folder, Size size) {
@@ -117,15 +130,19 @@ final class StabilityCommand implements Callable<Integer> {
         }
     }
 
-    private int table(List<StabilityCase> cases, Size size, StabilityFiles files) {
-        List<Rung> rungs = Rung.all();
-        StabilityTable table = new StabilityTable(streams, cases.size() * rungs.size());
-        StabilityRow.tryAll(cases, rungs, size, (each, rung) -> table.about(each.name(), rung.name()), row -> {
-            if (files != null) {
-                files.add(row);
-            }
-            table.add(row);
-        });
-        return table.end() ? ExitStatus.DONE : ExitStatus.FAILED;
+    private int table(List<StabilityCase> cases, List<Rung> rungs, Size size, StabilityTable table,
+                      StabilityFiles files, String kept) {
+        try (Interruption interruption = new Interruption(streams,
+            () -> kept + (table.unfinished().isEmpty() ? "" : "; unfinished: " + table.unfinished()))) {
+            StabilityRow.tryAll(cases, rungs, size, (each, rung) -> table.about(each.name(), rung.name()),
+                table::reached, row -> {
+                    if (files != null) {
+                        files.add(row);
+                    }
+                    table.add(row);
+                });
+            interruption.over();
+            return table.end() ? ExitStatus.DONE : ExitStatus.FAILED;
+        }
     }
 }

@@ -1,6 +1,7 @@
 package steward.cli;
 
 import java.util.Locale;
+import java.util.function.Supplier;
 import steward.lab.Seen;
 import steward.lab.StabilityRow;
 
@@ -8,6 +9,7 @@ import steward.lab.StabilityRow;
 final class StabilityTable {
 
     private static final int WIDTH = 100;
+    private static final long PAUSE_NANOS = 250_000_000;
     private static final int RUNG = 13;
     private static final int VERDICT = 10;
     private static final String CLEAR = "\r" + " ".repeat(79) + "\r";
@@ -15,6 +17,9 @@ final class StabilityTable {
     private final Streams streams;
     private final int rows;
     private String lastCase = "";
+    private String present = "";
+    private volatile String unfinished = "";
+    private long saidNanos = System.nanoTime();
     private int begun;
     private int held;
     private int failed;
@@ -27,14 +32,36 @@ final class StabilityTable {
     /** What is tried now, for a terminal. */
     void about(String name, String rung) {
         begun++;
+        present = Words.shorten(name, 40) + ", " + rung;
+        show("");
+    }
+
+    /** How far that is. */
+    void reached(double share, Supplier<String> soFar) {
+        long now = System.nanoTime();
+        if (now - saidNanos >= PAUSE_NANOS) {
+            saidNanos = now;
+            String percent = String.format(Locale.ROOT, ", %.1f%%", 100 * share);
+            unfinished = present + percent + ": " + soFar.get();
+            show(percent);
+        }
+    }
+
+    /** The figures of the row that is not finished, or nothing; by any thread. */
+    String unfinished() {
+        return unfinished;
+    }
+
+    private void show(String percent) {
         if (streams.errTerminal()) {
-            streams.err().print(CLEAR + begun + " of " + rows + ": " + Words.shorten(name, 40) + ", " + rung);
+            streams.err().print(CLEAR + begun + " of " + rows + ": " + present + percent);
             streams.err().flush();
         }
     }
 
     void add(StabilityRow row) {
         clear();
+        unfinished = "";
         if (!row.name().equals(lastCase)) {
             streams.out().println((lastCase.isEmpty() ? "" : "\n") + row.name());
             line("demanded", "", row.demand());

@@ -24,7 +24,7 @@ final class BulletCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size) {
+    public Seen run(Rung rung, Size size, Progress progress) {
         int row = size.pick(200, 1000, 1000);
         Bodies bodies = new Bodies(row + 1);
         bodies.add(0, 0, 10, MASS);

@@ -22,20 +22,24 @@ final class CollapseCase implements StabilityCase {
 
     @Override
     public String demand() {
-        return "e = 0.05 with 3 bodies, e = 0.95 with 90: every turn ends, by itself or named at the bound on impacts, "
-            + "and energy never grows, on every rung";
+        return "e = 0.05 with 3 bodies, e = 0.95 with 90: every turn ends, by itself or named at the bound on impacts "
+            + "(steps have none), and energy never grows, on every rung; on event rungs there are impacts until "
+            + "rounding ends them, and a bound of 20 or 500 on them is reached, and named";
     }
 
     @Override
-    public Seen run(Rung rung, Size size) {
+    public Seen run(Rung rung, Size size, Progress progress) {
         int bound = size.pick(5000, 0, 0);
-        String three = collapse(rung, 3, 0.05, size.pick(20, 100, 1000), bound);
-        String ninety = collapse(rung, 90, 0.95, size.pick(2, 20, 200), bound);
-        boolean met = !(three + ninety).contains("!");
-        return Seen.demanded(met, "3: " + three + "; 90: " + ninety);
+        String text = "3: " + collapse(rung, 3, 0.05, size.pick(20, 100, 1000), bound, false)
+            + "; 90: " + collapse(rung, 90, 0.95, size.pick(2, 20, 200), bound, false)
+            + "; bounded, 3: " + collapse(rung, 3, 0.05, 1, 20, true)
+            + "; 90: " + collapse(rung, 90, 0.95, 2, 500, true);
+        return Seen.demanded(!text.contains("!"), text);
     }
 
-    private static String collapse(Rung rung, int count, double restitution, int turns, int bound) {
+    /** @param mustReach whether the bound is below what a collapse has */
+    private static String collapse(Rung rung, int count, double restitution, int turns, int bound,
+                                   boolean mustReach) {
         Bodies bodies = new Bodies(count);
         for (int k = 0; k < count; k++) {
             bodies.add(25 * k + 3 * (k % 4), 0, 10, 1);
@@ -52,10 +56,13 @@ final class CollapseCase implements StabilityCase {
             BigDecimal energy = Probe.energy(bodies);
             advance.turn(bodies, probe);
             int most = bound > 0 ? bound : 10_000 + 1_000 * count;
-            unnamed += probe.impacts - before >= most && probe.limited == limited ? 1 : 0;
+            boolean named = probe.limited > limited || !rung.isEvent();
+            unnamed += probe.impacts - before >= most && !named ? 1 : 0;
             growth = Math.max(growth, Probe.energy(bodies).subtract(energy).doubleValue() / energy.doubleValue());
         }
-        String problem = (unnamed > 0 ? " unnamed!" : "") + (Probe.finite(bodies) ? "" : " not finite!")
+        boolean collapsed = mustReach ? probe.limited > 0 : probe.impacts > 10 * count;
+        String problem = (unnamed > 0 ? " unnamed!" : "") + (rung.isEvent() && !collapsed ? " no collapse!" : "")
+            + (Probe.finite(bodies) ? "" : " not finite!")
             + (growth > 0 ? String.format(Locale.ROOT, " energy grew by %.1e!", growth) : "");
         return probe.impacts + " impacts in " + turns + " turns, " + probe.limited + " named" + problem;
     }

@@ -20,7 +20,7 @@ final class ContactCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size) {
+    public Seen run(Rung rung, Size size, Progress progress) {
         OracleCheck check = new OracleCheck(rung, TOLERANCE);
         for (ImpactLaw law : new ImpactLaw[] {ImpactLaw.PHYSICS, ImpactLaw.OFFICIAL_POD_RACE}) {
             String name = law == ImpactLaw.PHYSICS ? "physics, " : "official, ";

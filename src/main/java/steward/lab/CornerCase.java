@@ -24,7 +24,7 @@ final class CornerCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size) {
+    public Seen run(Rung rung, Size size, Progress progress) {
         int exact = 0;
         int corners = 0;
         for (int corner = 0; corner < 4; corner++) {

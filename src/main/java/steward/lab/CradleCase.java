@@ -22,7 +22,7 @@ final class CradleCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size) {
+    public Seen run(Rung rung, Size size, Progress progress) {
         StringBuilder text = new StringBuilder();
         boolean met = true;
         for (double gap : new double[] {0, 1e-15, 1e-12}) {

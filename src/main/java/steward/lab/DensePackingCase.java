@@ -52,7 +52,7 @@ final class DensePackingCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size) {
+    public Seen run(Rung rung, Size size, Progress progress) {
         double widest = Math.sqrt(DENSEST / 0.84) - 1;
         Tally tally = new Tally();
         for (double gap : new double[] {widest, 1e-2, 1e-3, 1e-6, 1e-9, 1e-12, 1e-14, 0}) {

@@ -30,7 +30,7 @@ final class LateTimesCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size) {
+    public Seen run(Rung rung, Size size, Progress progress) {
         StringBuilder text = new StringBuilder("overlap in ulp at speed");
         boolean met = true;
         for (double speed = 1; speed <= 1e8; speed *= 100) {

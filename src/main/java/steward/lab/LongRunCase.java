@@ -13,8 +13,11 @@ final class LongRunCase implements StabilityCase {
 
     private static final long SEED = 16;
     private static final double BOOKS = 1e-28;
-    /** From so many bodies on, all pairs at each impact would take hours. */
-    private static final int CROWD = 1000;
+    private static final long MILLION = 1_000_000;
+    /** From so many bodies on, all pairs at each impact would take long. */
+    private static final int CROWD = 100;
+    /** A turn has one or more on the average: who needs so many turns for each misses them. */
+    private static final int TURNS_PER_IMPACT = 10;
 
     private final int bodies;
     private final double drift;
@@ -39,7 +42,7 @@ final class LongRunCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size) {
+    public Seen run(Rung rung, Size size, Progress progress) {
         int small = bodies == 10 ? 100_000 : 20_000;
         long wanted = rung.isEvent() ? size.pick(small, 1_000_000, 10_000_000) : 1;
         Bodies gas = gas();
@@ -49,18 +52,28 @@ final class LongRunCase implements StabilityCase {
             : rung.crowdAdvance(ImpactLaw.PHYSICS, box);
         BigDecimal energy = Probe.energy(gas);
         double atMillion = Double.NaN;
-        while (ledger.impacts < wanted) {
+        for (long turn = 0; ledger.impacts < wanted && turn < TURNS_PER_IMPACT * wanted; turn++) {
             advance.turn(gas, ledger);
-            if (Double.isNaN(atMillion) && ledger.impacts >= 1_000_000) {
+            if (Double.isNaN(atMillion) && ledger.impacts >= MILLION) {
                 atMillion = drift(gas, energy);
+            }
+            if (turn % 10_000 == 0) {
+                double first = atMillion;
+                progress.reached((double) ledger.impacts / wanted,
+                    () -> text(ledger, drift(gas, energy), first, ledger.gap(gas)));
             }
         }
         double last = drift(gas, energy);
         double judged = Double.isNaN(atMillion) ? last : atMillion;
         double gap = ledger.gap(gas);
-        return Seen.of(rung.isEvent(), (judged <= drift || !rung.isOurs()) && gap <= BOOKS, String.format(Locale.ROOT,
-            "%d impacts: energy %.1e%s, books %.1e", ledger.impacts, last,
-            judged != last ? String.format(Locale.ROOT, " (%.1e after 10^6)", judged) : "", gap));
+        boolean met = ledger.impacts >= wanted && (judged <= drift || !rung.isOurs()) && gap <= BOOKS;
+        return Seen.of(rung.isEvent(), met, text(ledger, last, judged, gap));
+    }
+
+    private static String text(Ledger ledger, double last, double atMillion, double gap) {
+        return String.format(Locale.ROOT, "%d impacts: energy %.1e%s, books %.1e", ledger.impacts, last,
+            last == atMillion || Double.isNaN(atMillion) ? ""
+                : String.format(Locale.ROOT, " (%.1e after 10^6)", atMillion), gap);
     }
 
     private static double drift(Bodies gas, BigDecimal energy) {

@@ -21,7 +21,7 @@ final class MassesCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size) {
+    public Seen run(Rung rung, Size size, Progress progress) {
         OracleCheck check = new OracleCheck(rung, TOLERANCE);
         for (int ea : EXPONENTS) {
             for (int eb : EXPONENTS) {

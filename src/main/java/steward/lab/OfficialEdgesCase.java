@@ -21,7 +21,7 @@ final class OfficialEdgesCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size) {
+    public Seen run(Rung rung, Size size, Progress progress) {
         StringBuilder text = new StringBuilder();
         boolean met = row(rung, text);
         for (int hair = -1; hair <= 1; hair++) {

@@ -11,6 +11,7 @@ import steward.physics.ImpactLaw;
 final class OfficialHeapsCase implements StabilityCase {
 
     private static final long SEED = 14;
+    private static final int PAUSE = 10_000;
 
     @Override
     public String name() {
@@ -24,25 +25,39 @@ final class OfficialHeapsCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size) {
+    public Seen run(Rung rung, Size size, Progress progress) {
         boolean official = rung.arithmetic() == Arithmetic.OFFICIAL;
         int states = size.pick(20_000, official ? 8_000_000 : 1_000_000, 8_000_000);
         Advance advance = rung.advance(ImpactLaw.OFFICIAL_POD_RACE);
         SplitMix64 random = new SplitMix64(SEED);
-        Probe probe = new Probe();
+        Heaps seen = new Heaps();
         Bodies bodies = new Bodies(4);
-        long most = 0;
-        int notFinite = 0;
         for (int n = 0; n < states; n++) {
+            if (n % PAUSE == 0) {
+                progress.reached((double) n / states, seen::text);
+            }
             heap(random, bodies, n);
-            long before = probe.impacts;
-            advance.turn(bodies, probe);
-            notFinite += Probe.finite(bodies) ? 0 : 1;
-            most = Math.max(most, probe.impacts - before);
+            long before = seen.impacts;
+            advance.turn(bodies, seen);
+            seen.states++;
+            seen.notFinite += Probe.finite(bodies) ? 0 : 1;
+            seen.most = Math.max(seen.most, seen.impacts - before);
         }
-        return Seen.of(rung.isEvent(), notFinite == 0 && probe.limited == 0, String.format(Locale.ROOT,
-            "%d states, %d impacts, at most %d in a turn, %d at the bound, %d not finite", states, probe.impacts, most,
-            probe.limited, notFinite));
+        boolean met = seen.notFinite == 0 && seen.limited == 0 && seen.impacts > states;
+        return Seen.of(rung.isEvent(), met, seen.text());
+    }
+
+    /** Adds up what is seen of the states. */
+    private static final class Heaps extends Probe {
+
+        private long states;
+        private long most;
+        private long notFinite;
+
+        String text() {
+            return String.format(Locale.ROOT, "%d states, %d impacts, at most %d in a turn, %d at the bound, %d not "
+                + "finite", states, impacts, most, limited, notFinite);
+        }
     }
 
     /** A quarter stands on whole numbers, a quarter of the pods is shielded, speeds are 0, ordinary or wild. */

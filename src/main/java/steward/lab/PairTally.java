@@ -23,6 +23,7 @@ final class PairTally {
     private long hits;
     private long wrong;
     private long refused;
+    private long timed;
     private double timeUlps;
     private double positionUlps;
     private double impulseUlps;
@@ -55,6 +56,7 @@ final class PairTally {
         }
         if (truth.hit()) {
             Impact impact = log.impact(0);
+            timed++;
             timeUlps = Math.max(timeUlps, truth.ulps(impact.time()));
             if (state != null) {
                 compare(impact, oracle.turn(state).get(0));
@@ -80,9 +82,14 @@ final class PairTally {
 
     /** On the exact rung no decision may be wrong and nothing off by more than {@link Rung#EXACT_ULPS}. */
     Seen seen() {
-        boolean met = wrong == 0
+        boolean met = isRight()
             && Math.max(Math.max(timeUlps, positionUlps), Math.max(impulseUlps, velocityUlps)) <= Rung.EXACT_ULPS;
         return Seen.of(rung.isExact(), met, text());
+    }
+
+    /** Whether all decisions were made, and none was wrong. */
+    boolean isRight() {
+        return wrong + refused == 0;
     }
 
     long wrong() {
@@ -96,8 +103,9 @@ final class PairTally {
     String text() {
         String whole = positionUlps + impulseUlps + velocityUlps == 0 ? "" : String.format(Locale.ROOT,
             ", position %.3g, impulse %.3g, velocity %.3g", positionUlps, impulseUlps, velocityUlps);
-        return String.format(Locale.ROOT, "%d pairs, %d hits, wrong %d%s; ulp: time %.3g%s", pairs, hits, wrong,
-            refused > 0 ? ", refused " + refused : "", timeUlps, whole)
+        return String.format(Locale.ROOT, "%d pairs, %d hits, wrong %d%s%s%s", pairs, hits, wrong,
+            refused > 0 ? ", refused " + refused : "",
+            timed == 0 ? "" : String.format(Locale.ROOT, "; ulp: time %.3g", timeUlps), whole)
             + (rung.isExact() && wrong > 0 ? "; first " + firstWrong : "");
     }
 }

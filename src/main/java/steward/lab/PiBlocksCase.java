@@ -29,7 +29,7 @@ final class PiBlocksCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size) {
+    public Seen run(Rung rung, Size size, Progress progress) {
         StringBuilder text = new StringBuilder("impacts");
         boolean counted = true;
         double worst = 0;
@@ -41,6 +41,7 @@ final class PiBlocksCase implements StabilityCase {
             counted &= impacts == DIGITS.get(k);
             worst = Math.max(worst, Probe.energy(bodies).subtract(energy).abs().doubleValue() / energy.doubleValue());
             text.append(' ').append(impacts);
+            progress.reached((double) DIGITS.get(k) / DIGITS.get(last), text::toString);
         }
         text.append(String.format(Locale.ROOT, "; energy error %.1e", worst));
         return Seen.of(rung.isEvent(), counted && (!rung.isExact() || worst <= ENERGY), text.toString());

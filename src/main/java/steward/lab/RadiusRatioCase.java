@@ -19,7 +19,7 @@ final class RadiusRatioCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size) {
+    public Seen run(Rung rung, Size size, Progress progress) {
         PairTally tally = new PairTally(rung);
         SplitMix64 random = new SplitMix64(SEED);
         for (int n = 0; n < size.pick(5000, 100_000, 2_000_000); n++) {

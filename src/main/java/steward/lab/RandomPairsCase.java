@@ -29,11 +29,12 @@ final class RandomPairsCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size) {
+    public Seen run(Rung rung, Size size, Progress progress) {
         int every = size.pick(250, 50, 50);
         int blocks = rung.isExact() ? size.pick(50, 500, 5_000) : size.pick(2, 50, 500);
         PairTally tally = new PairTally(rung);
         for (int block = 0; block < blocks; block++) {
+            progress.reached((double) block / blocks, tally::text);
             SplitMix64 random = new SplitMix64(SEED + block);
             for (int n = 0; n < BLOCK; n++) {
                 tally.add(pair(random), n % every == 0);

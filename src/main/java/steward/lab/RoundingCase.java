@@ -29,7 +29,7 @@ final class RoundingCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size) {
+    public Seen run(Rung rung, Size size, Progress progress) {
         Motion end = new Motion(false, true, true);
         StringBuilder wrong = new StringBuilder();
         for (double[] position : POSITIONS) {

@@ -21,9 +21,10 @@ import steward.physics.Wall;
  * @param isExact    whether decisions are exact and results rounded once
  * @param arithmetic of the times of impact
  * @param maker      makes the advance
+ * @param crowdMaker makes one for many bodies, at the same law and arithmetic
  */
 public record Rung(String name, boolean isEvent, boolean isExact, Arithmetic arithmetic,
-                   Function<PhysicsParts, Advance> maker) {
+                   Function<PhysicsParts, Advance> maker, Function<PhysicsParts, Advance> crowdMaker) {
 
     /** Of the exact rung: half a unit in the last place for rounding once, and a little for the arithmetic before. */
     static final double EXACT_ULPS = 0.51;
@@ -40,9 +41,14 @@ public record Rung(String name, boolean isEvent, boolean isExact, Arithmetic ari
         }
         for (Arithmetic arithmetic : Arithmetic.values()) {
             rungs.add(new Rung(arithmetic.text(), true, arithmetic == Arithmetic.EXACT, arithmetic,
-                EventAdvance::new));
+                EventAdvance::new, QueueAdvance::new));
         }
         return List.copyOf(rungs);
+    }
+
+    /** The same advance for few bodies and for many. */
+    Rung(String name, boolean isEvent, boolean isExact, Arithmetic arithmetic, Function<PhysicsParts, Advance> maker) {
+        this(name, isEvent, isExact, arithmetic, maker, maker);
     }
 
     /** Whether its expressions are ours to choose; the official ones are the server's, cancellation and all. */
@@ -55,10 +61,9 @@ public record Rung(String name, boolean isEvent, boolean isExact, Arithmetic ari
         return maker.apply(new PhysicsParts(law, arithmetic, new Contacts(1), List.of(walls), null, false));
     }
 
-    /** The same where there are many bodies: event rungs by {@link QueueAdvance}, at the same law and arithmetic. */
+    /** The same where there are many bodies: event rungs by {@link QueueAdvance}. */
     Advance crowdAdvance(ImpactLaw law, Wall... walls) {
-        PhysicsParts parts = new PhysicsParts(law, arithmetic, new Contacts(1), List.of(walls), null, false);
-        return isEvent ? new QueueAdvance(parts) : maker.apply(parts);
+        return crowdMaker.apply(new PhysicsParts(law, arithmetic, new Contacts(1), List.of(walls), null, false));
     }
 
     /** Bodies of one kind and any masses among walls. */

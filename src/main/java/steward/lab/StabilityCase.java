@@ -12,6 +12,10 @@ public interface StabilityCase {
     /** What is demanded, and of which rungs. */
     String demand();
 
-    /** Tries it. What goes wrong in the engine is seen as a failure or thrown. */
-    Seen run(Rung rung, Size size);
+    /**
+     * Tries it. What goes wrong in the engine is seen as a failure or thrown.
+     *
+     * @param progress told of cases that take minutes in their long version
+     */
+    Seen run(Rung rung, Size size, Progress progress);
 }

@@ -10,6 +10,11 @@ public final class StabilityCases {
 
     /** All cases. */
     public static List<StabilityCase> all() {
+        return all(0);
+    }
+
+    /** @param crowdImpacts how many impacts each crowd is played for, or 0 for what the size says */
+    public static List<StabilityCase> all(long crowdImpacts) {
         return List.of(
             new PiBlocksCase(),
             new GrazingCase(),
@@ -32,6 +37,10 @@ public final class StabilityCases {
             new LongRunCase(10, 5e-14),
             new LongRunCase(100, 1e-14),
             new LongRunCase(1000, 1e-15),
+            new CrowdCase(100, 0.1, 100_000_000, crowdImpacts),
+            new CrowdCase(1000, 0.1, 1_000_000_000, crowdImpacts),
+            new CrowdCase(10_000, 0.1, 100_000_000, crowdImpacts),
+            new CrowdCase(1000, 0.8, 100_000_000, crowdImpacts),
             new RoundingCase(),
             new RandomPairsCase(200),
             new RandomPairsCase(900));

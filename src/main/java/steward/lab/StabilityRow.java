@@ -20,18 +20,20 @@ public record StabilityRow(String name, String demand, String rung, Seen seen, d
     /**
      * Tries cases on rungs, one after the other. An exception that a case did not expect is a failure.
      *
-     * @param before told of each case and rung that is about to be tried
-     * @param after  given each row as it comes
+     * @param before   told of each case and rung that is about to be tried
+     * @param progress told how far that one is
+     * @param after    given each row as it comes
      */
     public static void tryAll(List<StabilityCase> cases, List<Rung> rungs, Size size,
-                              BiConsumer<StabilityCase, Rung> before, Consumer<StabilityRow> after) {
+                              BiConsumer<StabilityCase, Rung> before, Progress progress,
+                              Consumer<StabilityRow> after) {
         for (StabilityCase each : cases) {
             for (Rung rung : rungs) {
                 before.accept(each, rung);
                 long start = System.nanoTime();
                 Seen seen;
                 try {
-                    seen = each.run(rung, size);
+                    seen = each.run(rung, size, progress);
                 } catch (RuntimeException problem) {
                     seen = Seen.demanded(false, "threw " + problem);
                 }

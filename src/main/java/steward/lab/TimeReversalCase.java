@@ -24,7 +24,7 @@ final class TimeReversalCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size) {
+    public Seen run(Rung rung, Size size, Progress progress) {
         int worlds = size.pick(10, 100, 1000);
         long sum = 0;
         long least = Long.MAX_VALUE;

@@ -44,6 +44,37 @@ class StabilityCommandTest {
         assertEquals("", cli.err());
     }
 
+    /** A crowd is played for as long as one likes. */
+    @Test
+    void rungsAndTheImpactsOfCrowdsCanBeChosen() {
+        Cli cli = stability("--case", "crowd of 100, 10%", "--rung", "double", "--rung", "exact", "--impacts", "3000");
+        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        List<String> rows = cli.out().lines().filter(line -> line.contains(" holds ")).toList();
+        assertEquals(2, rows.size(), cli.out());
+        for (String row : rows) {
+            assertTrue(row.matches("  (double|exact) +holds +3\\d{3} impacts in \\d turns: 0 overlaps, .*"), row);
+        }
+    }
+
+    /** Of a row that takes long, an interrupted run tells what there was so far. */
+    @Test
+    void theUnfinishedRowIsTold() throws IOException, InterruptedException {
+        Path errors = folder.resolve("errors");
+        Process run = child(List.of(), "stability", "--case", "crowd of 100, 10%", "--rung", "double", "--impacts",
+            "1000000000000").redirectError(errors.toFile()).redirectOutput(folder.resolve("table").toFile()).start();
+        try {
+            for (int k = 0; k < 60 && run.isAlive(); k++) {
+                Thread.sleep(50);
+            }
+        } finally {
+            run.destroy();
+            run.waitFor();
+        }
+        String said = Files.readString(errors);
+        assertTrue(said.matches("steward: interrupted; the rows so far are above; unfinished: crowd of 100, 10%, "
+            + "double, [.0-9]+%: [1-9]\\d* impacts in \\d+ turns: 0 overlaps, (?s:.*)"), said);
+    }
+
     @Test
     void aTerminalSeesHowFarItIs() {
         Cli cli = Cli.run(true, "stability", "--quick", "--case", "rounding");
@@ -75,6 +106,9 @@ class StabilityCommandTest {
         refused("there is no folder", "--out", folder + "/no/such");
         refused("exclude each other", "--long");
         refused("did you mean 'rounding'?", "--case", "roundin");
+        refused("--rung: found 'exakt', expected one of step/1; ", "--rung", "exakt");
+        refused("did you mean 'exact'?", "--rung", "exakt");
+        refused("--impacts: found 0, expected 1 to ", "--impacts", "0");
         refused("expected --out", "--overwrite");
         refused("--golden goes with", "--golden", "--case", "rounding");
         assertEquals("precious", Files.readString(file));

@@ -14,6 +14,7 @@ import steward.physics.Contacts;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.QueueAdvance;
+import steward.physics.StepAdvance;
 import steward.physics.TurnSink;
 
 /** Crowds in a box: nothing is missed, nobody escapes at any coverage; boxes that hold no such crowd are refused. */
@@ -24,7 +25,8 @@ class CrowdCheckTest {
         "100, 0.6, 50000, DOUBLE", "1000, 0.8, 50000, OFFICIAL", "2000, 0.85, 20000, EXACT",
         "3000, 0.85, 50000, DOUBLE", "5000, 0.01, 20000, DOUBLE", "20000, 0.1, 50000, DOUBLE"})
     void nothingIsMissed(int bodies, double coverage, long impacts, Arithmetic arithmetic) {
-        CrowdCheck.Result seen = CrowdCheck.run(new Gas(5, bodies, coverage), arithmetic, impacts, done -> { });
+        CrowdCheck.Result seen = CrowdCheck.run(new Gas(5, bodies, coverage), rung(arithmetic), impacts,
+            Progress.NONE);
         assertTrue(seen.isRight() && seen.impacts() >= impacts && seen.drift() < 1e-10, seen::toString);
     }
 
@@ -38,7 +40,7 @@ class CrowdCheckTest {
         bodies.setVelocity(8, 0, 0);
         bodies.setPosition(20, -3, 5);
         bodies.setVelocity(20, 0, 0);
-        CrowdCheck.Result seen = CrowdCheck.run(bodies, gas, Arithmetic.DOUBLE, 1, done -> { });
+        CrowdCheck.Result seen = CrowdCheck.run(bodies, gas, rung(Arithmetic.DOUBLE), 1, Progress.NONE);
         assertTrue(seen.overlaps() > 0 || seen.apart() > 0, seen::toString);
         assertTrue(seen.escapes() > 0, seen::toString);
     }
@@ -54,6 +56,21 @@ class CrowdCheckTest {
         advance.turn(gas.bodies(), TurnSink.NONE);
         assertTrue(advance.bytes() > 64L * bodies, advance.bytes() + " bytes");
         assertTrue(advance.bytes() <= 200L * bodies, advance.bytes() / bodies + " bytes a body");
+    }
+
+    /** The rows of the stability table fail where discs fly through each other, and where impacts are invented. */
+    @Test
+    void theCaseFailsOnAWrongAdvance() {
+        Rung real = rung(Arithmetic.DOUBLE);
+        StabilityCase crowd = new CrowdCase(100, 0.1, 0, 500);
+        assertEquals(Seen.Verdict.HOLDS, crowd.run(real, Size.SMALL, Progress.NONE).verdict());
+        Rung steps = new Rung("steps", true, false, Arithmetic.DOUBLE, parts -> new StepAdvance(parts, 4));
+        assertEquals(Seen.Verdict.FAILS, crowd.run(steps, Size.SMALL, Progress.NONE).verdict());
+    }
+
+    private static Rung rung(Arithmetic arithmetic) {
+        return Rung.all().stream().filter(each -> each.isEvent() && each.arithmetic() == arithmetic).findFirst()
+            .orElseThrow();
     }
 
     @Test
