@@ -141,7 +141,8 @@ class StabilityTest {
 
     /** The other cases that demand anything. */
     private static List<String> not(List<String> names) {
-        return quickOnes().stream().filter(each -> !(each instanceof TimeReversalCase)).map(StabilityCase::name).filter(name -> !names.contains(name)).toList();
+        return quickOnes().stream().filter(each -> !(each instanceof TimeReversalCase))
+            .map(StabilityCase::name).filter(name -> !names.contains(name)).toList();
     }
 
     @Test
