@@ -42,6 +42,7 @@ public final class SeededPlay {
     private Game game;
     private FrameCodec codec;
 
+    /** @param seed of the first game; each further one has the next number. The script draws from it too */
     public SeededPlay(GameSetup setup, Script script, long seed) {
         this.setup = setup;
         this.script = script;

@@ -25,6 +25,7 @@ public final class TradeoffMeasurement {
     private final int freeRuns;
     private final int freeTurns;
 
+    /** @param effort how many of the states, rounds and free runs that the scene names */
     public TradeoffMeasurement(TradeoffScene scene, TradeoffEffort effort) {
         this.scene = scene;
         this.effort = effort;

@@ -68,6 +68,7 @@ public final class Turn {
         return number;
     }
 
+    /** How many players there are, those who are out included. */
     public int players() {
         return asked.length;
     }

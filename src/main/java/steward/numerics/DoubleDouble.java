@@ -33,12 +33,14 @@ public final class DoubleDouble {
         return low;
     }
 
+    /** Becomes a double. */
     public DoubleDouble set(double value) {
         high = value;
         low = 0;
         return this;
     }
 
+    /** Becomes the same number as another. */
     public DoubleDouble set(DoubleDouble other) {
         high = other.high;
         low = other.low;
@@ -69,22 +71,26 @@ public final class DoubleDouble {
         return this;
     }
 
+    /** Times -1, exactly. */
     public DoubleDouble negate() {
         high = -high;
         low = -low;
         return this;
     }
 
+    /** Adds a double. */
     public DoubleDouble add(double value) {
         double sum = high + value;
         double error = ErrorFree.sumError(high, value, sum);
         return normalize(sum, low + error);
     }
 
+    /** Adds another, which may be this. */
     public DoubleDouble add(DoubleDouble other) {
         return add(other.high, other.low);
     }
 
+    /** Takes another away. */
     public DoubleDouble subtract(DoubleDouble other) {
         return add(-other.high, -other.low);
     }
@@ -99,6 +105,7 @@ public final class DoubleDouble {
         return normalize(head, lowError + ErrorFree.fastSumError(sum, carry, head));
     }
 
+    /** Times a double. */
     public DoubleDouble multiply(double value) {
         double product = high * value;
         double error = ErrorFree.productError(high, value, product);
@@ -107,12 +114,14 @@ public final class DoubleDouble {
         return normalize(head, ErrorFree.fastSumError(product, lowProduct, head) + error);
     }
 
+    /** Times another, which may be this. */
     public DoubleDouble multiply(DoubleDouble other) {
         double product = high * other.high;
         double error = ErrorFree.productError(high, other.high, product);
         return normalize(product, error + (high * other.low + low * other.high));
     }
 
+    /** Times itself. */
     public DoubleDouble square() {
         return multiply(this);
     }

@@ -13,6 +13,7 @@ public final class StateHash {
 
     private long hash;
 
+    /** Adds a whole number, all 64 bits. */
     public StateHash add(long value) {
         hash = SplitMix64.mix(hash + value + GAMMA);
         return this;
@@ -23,10 +24,12 @@ public final class StateHash {
         return add(Double.doubleToLongBits(value));
     }
 
+    /** Adds 1 for true, 0 for false. */
     public StateHash add(boolean value) {
         return add(value ? 1L : 0L);
     }
 
+    /** The hash of all that was added, in this order. */
     public long value() {
         return hash;
     }

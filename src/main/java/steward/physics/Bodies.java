@@ -14,11 +14,13 @@ import java.util.Arrays;
  */
 public final class Bodies {
 
-    /** Positions of the centres, in u. */
+    /** Positions of the centres, to the right, in u. */
     public final double[] x;
+    /** Positions of the centres, downwards, in u. */
     public final double[] y;
-    /** Velocities, in u per turn. */
+    /** Velocities to the right, in u per turn. */
     public final double[] vx;
+    /** Velocities downwards, in u per turn. */
     public final double[] vy;
     /** Radii, in u, above 0. */
     public final double[] radius;
@@ -94,6 +96,11 @@ public final class Bodies {
         return body;
     }
 
+    /**
+     * Puts a centre, in u.
+     *
+     * @throws IllegalArgumentException unless both are finite
+     */
     public void setPosition(int body, double x, double y) {
         requireFinite(body, "x", x);
         requireFinite(body, "y", y);
@@ -101,6 +108,11 @@ public final class Bodies {
         this.y[body] = y;
     }
 
+    /**
+     * In u per turn.
+     *
+     * @throws IllegalArgumentException unless both are finite
+     */
     public void setVelocity(int body, double vx, double vy) {
         requireFinite(body, "vx", vx);
         requireFinite(body, "vy", vy);
@@ -108,27 +120,52 @@ public final class Bodies {
         this.vy[body] = vy;
     }
 
+    /**
+     * In u.
+     *
+     * @throws IllegalArgumentException unless it is finite and above 0
+     */
     public void setRadius(int body, double radius) {
         requireRadius(body, radius);
         this.radius[body] = radius;
     }
 
+    /**
+     * Sets the mass and its inverse.
+     *
+     * @throws IllegalArgumentException unless it is above 0; it may be infinite
+     */
     public void setMass(int body, double mass) {
         requireMass(body, mass);
         this.mass[body] = mass;
         inverseMass[body] = 1 / mass;
     }
 
+    /**
+     * The share of an approach speed that an impact gives back.
+     *
+     * @throws IllegalArgumentException unless it is 0..1
+     */
     public void setRestitution(int body, double restitution) {
         requireShare(body, "restitution", restitution);
         this.restitution[body] = restitution;
     }
 
+    /**
+     * The share of its speed that the body loses at the end of a turn.
+     *
+     * @throws IllegalArgumentException unless it is 0..1
+     */
     public void setDrag(int body, double drag) {
         requireShare(body, "drag", drag);
         this.drag[body] = drag;
     }
 
+    /**
+     * Decides what contacts mean.
+     *
+     * @throws IllegalArgumentException if it is below 0
+     */
     public void setKind(int body, int kind) {
         if (kind < 0) {
             throw new IllegalArgumentException(name(body) + ": kind " + kind + ", expected at least 0");

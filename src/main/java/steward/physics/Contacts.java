@@ -49,14 +49,17 @@ public final class Contacts {
         return this;
     }
 
+    /** How many kinds of bodies there are. */
     public int kinds() {
         return kinds;
     }
 
+    /** What a contact of two kinds means, in either order. */
     public Meaning between(int kindA, int kindB) {
         return pairs[kindA * kinds + kindB];
     }
 
+    /** What a contact of a kind with any wall means. */
     public Meaning withWall(int kind) {
         return walls[kind];
     }

@@ -25,6 +25,7 @@ public final class EventAdvance implements Advance {
     private final Touch touch;
     private final Standstill standstill;
 
+    /** @param parts of the scene; what they lack is not looked for */
     public EventAdvance(PhysicsParts parts) {
         Wall[] walls = parts.walls().toArray(new Wall[0]);
         this.parts = parts;

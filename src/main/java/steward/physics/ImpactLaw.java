@@ -64,26 +64,35 @@ public record ImpactLaw(Restitution restitution, double minimumImpulse, boolean 
             "0, because only approaching pairs react");
     }
 
+    /** The same law with another rule of restitution. */
     public ImpactLaw withRestitution(Restitution value) {
         return new ImpactLaw(value, minimumImpulse, minimumImpulseAtWalls, deadZone, separatingPairsReact, batchWindow,
             scanOrder, pushOut, maximumImpacts);
     }
 
+    /**
+     * The same law with another least second step.
+     *
+     * @param atWalls whether it counts at walls too
+     */
     public ImpactLaw withMinimumImpulse(double value, boolean atWalls) {
         return new ImpactLaw(restitution, value, atWalls, deadZone, separatingPairsReact, batchWindow, scanOrder,
             pushOut, maximumImpacts);
     }
 
+    /** The same law with another dead zone; NaN for none. */
     public ImpactLaw withDeadZone(double value) {
         return new ImpactLaw(restitution, minimumImpulse, minimumImpulseAtWalls, value, separatingPairsReact,
             batchWindow, scanOrder, pushOut, maximumImpacts);
     }
 
+    /** The same law with another push-out, in u; NaN for none. */
     public ImpactLaw withPushOut(double value) {
         return new ImpactLaw(restitution, minimumImpulse, minimumImpulseAtWalls, deadZone, separatingPairsReact,
             batchWindow, scanOrder, value, maximumImpacts);
     }
 
+    /** The same law with another bound on the impacts in a turn; 0 for the usual one. */
     public ImpactLaw withMaximumImpacts(int value) {
         return new ImpactLaw(restitution, minimumImpulse, minimumImpulseAtWalls, deadZone, separatingPairsReact,
             batchWindow, scanOrder, pushOut, value);

@@ -11,10 +11,12 @@ public final class PassingPairs {
     private long[] pairs = new long[8];
     private int size;
 
+    /** Whether nobody passes anybody. */
     public boolean isEmpty() {
         return size == 0;
     }
 
+    /** How many pairs there are. */
     public int size() {
         return size;
     }

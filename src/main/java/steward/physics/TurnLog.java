@@ -84,6 +84,7 @@ public final class TurnLog implements TurnSink {
         limitBodies = bodyIds;
     }
 
+    /** How many impacts the turn had. */
     public int impacts() {
         return impacts;
     }
@@ -102,18 +103,22 @@ public final class TurnLog implements TurnSink {
         return knots;
     }
 
+    /** The id of the body whose path has the k-th corner. */
     public int knotBody(int k) {
         return knotBody[k];
     }
 
+    /** When in the turn, 0..1. */
     public double knotTime(int k) {
         return knotNumbers[3 * k];
     }
 
+    /** Where, in u. */
     public double knotX(int k) {
         return knotNumbers[3 * k + 1];
     }
 
+    /** Where, in u. */
     public double knotY(int k) {
         return knotNumbers[3 * k + 2];
     }

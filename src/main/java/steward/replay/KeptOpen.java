@@ -7,6 +7,7 @@ import java.io.OutputStream;
 /** Lets a writer be closed without closing what it writes to: the end of its part is not the end of the whole. */
 public final class KeptOpen extends FilterOutputStream {
 
+    /** @param out is flushed, not closed */
     public KeptOpen(OutputStream out) {
         super(out);
     }

@@ -40,14 +40,17 @@ public final class Resimulation {
         }
     }
 
+    /** The scene of the header, opened. */
     public GameSetup setup() {
         return setup;
     }
 
+    /** The game as it stands after the turns played again. */
     public Game game() {
         return game;
     }
 
+    /** Its codec. */
     public FrameCodec codec() {
         return codec;
     }

@@ -309,6 +309,7 @@ public final class PodRace implements Game {
         return hash.value();
     }
 
+    /** What the scene says about the race. */
     public PodRaceSettings settings() {
         return settings;
     }
