@@ -20,8 +20,8 @@ import steward.numerics.StateHash;
  */
 final class BenchPodGames {
 
-    static final int GAMES = 256;
-    static final int TURNS = 60;
+    static final int GAMES = 200;
+    static final int TURNS = 80;
 
     private static final int PODS = 4;
     private static final int LAPS = 3;

@@ -23,8 +23,7 @@ public final class OfficialAdvance implements Advance {
      */
     private static final double MARGIN = 1;
     private static final double SHARE = 0x1p-40;
-    /** Less than 1 by more than any rounding, and than twice SHARE. */
-    private static final double NEARLY_ALL = 0.999;
+    private static final double REST = 1 - SHARE;
     /** Up to here, in u and in u per turn, the rounding of the places of a whole turn is small against the margin. */
     private static final double SMALL = 0x1p15;
 
@@ -177,33 +176,31 @@ public final class OfficialAdvance implements Advance {
 
     /** Whether two may come near each other, by the margin above, before the time is over. */
     public static boolean mayMeet(double dx, double dy, double wx, double wy, double time, double touchSquare) {
-        double square = dx * dx + dy * dy;
-        double a = wx * wx + wy * wy;
-        if (NEARLY_ALL * square > 2 * (touchSquare + MARGIN) + 2 * a) {
+        double c = REST * (dx * dx + dy * dy) - (touchSquare + MARGIN);
+        double b = dx * wx + dy * wy;
+        if (c + (b - Math.abs(b)) * time > 0) {
             return false;                             // most, see areFar
         }
-        double c = square - touchSquare - (MARGIN + SHARE * square);
         if (!(c > 0)) {
             return true;
         }
-        double b = dx * wx + dy * wy;
-        if (b >= 0) {
-            return false;
-        }
+        double a = wx * wx + wy * wy;
         return -b >= a * time ? !((a * time + 2 * b) * time + c > 0) : !(b * b - a * c < 0);
     }
 
     /** For {@link #areFar}. */
-    public double coarseReach() {
-        return 2 * (touchSquare + MARGIN);
+    public double reach() {
+        return touchSquare + MARGIN;
     }
 
     /**
-     * A coarse and cheap test that a pair cannot meet in a turn: with r^2 = s^2 + m, d^2 > 2 (r^2 + w^2) >= (r +
-     * |w|)^2, whatever the directions.
+     * A cheap test that a pair cannot meet in a turn: f(t) = d^2 + 2 b t + w^2 t^2 with b = d.w is at least d^2 + 2 b
+     * if they approach, and at least d^2 if they do not; and b - |b| is 2 b or 0. Where it is met |b| <= |d|^2 / 2, so
+     * that the roundings are no greater than in (1).
      */
-    public static boolean areFar(double dx, double dy, double wx, double wy, double coarseReach) {
-        return NEARLY_ALL * (dx * dx + dy * dy) > coarseReach + 2 * (wx * wx + wy * wy);
+    public static boolean areFar(double dx, double dy, double wx, double wy, double reach) {
+        double b = dx * wx + dy * wy;
+        return REST * (dx * dx + dy * dy) - reach + (b - Math.abs(b)) > 0;
     }
 
     /** The same test as {@link #nearPairs} makes for each pair: from relative place and velocity. */

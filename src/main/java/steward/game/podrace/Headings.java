@@ -44,9 +44,11 @@ final class Headings {
     static final double DOUBT = 0x1p-30;
     static final double COSINE = 0x1.e6f0e134454ffp-1;
     static final double SINE = 0x1.3c6ef372fe94fp-2;
-    /** Squares of cosines, to be compared before any square root is taken. */
-    static final double SURELY_WITHIN = (COSINE + DOUBT) * (COSINE + DOUBT);
-    static final double SURELY_BEYOND = (COSINE - DOUBT) * (COSINE - DOUBT);
+    /**
+     * The same for squares of cosines, which are compared before any square root is taken: with C the cosine of 18
+     * degrees, (C + DOUBT)^2 - C^2 and C^2 - (C - DOUBT)^2 are below 2 DOUBT; the rest is for rounding.
+     */
+    static final double SQUARE_DOUBT = 2.5 * DOUBT;
 
     /** Angles from here on have no vector. */
     private static final double GREATEST_ANGLE = 0x1p9;
@@ -75,7 +77,6 @@ final class Headings {
     private final StrictAngles angles = new StrictAngles();
     private double directionX;
     private double directionY;
-
 
     /** @param angle in radians, NaN for unset */
     void set(double[] to, int at, double angle) {
@@ -142,33 +143,37 @@ final class Headings {
         return angle;
     }
 
-    /** Turns a pod towards a target at (dx, dy) from it, not both 0, by at most 18 degrees. */
+    /**
+     * Turns a pod towards a target at (dx, dy) from it, not both 0, by at most 18 degrees. Straight to the target and
+     * by 18 degrees are both worked out and one is taken by bits: a branch would be guessed wrong too often.
+     */
     void turnTo(double[] headings, int at, double dx, double dy) {
         double hx = headings[at + X];
         double hy = headings[at + Y];
         double square = dx * dx + dy * dy;
         double along = hx * dx + hy * dy;
-        double signedSquare = along * Math.abs(along);
-        if (signedSquare > SURELY_WITHIN * square && square > LEAST_SQUARE && square < GREATEST_SQUARE) {
-            double inverse = 1 / Math.sqrt(square);
-            headings[at + X] = dx * inverse;
-            headings[at + Y] = dy * inverse;
-            headings[at + BASE_X] = dx;
-            headings[at + BASE_Y] = dy;
-            headings[at + CHAIN] = 1;
-            return;
-        }
         double across = hx * dy - hy * dx;
         double chain = headings[at + CHAIN];
-        if (signedSquare < SURELY_BEYOND * square && across * across > DOUBT * DOUBT * square && square > LEAST_SQUARE
-            && square < GREATEST_SQUARE && chain < LONGEST) {
-            double side = Math.copySign(1, across);
-            headings[at + X] = hx * COSINE - hy * (side * SINE);
-            headings[at + Y] = hx * (side * SINE) + hy * COSINE;
-            headings[at + CHAIN] = 2 * chain + 0.5 + 0.5 * side;
+        double within = along * Math.abs(along) - COSINE * COSINE * square;
+        if (Math.abs(within) > SQUARE_DOUBT * square && (across * across > DOUBT * DOUBT * square || within > 0)
+            && square > LEAST_SQUARE && square < GREATEST_SQUARE && chain < LONGEST) {
+            long beyond = Double.doubleToRawLongBits(within) >> 63;
+            double inverse = 1 / Math.sqrt(square);
+            double sine = Math.copySign(SINE, across);
+            headings[at + X] = either(dx * inverse, hx * COSINE - hy * sine, beyond);
+            headings[at + Y] = either(dy * inverse, hx * sine + hy * COSINE, beyond);
+            headings[at + BASE_X] = either(dx, headings[at + BASE_X], beyond);
+            headings[at + BASE_Y] = either(dy, headings[at + BASE_Y], beyond);
+            headings[at + CHAIN] = either(1, 2 * chain + 0.5 + Math.copySign(0.5, across), beyond);
         } else {
             set(headings, at, turned(angle(headings, at), StrictAngles.atan2(dy, dx)));
         }
+    }
+
+    /** The first where the mask is 0, the second where it is -1. */
+    private static double either(double first, double second, long mask) {
+        long bits = Double.doubleToRawLongBits(first);
+        return Double.longBitsToDouble(bits ^ (bits ^ Double.doubleToRawLongBits(second)) & mask);
     }
 
     /** The heading after a turn from one angle towards another. */

@@ -218,7 +218,7 @@ final class PodTurn {
         double y3 = of[3 * SPEED + Y];
         double vx3 = of[3 * SPEED + VX];
         double vy3 = of[3 * SPEED + VY];
-        double reach = advance.coarseReach();
+        double reach = advance.reach();
         return OfficialAdvance.areFar(x0 - x1, y0 - y1, vx0 - vx1, vy0 - vy1, reach)
             && OfficialAdvance.areFar(x0 - x2, y0 - y2, vx0 - vx2, vy0 - vy2, reach)
             && OfficialAdvance.areFar(x0 - x3, y0 - y3, vx0 - vx3, vy0 - vy3, reach)
@@ -382,15 +382,16 @@ final class PodTurn {
             bodies.vx[pod] = speed[to + VX];
             bodies.vy[pod] = speed[to + VY];
             bodies.mass[pod] = speed[to + MASS];
-            bodies.inverseMass[pod] = 1 / speed[to + MASS];
+            bodies.inverseMass[pod] = speed[to + MASS] == 1 ? 1 : 1 / SHIELD_MASS;
         }
         return advance.turn(bodies, paths, near, exact);
     }
 
     /** @param mayPass the pods (bits) that may have passed one */
     private void countCheckpoints(int mayPass) {
-        for (int pod = 0; pod < pods; pod++) {
-            if ((mayPass >> pod & 1) != 0 && pass(pod)) {
+        for (int rest = mayPass & (1 << pods) - 1; rest != 0; rest &= rest - 1) {
+            int pod = Integer.numberOfTrailingZeros(rest);
+            if (pass(pod)) {
                 counts[COUNTS * pods + pod / perPlayer] = TURNS_WITHOUT_CHECKPOINT;
             }
         }
