@@ -15,9 +15,13 @@ import steward.game.podrace.PodRaceSimulator;
  * it:
  *
  * <pre>
- * steward match --bot "codingame:java -cp 'build/install/steward/lib/*' \
- *     src/examples/java/steward/examples/SimulatorBot.java" --bot builtin:racer --seed 7
+ * javac -d build/bot -cp 'build/install/steward/lib/*' src/examples/java/steward/examples/SimulatorBot.java
+ * steward match --bot "codingame:java -cp 'build/bot:build/install/steward/lib/*' steward.examples.SimulatorBot" \
+ *     --bot builtin:racer --seed 7
  * </pre>
+ *
+ * <p>(Java would also compile the file itself at each start, but that takes most of the second that a first answer
+ * has.)
  *
  * <p>Each turn it tries, for each of its pods, five steering angles with and without thrust and the shield, held for
  * two turns and then followed by a simple driver; all other pods are foreseen by that driver. The best first move is
