@@ -64,6 +64,9 @@ public final class BotProcess implements Player {
     private int wanted;
     private boolean written;
 
+    /** Says the last lines. */
+    private volatile Thread writer;
+
     private volatile String lastWords;
 
     /** No more questions. */
@@ -254,11 +257,43 @@ public final class BotProcess implements Player {
     }
 
     @Override
+    public void farewell(byte[] lines, int length) {
+        if (!over && group != null && writer == null) {
+            startWriter(lines, length);
+        }
+    }
+
+    /** A thread of its own says the last lines and closes, since that may block; it stays behind if it does. */
+    private void startWriter(byte[] lines, int length) {
+        byte[] copy = lines == null ? new byte[0] : Arrays.copyOf(lines, length);
+        Thread thread = new Thread(() -> {
+            if (copy.length > 0) {
+                send(copy, copy.length);
+            }
+            closeInput();
+        }, "steward-farewell");
+        thread.setDaemon(true);
+        try {
+            thread.start();
+            writer = thread;
+        } catch (OutOfMemoryError e) {
+            // No more threads: it is not told.
+            return;
+        }
+    }
+
+    @Override
     public void finish(byte[] lines, int length) {
         boolean polite = !over;
         over = true;
         if (group != null) {
-            boolean closing = polite && farewell(lines, length);
+            if (polite && writer == null) {
+                startWriter(lines, length);
+            }
+            boolean closing = polite && writer != null;
+            if (closing) {
+                awaitExit();
+            }
             group.kill();
             Watchdog.shared().remove(deadline);
             if (!abandoned) {
@@ -279,30 +314,16 @@ public final class BotProcess implements Player {
         return lastWords;
     }
 
-    /**
-     * Says the last lines, closes the input and waits for the process to exit. A thread of its own writes and closes,
-     * since that may block; it stays behind if it does. False when there is no such thread to be had.
-     */
-    private boolean farewell(byte[] lines, int length) {
-        Thread writer = new Thread(() -> {
-            if (lines != null) {
-                send(lines, length);
-            }
-            closeInput();
-        }, "steward-farewell");
-        writer.setDaemon(true);
+    /** Waits until the last lines are written and the process has exited, for as long as either may take. */
+    private void awaitExit() {
         try {
-            writer.start();
             writer.join(FAREWELL_MS);
             if (!writer.isAlive()) {
                 group.process().waitFor(graceMs, TimeUnit.MILLISECONDS);
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
-        } catch (OutOfMemoryError e) {
-            return false;
         }
-        return true;
     }
 
     /** What happens at and before the deadline, on other threads than the asking one. */

@@ -51,6 +51,17 @@ public interface Player extends AutoCloseable {
     void onAbandoned(Consumer<Answer> continuation);
 
     /**
+     * Says the last lines ahead of {@link #finish}, so that several players can go at the same time: returns at once,
+     * and leaves the rest to {@code finish}, which is to be called next with the same lines. A player to whom it makes
+     * no difference does nothing.
+     *
+     * @param lines the end frame; the bytes are copied
+     */
+    default void farewell(byte[] lines, int length) {
+        return;
+    }
+
+    /**
      * Ends the match for this player: sends the last lines if they can be sent without waiting, closes its input and
      * leaves it a short time to go by itself; then everything that is left of it is killed. Does nothing the second
      * time. Never blocks for long, never throws.

@@ -250,6 +250,12 @@ public final class Referee {
         int[] ranks = game.ranks();
         double[] scores = game.scores();
         for (int player = 0; player < players.size(); player++) {
+            if (directs[player] == null) {
+                LineBuffer frame = dialogues[player].end(player);
+                players.get(player).farewell(frame.bytes(), frame.size());
+            }
+        }
+        for (int player = 0; player < players.size(); player++) {
             if (directs[player] != null) {
                 players.get(player).close();
             } else {

@@ -6,11 +6,15 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** Bots that do as they should: what they are sent, and what comes back. */
 class BotProcessTest {
@@ -68,6 +72,29 @@ class BotProcessTest {
         assertTrue(System.nanoTime() - before < 60_000_000_000L, "it was not told to end");
         ScriptedBots.assertGone(pid);
         ScriptedBots.finish(bot, "over\n");
+    }
+
+    /** The first of two exits only when the second has heard the end: nobody waits for one before telling the next. */
+    @Test
+    void severalBotsGoAtTheSameTime(@TempDir Path folder) throws IOException {
+        ScriptedBots.assumeGroups();
+        Path heard = folder.resolve("heard");
+        String script = "read -r a; echo ok; read -r end; until [ -s '" + heard + "' ]; do sleep 0.01; done;"
+            + " echo bye >&2";
+        BotProcess one = new BotProcess("one", List.of("sh", "-c", script), 60_000);
+        BotProcess other = new BotProcess("other", List.of("sh", "-c",
+            "read -r a; echo ok; read -r end; echo \"$end\" > '" + heard + "'"), 60_000);
+        ScriptedBots.reply(one, "x\n");
+        ScriptedBots.reply(other, "x\n");
+        byte[] end = "over\n".getBytes(StandardCharsets.UTF_8);
+        one.farewell(end, end.length);
+        other.farewell(end, end.length);
+        end[0] = '?';                                  // it was copied
+        one.finish(end, end.length);
+        other.finish(end, end.length);
+
+        assertEquals("bye\n", one.lastWords());
+        assertEquals("over\n", Files.readString(heard));
     }
 
     @Test

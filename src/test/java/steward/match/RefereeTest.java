@@ -57,7 +57,7 @@ class RefereeTest {
 
         assertEquals(List.of("A setup", "B setup", "C setup", "A ask 1", "B ask 1", "C ask 1",
             "A ask 2", "A close", "B ask 2", "C ask 2",
-            "B ask 3", "C ask 3", "C close", "B end"), log);
+            "B ask 3", "C ask 3", "C close", "B farewell", "B end"), log);
     }
 
     @Test
@@ -116,6 +116,14 @@ class RefereeTest {
         assertFalse(log.contains("A ask 51"));
         assertTrue(log.contains("A end"));
         assertTrue(log.contains("C end"));
+    }
+
+    /** Who waits for one program to go, before telling the next, waits for all of them one after another. */
+    @Test
+    void allAreToldTheEndBeforeAnyIsWaitedFor() throws InterruptedException {
+        play(2, startingWith(0, aboutToFinish()), player("A", ScriptedPlayer::idle), player("B", ScriptedPlayer::idle));
+
+        assertEquals(List.of("A farewell", "B farewell", "A end", "B end"), log.subList(log.size() - 4, log.size()));
     }
 
     @Test

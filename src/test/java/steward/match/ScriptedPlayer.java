@@ -10,7 +10,8 @@ import steward.bot.Player;
 
 /**
  * A player that answers by a script and writes down, in a list it may share with others, what is done to it:
- * {@code A setup}, {@code A ask 1}, {@code A end}, {@code A close}.
+ * {@code A setup}, {@code A ask 1}, {@code A farewell}, {@code A end}, {@code A
+ * close}.
  */
 class ScriptedPlayer implements Player {
 
@@ -76,6 +77,13 @@ class ScriptedPlayer implements Player {
     @Override
     public void onAbandoned(Consumer<Answer> goesOn) {
         continuation = goesOn;
+    }
+
+    @Override
+    public void farewell(byte[] lines, int length) {
+        if (!over) {
+            log.add(name + " farewell");
+        }
     }
 
     @Override
