@@ -16,7 +16,7 @@ import steward.game.podrace.PodRaceSimulator;
  *
  * <pre>
  * javac -d build/bot -cp 'build/install/steward/lib/*' src/examples/java/steward/examples/SimulatorBot.java
- * steward match --bot "codingame:java -cp 'build/bot:build/install/steward/lib/*' steward.examples.SimulatorBot" \
+ * steward match --bot "search=codingame:java -cp 'build/bot:build/install/steward/lib/*' steward.examples.SimulatorBot" \
  *     --bot builtin:racer --seed 7
  * </pre>
  *
