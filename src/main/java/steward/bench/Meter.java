@@ -29,26 +29,44 @@ final class Meter {
         return all ? system.getProcessCpuTime() : threads.getCurrentThreadCpuTime();
     }
 
-    /** A line per contender; the ratio is to the first. */
+    /**
+     * A line per contender; the ratio is to the first.
+     *
+     * @throws Exception what a contender threw, or if this thread is interrupted: what the rounds before have shown is
+     *     told then
+     */
     void compare(String section, String unit, List<Contender> contenders, Effort effort, Consumer<String> about,
                  Consumer<Row> rows) throws Exception {
         double[][] speeds = new double[contenders.size()][effort.rounds()];
-        double[] bytes = new double[contenders.size()];
         for (Contender each : contenders) {
             about.accept(each.name());
             speed(each, effort.warmUpMs());
         }
-        for (int round = 0; round < effort.rounds(); round++) {
-            for (int k = 0; k < speeds.length; k++) {
-                about.accept(contenders.get(k).name());
-                speeds[k][round] = speed(contenders.get(k), effort.roundMs());
+        int done = 0;
+        try {
+            for (; done < effort.rounds(); done++) {
+                for (int k = 0; k < speeds.length; k++) {
+                    about.accept(contenders.get(k).name());
+                    speeds[k][done] = speed(contenders.get(k), effort.roundMs());
+                }
             }
+        } catch (Exception problem) {                  // an interrupt shows as what it broke off: a write, a match
+            if ((Thread.interrupted() || problem instanceof InterruptedException) && done > 0) {
+                tell(section, unit, contenders, speeds, done, done + " of " + effort.rounds() + " rounds", rows);
+            }
+            throw problem;
         }
+        tell(section, unit, contenders, speeds, done, "", rows);
+    }
+
+    private void tell(String section, String unit, List<Contender> contenders, double[][] speeds, int rounds,
+                      String note, Consumer<Row> rows) throws Exception {
+        double first = median(Arrays.copyOf(speeds[0], rounds));
         for (int k = 0; k < speeds.length; k++) {
-            bytes[k] = contenders.get(k).clock() == Contender.Clock.THREAD ? bytes(contenders.get(k)) : Double.NaN;
-            double median = median(speeds[k]);
-            double ratio = k == 0 ? 1 : median / median(speeds[0]);
-            rows.accept(new Row(section, contenders.get(k).name(), unit, median, ratio, bytes[k], ""));
+            boolean countable = contenders.get(k).clock() == Contender.Clock.THREAD;
+            double bytes = countable ? bytes(contenders.get(k)) : Double.NaN;
+            double median = median(Arrays.copyOf(speeds[k], rounds));
+            rows.accept(new Row(section, contenders.get(k).name(), unit, median, median / first, bytes, note));
         }
     }
 
@@ -60,6 +78,9 @@ final class Meter {
         while (now - start < ms * NANOS_PER_MS) {
             units += contender.work().run();
             now = now(contender.clock());
+            if (Thread.interrupted()) {
+                throw new InterruptedException("interrupted");
+            }
         }
         return NANOS * units / (now - start);
     }

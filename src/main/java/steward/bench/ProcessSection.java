@@ -82,23 +82,31 @@ final class ProcessSection implements Section {
             about.accept("warming up");
             match(new double[CLOCKS.length][1], 0);
         }
-        for (int round = 0; round < rounds; round++) {
-            about.accept("bare pipes");
-            bare(bare, round);
-            about.accept("match");
-            match(match, round);
+        int done = 0;
+        try {
+            for (; done < rounds; done++) {
+                about.accept("bare pipes");
+                bare(bare, done);
+                about.accept("match");
+                match(match, done);
+            }
+        } finally {
+            tellTurns(bare, match, done, done == rounds ? "" : ", " + done + " of " + rounds + " rounds", rows);
         }
-        for (int k = 0; k < CLOCKS.length; k++) {
-            double one = Meter.median(bare[k]);
-            double other = Meter.median(match[k]);
+        starts(effort, about, rows);
+    }
+
+    private void tellTurns(double[][] bare, double[][] match, int rounds, String note, Consumer<Row> rows) {
+        for (int k = 0; k < CLOCKS.length && rounds > 0; k++) {
+            double one = Meter.median(Arrays.copyOf(bare[k], rounds));
+            double other = Meter.median(Arrays.copyOf(match[k], rounds));
             if (Double.isNaN(one) || Double.isNaN(other)) {
                 continue;
             }
             rows.accept(new Row(name(), "bare pipes, " + CLOCKS[k], "turns", NANOS / one, 1, Double.NaN, ""));
             rows.accept(new Row(name(), "match, " + CLOCKS[k], "turns", NANOS / other, one / other, Double.NaN,
-                String.format(Locale.ROOT, "%.2f times the bare pipes", other / one)));
+                String.format(Locale.ROOT, "%.2f times the bare pipes%s", other / one, note)));
         }
-        starts(effort, about, rows);
     }
 
     private void bare(double[][] into, int round) throws IOException {

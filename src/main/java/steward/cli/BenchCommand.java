@@ -8,6 +8,8 @@ import java.time.ZoneOffset;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import steward.bench.BenchFiles;
@@ -31,7 +33,13 @@ final class BenchCommand implements Callable<Integer> {
     private static final List<Integer> QUICK_BODIES = List.of(100, 1000);
     private static final int MILLION = 1_000_000;
 
+    /** How long what was measured so far may take to be told, in milliseconds. */
+    private static final long PATIENCE_MS = 2000;
+
     private final Streams streams;
+    private final Thread measuring = Thread.currentThread();
+    private final CountDownLatch told = new CountDownLatch(1);
+    private volatile boolean interrupted;
 
     @Option(names = "--only", paramLabel = "NAME", description = "Only this part; can be repeated.")
     private List<String> only = new ArrayList<>();
@@ -74,7 +82,7 @@ final class BenchCommand implements Callable<Integer> {
             "--threads: found " + threads + ", expected 1 to " + MOST_THREADS);
         List<Section> sections = chosen(sections());
         if (out == null) {
-            try (Interruption interruption = new Interruption(streams, "what was measured is above")) {
+            try (Interruption interruption = new Interruption(streams, () -> stopped("what was measured is above"))) {
                 int status = measure(sections, null);
                 interruption.over();
                 return status;
@@ -82,10 +90,13 @@ final class BenchCommand implements Callable<Integer> {
         }
         Path folder = OutputFiles.path(out);
         try (BenchFiles files = files(folder);
-                Interruption interruption = new Interruption(streams, "the rows so far are in " + folder)) {
+                Interruption interruption = new Interruption(streams,
+                    () -> stopped("the rows so far are in " + folder))) {
             int status = measure(sections, files);
-            files.finish(sections);
-            interruption.over();
+            if (!interrupted) {
+                files.finish(sections);
+                interruption.over();
+            }
             return status;
         }
     }
@@ -131,7 +142,27 @@ final class BenchCommand implements Callable<Integer> {
         }
     }
 
+    /** By Ctrl-C: the thread that measures tells what it knows, unless that takes long. */
+    private String stopped(String kept) {
+        interrupted = true;
+        measuring.interrupt();
+        try {
+            told.await(PATIENCE_MS, TimeUnit.MILLISECONDS);
+        } catch (InterruptedException impatient) {
+            Thread.currentThread().interrupt();
+        }
+        return kept;
+    }
+
     private int measure(List<Section> sections, BenchFiles files) {
+        try {
+            return measureAll(sections, files);
+        } finally {
+            told.countDown();
+        }
+    }
+
+    private int measureAll(List<Section> sections, BenchFiles files) {
         BenchTable table = new BenchTable(streams);
         Runtime.getRuntime().addShutdownHook(new Thread(table::release, "bench-interrupted"));
         Effort effort = quick ? Effort.QUICK : full ? Effort.LONG : Effort.NORMAL;
@@ -153,6 +184,10 @@ final class BenchCommand implements Callable<Integer> {
                     }
                 });
             } catch (Exception | OutOfMemoryError problem) {
+                if (interrupted) {
+                    table.release();
+                    return ExitStatus.FAILED;
+                }
                 streams.err().println("steward: " + section.name() + ": could not be measured: "
                     + Words.plain(String.valueOf(problem.getMessage())));
                 status = ExitStatus.FAILED;
