@@ -16,8 +16,8 @@ import steward.game.podrace.PodRaceSimulator;
  *
  * <pre>
  * javac -d build/bot -cp 'build/install/steward/lib/*' src/examples/java/steward/examples/SimulatorBot.java
- * steward match --bot "search=codingame:java -cp 'build/bot:build/install/steward/lib/*' steward.examples.SimulatorBot" \
- *     --bot builtin:racer --seed 7
+ * steward match --bot builtin:racer --seed 7 \
+ *     --bot "search=codingame:java -cp 'build/bot:build/install/steward/lib/*' steward.examples.SimulatorBot"
  * </pre>
  *
  * <p>(Java would also compile the file itself at each start, but that takes most of the second that a first answer

@@ -11,10 +11,10 @@ import steward.physics.TurnLog;
  * where a rounding is in doubt, or two may meet, the game's own expressions are evaluated. States lie in arrays of the
  * caller; this holds what one turn needs. Allocates nothing. Not thread-safe.
  *
- * <p>Where the time goes: in a race about a quarter each into steering, into gliding, and into the one turn of seven in
- * which some are near each other; their exact directions are the dearest part of that. Tried and not taken, because
- * measured no faster: a box around the checkpoint before its quadratic; one sum in place of the four bounds on place
- * and speed; going through the pods of a set bit by bit instead of asking each.
+ * <p>Where the time goes: steering and gliding take about the same each, and so do the few turns in which some are near
+ * each other; their exact directions are the dearest part of those. Tried and not taken, because measured no faster: a
+ * box around the checkpoint before its quadratic; one sum in place of the four bounds on place and speed; going through
+ * the pods of a set bit by bit when they glide. All in one file, because all of it works on the same arrays.
  */
 final class PodTurn {
 
