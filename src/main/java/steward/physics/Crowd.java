@@ -172,6 +172,33 @@ final class Crowd {
         }
     }
 
+    /**
+     * Two fly to the present, which is their impact. Where places are rounded once, their time of impact was computed
+     * from where both were when the second of them changed its flight ({@link ExactQueueSearch}); so the other flies
+     * there first: then they touch now, to the last digit of the double-doubles.
+     */
+    void meet(int body, int partner, double now) {
+        if (exact) {
+            boolean isLater = isLater(body, partner);
+            int later = isLater ? body : partner;
+            int other = isLater ? partner : body;
+            if (isLater(later, other) != isLater(other, later)) {
+                double kept = nowLow;
+                nowLow = low[4 * later + SINCE_LOW];
+                fly(other, state[8 * later + SINCE]);
+                nowLow = kept;
+            }
+        }
+        fly(body, now);
+        fly(partner, now);
+    }
+
+    /** Whether the flight of i has changed at the time when that of j has, or later. */
+    boolean isLater(int i, int j) {
+        double difference = state[8 * i + SINCE] - state[8 * j + SINCE];
+        return difference > 0 || difference == 0 && low[4 * i + SINCE_LOW] >= low[4 * j + SINCE_LOW];
+    }
+
     /** Says what the stored place of a body, which has just flown there, lacks. */
     void tell(int body, ExactFlight rounded, int i) {
         rounded.set(i, low[4 * body + X_LOW], low[4 * body + Y_LOW]);

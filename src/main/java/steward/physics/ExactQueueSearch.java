@@ -57,7 +57,7 @@ final class ExactQueueSearch extends QueueSearch {
 
     @Override
     void offer(int body, int other, double now) {
-        int later = isLater(body, other) ? body : other;
+        int later = crowd.isLater(body, other) ? body : other;
         crowd.nowLow = crowd.low[4 * later + SINCE_LOW];
         double since = crowd.state[8 * later + SINCE];
         copy(body, 0, since);
@@ -65,12 +65,6 @@ final class ExactQueueSearch extends QueueSearch {
         if (since + exactPairs.until(two, 0, 1) <= Math.min(best, 1) && exactPairs.exact(two, 0, 1, until)) {
             keepIfEarlier(body, other, since, now);
         }
-    }
-
-    private boolean isLater(int i, int j) {
-        double difference = crowd.state[8 * i + SINCE] - crowd.state[8 * j + SINCE];
-        return difference > 0
-            || difference == 0 && crowd.low[4 * i + SINCE_LOW] >= crowd.low[4 * j + SINCE_LOW];
     }
 
     /** Puts a body where it is at the time that the crowd's present and this one make up. */

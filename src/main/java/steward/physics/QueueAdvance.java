@@ -138,15 +138,15 @@ public final class QueueAdvance implements Advance {
     private void react(Bodies bodies, int body, int partner, double now) {
         crowd.setNow(body);
         double nowLow = crowd.nowLow;
-        crowd.fly(body, now);
         if (partner < 0) {
+            crowd.fly(body, now);
             if (touch.happens(body, partner, now)) {
                 changed(body);
                 search.lookAround(body, now);
                 return;
             }
         } else {
-            crowd.fly(partner, now);
+            crowd.meet(body, partner, now);
             boolean isFirst = crowd.index[body] < crowd.index[partner] != descending;
             if (touch.happens(isFirst ? body : partner, isFirst ? partner : body, now)) {
                 changed(body);
