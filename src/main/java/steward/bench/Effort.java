@@ -5,7 +5,7 @@ public enum Effort {
     /** To see that it works, in seconds. */
     QUICK(50, 3, 20),
     /** Minutes. */
-    NORMAL(1500, 7, 200),
+    NORMAL(3000, 7, 200),
     /** For tables that are kept. */
     LONG(4000, 11, 500);
 
