@@ -25,7 +25,7 @@ import steward.scene.Nearest;
     footer = {"", "Examples:", "  steward stability",
         "  steward stability --quick --case masses --case 'extreme speeds'",
         "  steward stability --long --out results",
-        "  steward stability --case 'crowd of 1000, 10%' --rung double --impacts 1000000000",
+        "  steward stability --case 'crowd of 1000, 10%%' --rung double --impacts 1000000000",
         "", "Exit status: 0 every demand is met; 1 one is not; 2 the call cannot be used; 130 Ctrl-C."})
 final class StabilityCommand implements Callable<Integer> {
 
