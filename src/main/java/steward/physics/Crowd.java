@@ -1,7 +1,7 @@
 package steward.physics;
 
 import java.util.Arrays;
-import steward.numerics.DoubleDouble;
+import steward.numerics.ErrorFree;
 
 /**
  * The bodies of a turn as {@link QueueAdvance} keeps them, each with a clock of its own: where it was when it last
@@ -65,8 +65,9 @@ final class Crowd {
     int size;
     final Cells cells = new Cells();
     private final boolean exact;
-    private final DoubleDouble time = new DoubleDouble();
-    private final DoubleDouble place = new DoubleDouble();
+    /** What {@link #flown} and {@link #place} have left out of their results. */
+    private double flownLow;
+    private double placeLow;
 
     /** @param exact whether times are double-doubles, and places are rounded once, when they are stored */
     Crowd(boolean exact) {
@@ -157,19 +158,19 @@ final class Crowd {
     /** A body begins a new flight where it is at a time. */
     void fly(int body, double now) {
         int at = 8 * body;
-        double newX = x(body, now);
-        int to = 4 * body;
-        if (exact) {
-            low[to + X_LOW] = place.low();
-        }
-        double newY = y(body, now);
-        state[at + X] = newX;
-        state[at + Y] = newY;
+        double time = flown(body, now);
         state[at + SINCE] = now;
-        if (exact) {
-            low[to + Y_LOW] = place.low();
-            low[to + SINCE_LOW] = nowLow;
+        if (!exact) {
+            state[at + X] += state[at + VX] * time;
+            state[at + Y] += state[at + VY] * time;
+            return;
         }
+        int to = 4 * body;
+        low[to + SINCE_LOW] = nowLow;
+        state[at + X] = place(state[at + X], state[at + VX], time);
+        low[to + X_LOW] = placeLow;
+        state[at + Y] = place(state[at + Y], state[at + VY], time);
+        low[to + Y_LOW] = placeLow;
     }
 
     /**
@@ -179,13 +180,12 @@ final class Crowd {
      */
     void meet(int body, int partner, double now) {
         if (exact) {
-            boolean isLater = isLater(body, partner);
-            int later = isLater ? body : partner;
-            int other = isLater ? partner : body;
-            if (isLater(later, other) != isLater(other, later)) {
+            double ahead = ahead(body, partner);
+            if (ahead != 0) {
                 double kept = nowLow;
+                int later = ahead > 0 ? body : partner;
                 nowLow = low[4 * later + SINCE_LOW];
-                fly(other, state[8 * later + SINCE]);
+                fly(ahead > 0 ? partner : body, state[8 * later + SINCE]);
                 nowLow = kept;
             }
         }
@@ -193,10 +193,10 @@ final class Crowd {
         fly(partner, now);
     }
 
-    /** Whether the flight of i has changed at the time when that of j has, or later. */
-    boolean isLater(int i, int j) {
+    /** By how much later than that of j the flight of i has changed; exact in its sign, and 0 at the same time. */
+    double ahead(int i, int j) {
         double difference = state[8 * i + SINCE] - state[8 * j + SINCE];
-        return difference > 0 || difference == 0 && low[4 * i + SINCE_LOW] >= low[4 * j + SINCE_LOW];
+        return difference != 0 ? difference : low[4 * i + SINCE_LOW] - low[4 * j + SINCE_LOW];
     }
 
     /** Says what the stored place of a body, which has just flown there, lacks. */
@@ -204,24 +204,38 @@ final class Crowd {
         rounded.set(i, low[4 * body + X_LOW], low[4 * body + Y_LOW]);
     }
 
-    /** Where a body is at a time. */
-    double x(int body, double now) {
-        return along(body, X, VX, now);
-    }
-
-    double y(int body, double now) {
-        return along(body, Y, VY, now);
-    }
-
-    private double along(int body, int coordinate, int velocity, double now) {
-        double from = state[8 * body + coordinate];
-        double v = state[8 * body + velocity];
+    /** How long a body has been on its flight at a time; ask before its {@link #place}. */
+    double flown(int body, double now) {
         double since = state[8 * body + SINCE];
+        double time = now - since;
         if (!exact) {
-            return from + v * (now - since);
+            return time;
         }
-        time.setDifference(now, since).add(nowLow).add(-low[4 * body + SINCE_LOW]);
-        return place.set(time).multiply(v).add(from).high();
+        double sinceLow = low[4 * body + SINCE_LOW];
+        double rest = ErrorFree.sumError(now, -since, time);
+        double sum = time + nowLow;
+        rest += ErrorFree.sumError(time, nowLow, sum);
+        time = sum + rest;
+        rest = ErrorFree.fastSumError(sum, rest, time);
+        sum = time - sinceLow;
+        rest += ErrorFree.sumError(time, -sinceLow, sum);
+        time = sum + rest;
+        flownLow = ErrorFree.fastSumError(sum, rest, time);
+        return time;
+    }
+
+    /** A coordinate after a time that {@link #flown} has just told, rounded once; for times in double-double only. */
+    double place(double from, double v, double time) {
+        double product = v * time;
+        double lowProduct = v * flownLow;
+        double path = product + lowProduct;
+        double rest = ErrorFree.fastSumError(product, lowProduct, path) + ErrorFree.productError(v, time, product);
+        double whole = path + rest;
+        double sum = whole + from;
+        rest = ErrorFree.fastSumError(path, rest, whole) + ErrorFree.sumError(whole, from, sum);
+        double place = sum + rest;
+        placeLow = ErrorFree.fastSumError(sum, rest, place);
+        return place;
     }
 
     /** Writes down where everybody is at a time, and how fast. */
@@ -234,10 +248,22 @@ final class Crowd {
     /** The same for one. */
     void store(int body, Bodies bodies, double now) {
         int to = index[body];
-        bodies.x[to] = x(body, now);
-        bodies.y[to] = y(body, now);
-        bodies.vx[to] = state[8 * body + VX];
-        bodies.vy[to] = state[8 * body + VY];
+        int at = 8 * body;
+        double time = flown(body, now);
+        double vx = state[at + VX];
+        double vy = state[at + VY];
+        if (!exact) {
+            bodies.x[to] = state[at + X] + vx * time;
+            bodies.y[to] = state[at + Y] + vy * time;
+        } else if (time == 1 && flownLow == 0) {       // no impact in this turn: one rounding, and no -0.0 as below
+            bodies.x[to] = state[at + X] + vx + 0.0;
+            bodies.y[to] = state[at + Y] + vy + 0.0;
+        } else {
+            bodies.x[to] = place(state[at + X], vx, time);
+            bodies.y[to] = place(state[at + Y], vy, time);
+        }
+        bodies.vx[to] = vx;
+        bodies.vy[to] = vy;
     }
 
     /** About how long a body takes to its next event: half of the way through a cell. */

@@ -107,7 +107,8 @@ final class ExactPairs extends PairTime {
         if (sliding && !separatingReact) {
             return NEVER;                             // b is 0 without any arithmetic: two at rest, side by side
         }
-        return exact(bodies, i, j, time) ? Math.max(0, time.high() * (1 - 4 * U) - ROUNDING) : NEVER;
+        boolean meet = exact(bodies, i, j, FastCircles.COARSE, time);
+        return meet ? Math.max(0, time.high() * (1 - 4 * U) - ROUNDING) : NEVER;
     }
 
     /**
@@ -116,8 +117,13 @@ final class ExactPairs extends PairTime {
      * @return false if there is none
      */
     boolean exact(Bodies bodies, int i, int j, DoubleDouble until) {
-        if (FastCircles.first(bodies, i, j, separatingReact, until)) {
-            return true;
+        return exact(bodies, i, j, FastCircles.FINE, until);
+    }
+
+    private boolean exact(Bodies bodies, int i, int j, double grade, DoubleDouble until) {
+        int quick = FastCircles.first(bodies, i, j, separatingReact, grade, until);
+        if (quick != FastCircles.UNDECIDED) {
+            return quick == FastCircles.IMPACT;
         }
         circles.load(bodies, i, j);
         if (separatingReact && circles.touch()) {
@@ -125,6 +131,15 @@ final class ExactPairs extends PairTime {
             return true;
         }
         return circles.first(until);
+    }
+
+    /** The same of two circles, under a law in which only approach reacts. */
+    boolean exact(double x1, double x2, double y1, double y2, double vx1, double vx2, double vy1, double vy2,
+                  double r1, double r2, DoubleDouble until) {
+        int quick = FastCircles.first(x1, x2, y1, y2, vx1, vx2, vy1, vy2, r1, r2, false,
+            FastCircles.FINE, until);
+        return quick != FastCircles.UNDECIDED ? quick == FastCircles.IMPACT
+            : circles.load(x1, x2, y1, y2, vx1, vx2, vy1, vy2, r1, r2).first(until);
     }
 
     /** Whether two come nearer to each other: the exact sign. */

@@ -21,7 +21,6 @@ final class ExactQueueSearch extends QueueSearch {
 
     private final ExactPairs exactPairs;
     private final ExactWalls exactWalls;
-    private final Bodies two = new Bodies(2);
     private final DoubleDouble until = new DoubleDouble();
     private final DoubleDouble time = new DoubleDouble();
     private double bestLow;
@@ -31,8 +30,6 @@ final class ExactQueueSearch extends QueueSearch {
         super(crowd, events, Arithmetic.EXACT, walls, pairs);
         this.exactPairs = exactPairs;
         this.exactWalls = exactWalls;
-        two.add(0, 0, 1, 1);
-        two.add(0, 0, 1, 1);
     }
 
     @Override
@@ -47,39 +44,53 @@ final class ExactQueueSearch extends QueueSearch {
 
     @Override
     void offerWall(int body, int w, double now) {
-        crowd.nowLow = crowd.low[4 * body + SINCE_LOW];
-        double since = crowd.state[8 * body + SINCE];
-        copy(body, 0, since);
-        if (since + exactWalls.until(two, 0, w) <= Math.min(best, 1) && exactWalls.exact(two, 0, w, until)) {
-            keepIfEarlier(body, ~w, since, now);
+        int at = 8 * body;
+        double[] state = crowd.state;
+        double since = state[at + SINCE];
+        double x = state[at + X];
+        double y = state[at + Y];
+        double vx = state[at + VX];
+        double vy = state[at + VY];
+        double radius = state[at + RADIUS];
+        if (since + exactWalls.until(w, x, y, vx, vy, radius) <= Math.min(best, 1)
+            && exactWalls.exact(w, x, y, vx, vy, radius, until)) {
+            keepIfEarlier(body, ~w, since, crowd.low[4 * body + SINCE_LOW], now);
         }
     }
 
     @Override
     void offer(int body, int other, double now) {
-        int later = crowd.isLater(body, other) ? body : other;
-        crowd.nowLow = crowd.low[4 * later + SINCE_LOW];
-        double since = crowd.state[8 * later + SINCE];
-        copy(body, 0, since);
-        copy(other, 1, since);
-        if (since + exactPairs.until(two, 0, 1) <= Math.min(best, 1) && exactPairs.exact(two, 0, 1, until)) {
-            keepIfEarlier(body, other, since, now);
+        double[] state = crowd.state;
+        int i = 8 * body;
+        int j = 8 * other;
+        double xi = state[i + X];
+        double yi = state[i + Y];
+        double xj = state[j + X];
+        double yj = state[j + Y];
+        double since = state[i + SINCE];
+        double sinceLow = crowd.low[4 * body + SINCE_LOW];
+        double ahead = crowd.ahead(body, other);
+        if (ahead > 0) {
+            crowd.nowLow = sinceLow;
+            double time = crowd.flown(other, since);
+            xj = crowd.place(xj, state[j + VX], time);
+            yj = crowd.place(yj, state[j + VY], time);
+        } else if (ahead < 0) {
+            since = state[j + SINCE];
+            sinceLow = crowd.low[4 * other + SINCE_LOW];
+            crowd.nowLow = sinceLow;
+            double time = crowd.flown(body, since);
+            xi = crowd.place(xi, state[i + VX], time);
+            yi = crowd.place(yi, state[i + VY], time);
+        }
+        if (exactPairs.exact(xi, xj, yi, yj, state[i + VX], state[j + VX], state[i + VY], state[j + VY],
+            state[i + RADIUS], state[j + RADIUS], until)) {
+            keepIfEarlier(body, other, since, sinceLow, now);
         }
     }
 
-    /** Puts a body where it is at the time that the crowd's present and this one make up. */
-    private void copy(int body, int to, double now) {
-        int at = 8 * body;
-        boolean there = crowd.state[at + SINCE] == now && crowd.low[4 * body + SINCE_LOW] == crowd.nowLow;
-        two.x[to] = there ? crowd.state[at + X] : crowd.x(body, now);
-        two.y[to] = there ? crowd.state[at + Y] : crowd.y(body, now);
-        two.vx[to] = crowd.state[at + VX];
-        two.vy[to] = crowd.state[at + VY];
-        two.radius[to] = crowd.state[at + RADIUS];
-    }
-
-    private void keepIfEarlier(int body, int other, double since, double now) {
-        time.setSum(since, crowd.nowLow).add(until);
+    private void keepIfEarlier(int body, int other, double since, double sinceLow, double now) {
+        time.setSum(since, sinceLow).add(until);
         double high = time.high();
         double low = time.low();
         if (high < now) {

@@ -29,6 +29,16 @@ final class ExactWalls extends WallTime {
         return walls[w].time(bodies.x[i], bodies.y[i], bodies.vx[i], bodies.vy[i], bodies.radius[i], until);
     }
 
+    /** The lower bound of a circle's time. */
+    double until(int w, double x, double y, double vx, double vy, double radius) {
+        return walls[w].lowerBound(x, y, vx, vy, radius);
+    }
+
+    /** The time of a circle. @return false if there is none */
+    boolean exact(int w, double x, double y, double vx, double vy, double radius, DoubleDouble until) {
+        return walls[w].time(x, y, vx, vy, radius, until);
+    }
+
     /** The unit vector from a place straight to a wall. */
     void normal(int w, DoubleDouble x, DoubleDouble y, DoubleDouble normalX, DoubleDouble normalY) {
         walls[w].normal(x, y, normalX, normalY);

@@ -218,31 +218,46 @@ class ExactCirclesTest {
         return random.nextInt(2) == 0 ? value : -value;
     }
 
-    /** Where the quick way in double-double answers at all, no sum has lost more than 36 of its 106 bits. */
+    /** Where the quick way in double-double answers at all, it is right; whoever asks for less gets more answers. */
     @Test
     void theQuickWayIsGoodToTenDigitsMoreThanADoubleOrSilent() {
+        assertTrue(quickAnswers(FastCircles.FINE) > 5000);
+        assertTrue(quickAnswers(FastCircles.COARSE) > 10_000);
+    }
+
+    private int quickAnswers(double grade) {
         SplitMix64 random = new SplitMix64(36);
         int answers = 0;
+        int nones = 0;
         for (int n = 0; n < 12_000; n++) {
             double off = StrictMath.pow(10, -17 * random.nextDouble());
             double along = StrictMath.pow(10, -17 * random.nextDouble());
-            double across = n % 2 == 0 ? 1 - off : random.nextDouble();
+            double across = n % 2 == 0 ? n % 5 == 0 ? 1 + off : 1 - off : random.nextDouble();
             double angle = 2 * Math.PI * random.nextDouble();
             double cos = StrictMath.cos(angle);
             double sin = StrictMath.sin(angle);
-            double back = -Math.sqrt(1 - across * across) - (n % 3 == 0 ? along : 1 + random.nextDouble());
+            double back = -Math.sqrt(Math.max(0, 1 - across * across))
+                - (n % 3 == 0 ? along : Math.pow(10, 6 * random.nextDouble()) * random.nextDouble());
             double radius = 390 + 1e-3 * random.nextDouble();
             double x = (radius + 410) * (back * cos - across * sin);
             double y = (radius + 410) * (back * sin + across * cos);
             Bodies bodies = pair(x, y, 900 * cos, 900 * sin, radius, 410);
-            if (FastCircles.first(bodies, 0, 1, false, time)) {
-                BigDecimal exact = touch(bodies);
-                BigDecimal found = Exact.of(time.high()).add(Exact.of(time.low()));
-                String what = "off " + off + ", gap " + along + ", angle " + angle;
-                assertTrue(found.subtract(exact).abs().compareTo(exact.multiply(Exact.of(0x1p-62))) <= 0, what);
-                answers++;
+            int found = FastCircles.first(bodies, 0, 1, false, grade, time);
+            if (found == FastCircles.UNDECIDED) {
+                continue;
+            }
+            BigDecimal exact = touch(bodies);
+            String what = "off " + off + ", gap " + along + ", angle " + angle;
+            assertEquals(exact != null, found == FastCircles.IMPACT, what);
+            answers++;
+            if (exact != null) {
+                BigDecimal told = Exact.of(time.high()).add(Exact.of(time.low()));
+                assertTrue(told.subtract(exact).abs().compareTo(exact.multiply(Exact.of(0x1p-62))) <= 0, what);
+            } else {
+                nones++;
             }
         }
-        assertTrue(answers > 5000, "answers " + answers);
+        assertTrue(nones > 500, nones + " that miss");
+        return answers;
     }
 }
