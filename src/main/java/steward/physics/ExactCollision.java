@@ -126,9 +126,9 @@ sealed class ExactCollision extends CarefulCollision permits ExactAtLeast {
         double sizeLowOfB = low;
         takeShare(massB, massA, size, sizeLow);
         push(bodies, a, -high, -low, dx, dxLow, dy, dyLow);
-        boolean finite = massA < Double.POSITIVE_INFINITY;
-        multiply(finite ? high : sizeOfB, finite ? low : sizeLowOfB, length, lengthLow);
-        multiply(high, low, finite ? massA : massB, 0);
+        boolean light = massA <= massB;               // the other's share can be too small for all its digits
+        multiply(light ? high : sizeOfB, light ? low : sizeLowOfB, length, lengthLow);
+        multiply(high, low, light ? massA : massB, 0);
         impulse = high + low;
         energy = impulse * speed * (restitution - 1) / 2;
     }
