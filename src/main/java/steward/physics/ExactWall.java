@@ -79,8 +79,16 @@ abstract sealed class ExactWall permits ExactWall.Plane, ExactWall.Ring, ExactSe
         }
     }
 
+    /*
+     * Both are sums of two products, g less a radius. In double-double each is off by less than 8 u^2, u = 2^-53, of
+     * the magnitudes of its terms; where less than 36 bits cancel that is below 2^-67 of it, and its sign is certain.
+     * Otherwise an expansion decides.
+     */
+
     /** g / w with g = (p - q).n - radius, w = -v.n: the signs of both are exact. */
     static final class Plane extends ExactWall {
+
+        private static final double CANCELLED = 0x1p-36;
 
         private final HalfPlane plane;
         private final Expansion sum = new Expansion();
@@ -115,21 +123,50 @@ abstract sealed class ExactWall permits ExactWall.Plane, ExactWall.Ring, ExactSe
 
         @Override
         boolean time(double x, double y, double vx, double vy, double radius, DoubleDouble until) {
-            sum.clear().addProduct(-vx, plane.insideX()).addProduct(-vy, plane.insideY());
-            if (sum.sign() <= 0) {
+            approach(vx, vy);
+            if (closing.high() <= 0) {
                 return false;
             }
-            sum.to(closing);
-            part.setDifference(x, plane.x());
-            sum.clear().add(-radius).addProduct(part.high(), plane.insideX()).addProduct(part.low(), plane.insideX());
-            part.setDifference(y, plane.y());
-            sum.addProduct(part.high(), plane.insideY()).addProduct(part.low(), plane.insideY());
-            if (sum.sign() <= 0) {
+            separate(x, y, radius, until);
+            if (until.high() <= 0) {
                 until.set(0);
                 return true;
             }
-            sum.to(until).divide(closing);
+            until.divide(closing);
             return until.high() < NEVER;
+        }
+
+        private void approach(double vx, double vy) {
+            double alongX = -vx * plane.insideX();
+            double alongY = -vy * plane.insideY();
+            double rounded = alongX + alongY;
+            if (Math.abs(rounded) > CANCELLED * (Math.abs(alongX) + Math.abs(alongY))) {
+                closing.setFastSum(rounded, ErrorFree.sumError(alongX, alongY, rounded)
+                    + (ErrorFree.productError(-vx, plane.insideX(), alongX)
+                    + ErrorFree.productError(-vy, plane.insideY(), alongY)));
+            } else {
+                sum.clear().addProduct(-vx, plane.insideX()).addProduct(-vy, plane.insideY()).to(closing);
+            }
+        }
+
+        private void separate(double x, double y, double radius, DoubleDouble gap) {
+            double dx = x - plane.x();
+            double dy = y - plane.y();
+            double dxLow = ErrorFree.sumError(x, -plane.x(), dx);
+            double dyLow = ErrorFree.sumError(y, -plane.y(), dy);
+            double alongX = dx * plane.insideX();
+            double alongY = dy * plane.insideY();
+            double along = alongX + alongY;
+            double rounded = along - radius;
+            if (Math.abs(rounded) > CANCELLED * (Math.abs(alongX) + Math.abs(alongY) + radius)) {
+                gap.setFastSum(rounded, (ErrorFree.sumError(along, -radius, rounded)
+                    + ErrorFree.sumError(alongX, alongY, along)) + ((ErrorFree.productError(dx, plane.insideX(), alongX)
+                    + ErrorFree.productError(dy, plane.insideY(), alongY))
+                    + (dxLow * plane.insideX() + dyLow * plane.insideY())));
+            } else {
+                sum.clear().add(-radius).addProduct(dx, plane.insideX()).addProduct(dxLow, plane.insideX())
+                    .addProduct(dy, plane.insideY()).addProduct(dyLow, plane.insideY()).to(gap);
+            }
         }
 
         @Override
