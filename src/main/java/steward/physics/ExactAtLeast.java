@@ -20,7 +20,7 @@ sealed class ExactAtLeast extends ExactCollision {
         multiply(high, low, length, lengthLow);
         boolean finite = massA < Double.POSITIVE_INFINITY;
         takeShare(finite ? massB : massA, finite ? massA : massB, high, low);
-        multiply(high, low, finite ? massA : massB, 0);
+        timesMass(finite ? massA : massB);
         sumSteps(pairImpulse, restitution, bodies.inverseMass[a] + bodies.inverseMass[b]);
         divide(work.high(), work.low(), length, lengthLow);
         double size = high;
@@ -37,9 +37,18 @@ sealed class ExactAtLeast extends ExactCollision {
         energy = inverse * other.set(second).subtract(first).high() * (second.high() + first.high()) / 2;
     }
 
+    /** Most masses are 1. */
+    private void timesMass(double mass) {
+        if (mass != 1) {
+            multiply(high, low, mass, 0);
+        }
+    }
+
     private void pushByImpulse(Bodies bodies, int body, double size, double sizeLow) {
         double mass = bodies.mass[body];
-        if (mass < Double.POSITIVE_INFINITY) {
+        if (mass == 1) {
+            push(bodies, body, size, sizeLow, dx, dxLow, dy, dyLow);
+        } else if (mass < Double.POSITIVE_INFINITY) {
             divide(size, sizeLow, mass, 0);
             push(bodies, body, high, low, dx, dxLow, dy, dyLow);
         }
