@@ -46,6 +46,29 @@ class MagnitudesTest {
         }
     }
 
+    /** Twenty such pairs, far from each other, by the way for crowds. */
+    @Test
+    void everySizeHasTheSameTurnInACrowd() {
+        PhysicsParts parts = new PhysicsParts(ImpactLaw.PHYSICS, Arithmetic.DOUBLE, new Contacts(1), List.of(), null,
+            false);
+        for (int exponent = -1060; exponent <= 985; exponent += 5) {
+            double scale = Math.scalb(1.0, exponent);
+            Bodies bodies = new Bodies(40);
+            for (int k = 0; k < 40; k++) {
+                bodies.add((k % 2 == 0 ? -4 : 0) * scale, 16 * (k / 2) * scale, scale, 1);
+                bodies.setVelocity(k, k % 2 == 0 ? 4 * scale : 0, 0);
+            }
+            TurnLog log = new TurnLog();
+            new QueueAdvance(parts).turn(bodies, log);
+            assertEquals(20, log.impacts(), "2^" + exponent);
+            for (int k = 0; k < 40; k++) {
+                assertEquals(0.5, log.impact(k / 2).time(), "2^" + exponent);
+                assertEquals((k % 2 == 0 ? -2 : 2) * scale, bodies.x[k], "2^" + exponent + ", body " + k);
+                assertEquals((k % 2 == 0 ? 0 : 4) * scale, bodies.vx[k], "2^" + exponent + ", body " + k);
+            }
+        }
+    }
+
     @Test
     void whatIsOrdinary() {
         assertTrue(Magnitudes.areOrdinary(pair(1e59)) && Magnitudes.areOrdinary(pair(1e-60)));

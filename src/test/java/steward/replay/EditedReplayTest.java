@@ -17,6 +17,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import steward.bot.Bot;
 import steward.match.SeededBot;
 import steward.match.TestScenes;
@@ -293,6 +294,15 @@ class EditedReplayTest {
 
         assertEquals(9, difference.turn());
         assertEquals("commands[2]", difference.field());
+    }
+
+    /** Line 6 is one of those that are settled by their bytes: nobody failed, said or wrote anything. */
+    @ParameterizedTest
+    @ValueSource(strings = {"}", "]", "x", "0", ",", "{}", "]}}", ",\"turn\":20}"})
+    void somethingBehindATurn(String more) {
+        ReplayException refusal = assertThrows(ReplayException.class, () -> verifyWith(5, lines.get(5) + more));
+
+        assertTrue(refusal.getMessage().startsWith("r.jsonl:6:"), refusal.getMessage());
     }
 
     @Test

@@ -123,4 +123,36 @@ class WriteBehindTest {
         letGo.countDown();
         first.close();
     }
+
+    /** While the file is busy with the first line, at most 64 KiB wait behind it, and then the writer does. */
+    @Test
+    void notMoreThanItsCapacityWaits() throws Exception {
+        Thread[] writer = new Thread[1];
+        int[] most = new int[1];
+        Sink sink = new Sink() {
+            @Override
+            public synchronized void write(byte[] source, int from, int count) throws IOException {
+                boolean first = most[0] == 0;
+                most[0] = Math.max(most[0], count);
+                while (first && writer[0] != Thread.currentThread() && writer[0].getState() == Thread.State.RUNNABLE) {
+                    Thread.onSpinWait();
+                }
+                super.write(source, from, count);
+            }
+        };
+        writer[0] = new Thread(() -> {
+            try (WriteBehind out = new WriteBehind(sink)) {
+                for (int line = 0; line < 300; line++) {
+                    out.write(new byte[1000]);
+                }
+            } catch (IOException problem) {
+                throw new AssertionError(problem);
+            }
+        });
+        writer[0].start();
+        writer[0].join();
+
+        assertEquals(300_000, sink.bytes.size());
+        assertTrue(most[0] <= 1 << 16, most[0] + " bytes at once");
+    }
 }

@@ -44,6 +44,21 @@ class RepeatedAnswersTest {
         }
     }
 
+    /** Nothing but blanks may stand behind an answer, however plain it is. */
+    @Test
+    void nothingStandsBehindAPlainAnswer() {
+        String good = "{\"pods\":[{\"x\":1,\"y\":2.5,\"thrust\":100},{\"x\":-3,\"y\":2,\"shield\":true}]}";
+        PodAnswer answer = new PodAnswer(2, 200);
+        String read = said(answer, good);
+        assertTrue(read.startsWith("x [1.0, -3.0]"), read);
+        for (char behind = 0; behind < 0x180; behind++) {
+            boolean blank = " \t\r\n".indexOf(behind) >= 0;
+            String said = said(answer, good + behind);
+            assertEquals(blank, said.equals(read), "character " + (int) behind + " behind it: " + said);
+            assertEquals(blank, said(answer, good + " " + behind + " ").equals(read));
+        }
+    }
+
     /**
      * A line that a plain reader can read is, with an empty message behind the pods, one that it cannot: both readers
      * must say the same, to the bit, of good lines and of lines in which something is out of place.
