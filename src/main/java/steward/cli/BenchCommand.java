@@ -40,6 +40,7 @@ final class BenchCommand implements Callable<Integer> {
     private final Thread measuring = Thread.currentThread();
     private final CountDownLatch told = new CountDownLatch(1);
     private volatile boolean interrupted;
+    private volatile boolean any;
 
     @Option(names = "--only", paramLabel = "NAME", description = "Only this part; can be repeated.")
     private List<String> only = new ArrayList<>();
@@ -151,7 +152,7 @@ final class BenchCommand implements Callable<Integer> {
         } catch (InterruptedException impatient) {
             Thread.currentThread().interrupt();
         }
-        return kept;
+        return any ? kept : "no row was complete";
     }
 
     private int measure(List<Section> sections, BenchFiles files) {
@@ -174,6 +175,7 @@ final class BenchCommand implements Callable<Integer> {
             String task = part++ + " of " + sections.size() + ": " + section.name();
             try (ProgressLine progress = progress(task, section.steps(effort))) {
                 section.run(effort, about -> step(progress), row -> {
+                    any = true;
                     if (files != null) {
                         files.add(row);
                     }

@@ -96,6 +96,26 @@ class ProcessTest {
         assertTrue(!isRunning(pid), "the bot is still there");
     }
 
+    /** Its table is begun before anything is measured: stopped then, it does not pretend that there are rows. */
+    @Test
+    void aBenchmarkThatIsInterruptedAtOnceSaysThatItHasNothing() throws IOException, InterruptedException {
+        Path table = folder.resolve("out/bench.csv");
+        Process bench = new ProcessBuilder("sh", "-c", "exec " + steward("bench", "--only", "crowds", "--bodies",
+            "1000", "--out", folder.resolve("out").toString())).redirectErrorStream(true).start();
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(20);
+        try {
+            while (bench.getInputStream().read() != ':' && System.nanoTime() < end) {
+                continue;                              // up to the title of the table
+            }
+            bench.toHandle().destroy();
+            String said = new String(bench.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+            assertTrue(said.endsWith("steward: interrupted; no row was complete\n"), said);
+            assertEquals(1, Files.readAllLines(table).size());
+        } finally {
+            bench.destroyForcibly();
+        }
+    }
+
     /** A process that has ended may stay in the table, without a command line, until its parent asks for it. */
     private static boolean isRunning(long pid) {
         return ProcessHandle.of(pid).flatMap(handle -> handle.info().commandLine()).isPresent();
