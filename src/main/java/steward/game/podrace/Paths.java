@@ -8,6 +8,8 @@ import steward.physics.TurnSink;
 /** The corners of the pods' paths in a turn, for checkpoints; keeps whole impacts only where somebody wants them. */
 final class Paths implements TurnSink {
 
+    private static final double CLEARANCE = 0.1;
+
     private final TurnLog log;
     private final double radius;
     private boolean recorded;
@@ -24,6 +26,10 @@ final class Paths implements TurnSink {
     Paths(TurnLog log, double radius) {
         this.log = log;
         this.radius = radius;
+    }
+
+    boolean areRecorded() {
+        return recorded;
     }
 
     void record(boolean wanted) {
@@ -100,6 +106,28 @@ final class Paths implements TurnSink {
             }
         }
         return passes(fromX, fromY, endX, endY, checkpointX, checkpointY);
+    }
+
+    /** How near the path of a pod comes to a checkpoint, in u; infinite if it stays farther away by a tenth. */
+    double nearest(int pod, double startX, double startY, double endX, double endY, double checkpointX,
+                   double checkpointY) {
+        double least = Double.POSITIVE_INFINITY;
+        double fromX = startX;
+        double fromY = startY;
+        for (int k = 0; k <= corners; k++) {
+            if (k == corners || pods[k] == pod) {
+                double toX = k == corners ? endX : x[k];
+                double toY = k == corners ? endY : y[k];
+                if (OfficialAdvance.mayMeet(fromX - checkpointX, fromY - checkpointY, toX - fromX, toY - fromY, 1,
+                    (radius + CLEARANCE) * (radius + CLEARANCE))) {
+                    least = Math.min(least,
+                        CheckpointSweep.distance(checkpointX, checkpointY, fromX, fromY, toX, toY));
+                }
+                fromX = toX;
+                fromY = toY;
+            }
+        }
+        return least;
     }
 
     private boolean passes(double fromX, double fromY, double toX, double toY, double checkpointX,
