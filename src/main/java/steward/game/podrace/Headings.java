@@ -145,7 +145,8 @@ final class Headings {
 
     /**
      * Turns a pod towards a target at (dx, dy) from it, not both 0, by at most 18 degrees. Straight to the target and
-     * by 18 degrees are both worked out and one is taken by bits: a branch would be guessed wrong too often.
+     * by 18 degrees are both worked out and one is taken, the vector by weights of 0 and 1, its recipe by bits: a
+     * branch would be guessed wrong too often.
      */
     void turnTo(double[] headings, int at, double dx, double dy) {
         double hx = headings[at + X];
@@ -158,13 +159,15 @@ final class Headings {
         if (Math.abs(within) > SQUARE_DOUBT * square && (across * across > DOUBT * DOUBT * square || within > 0)
             && square > LEAST_SQUARE && square < GREATEST_SQUARE && chain < LONGEST) {
             long beyond = Double.doubleToRawLongBits(within) >> 63;
-            double inverse = 1 / Math.sqrt(square);
-            double sine = Math.copySign(SINE, across);
-            headings[at + X] = either(dx * inverse, hx * COSINE - hy * sine, beyond);
-            headings[at + Y] = either(dy * inverse, hx * sine + hy * COSINE, beyond);
+            double turned = -beyond;
+            double straight = (1 - turned) / Math.sqrt(square);
+            double sine = Math.copySign(SINE, across) * turned;
+            double cosine = COSINE * turned;
+            headings[at + X] = dx * straight + (hx * cosine - hy * sine);
+            headings[at + Y] = dy * straight + (hx * sine + hy * cosine);
             headings[at + BASE_X] = either(dx, headings[at + BASE_X], beyond);
             headings[at + BASE_Y] = either(dy, headings[at + BASE_Y], beyond);
-            headings[at + CHAIN] = either(1, 2 * chain + 0.5 + Math.copySign(0.5, across), beyond);
+            headings[at + CHAIN] = 1 + turned * (2 * chain - 0.5 + Math.copySign(0.5, across));
         } else {
             set(headings, at, turned(angle(headings, at), StrictAngles.atan2(dy, dx)));
         }

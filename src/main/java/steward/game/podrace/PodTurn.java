@@ -79,6 +79,9 @@ final class PodTurn {
     /** Per pod the place before, the velocity in this turn, and the thrust if it acts through a certified vector. */
     private final double[] speed;
 
+    /** Of the pods in certified impacts those that pass a checkpoint, as bits. */
+    private int passing;
+
     /** The states of the game being played. */
     private double[] state;
     private int[] counts;
@@ -347,7 +350,7 @@ final class PodTurn {
                     state[at + VX] = impacts.vx(pod);
                     state[at + VY] = impacts.vy(pod);
                 }
-                return touched | glide(~touched);
+                return passing | glide(~touched);
             }
             paths.clear();
         }
@@ -381,6 +384,7 @@ final class PodTurn {
         if (!impacts.fly(near) || !areSure(~impacts.touched())) {
             return false;
         }
+        passing = 0;
         for (int rest = impacts.touched(); rest != 0; rest &= rest - 1) {
             if (!isSureOfCheckpoints(Integer.numberOfTrailingZeros(rest))) {
                 return false;
@@ -400,6 +404,7 @@ final class PodTurn {
             if (above > 0) {
                 return true;
             }
+            passing |= 1 << pod;
             next = next + 1 < checkpoints ? next + 1 : 0;
         }
         return true;
