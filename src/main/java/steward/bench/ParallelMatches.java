@@ -1,6 +1,7 @@
 package steward.bench;
 
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
 import steward.numerics.StateHash;
@@ -21,9 +22,14 @@ public final class ParallelMatches {
     public static long play(MatchKit kit, int games, int threads) throws InterruptedException {
         long[] results = new long[games];
         AtomicInteger next = new AtomicInteger();
+        AtomicReference<RuntimeException> failure = new AtomicReference<>();
         Runnable work = () -> {
-            for (int game = next.getAndIncrement(); game < games; game = next.getAndIncrement()) {
-                results[game] = result(MatchSection.match(kit, MatchSection.direct(kit), game, NOBODY));
+            try {
+                for (int game = next.getAndIncrement(); game < games; game = next.getAndIncrement()) {
+                    results[game] = result(MatchSection.match(kit, MatchSection.direct(kit), game, NOBODY));
+                }
+            } catch (RuntimeException failed) {
+                failure.compareAndSet(null, failed);
             }
         };
         Thread[] workers = new Thread[threads];
@@ -34,6 +40,9 @@ public final class ParallelMatches {
         }
         for (Thread worker : workers) {
             worker.join();
+        }
+        if (failure.get() != null) {
+            throw failure.get();
         }
         StateHash hash = new StateHash();
         for (long result : results) {

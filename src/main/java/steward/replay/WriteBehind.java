@@ -121,6 +121,8 @@ public final class WriteBehind extends OutputStream {
                 file.write(bytes, 0, length);
             } catch (IOException found) {
                 problem = found;
+            } catch (RuntimeException found) {
+                problem = new IOException(found.toString(), found);
             }
         }
         return length > 0;

@@ -117,6 +117,15 @@ class BenchBotsTest {
         assertEquals(one, ParallelMatches.play(kit, 30, 8));
     }
 
+    @Test
+    void aMatchThatFailsIsNoResult() {
+        MatchKit failing = new MatchKit(kit.types(), kit.setup(), () -> {
+            throw new IllegalStateException("no bot today");
+        }, kit.lines(), List.of(), null, List.of());
+        assertEquals("no bot today", assertThrows(IllegalStateException.class,
+            () -> ParallelMatches.play(failing, 30, 2)).getMessage());
+    }
+
     /** Turns of mere flight, each played in several matches: what the JVM once adds is not ours. */
     @Test
     void aRecordedTurnAllocatesNothing() throws InterruptedException {

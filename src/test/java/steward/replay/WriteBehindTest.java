@@ -94,6 +94,22 @@ class WriteBehindTest {
         assertThrows(IOException.class, out::close);
     }
 
+    @Test
+    void whateverGoesWrongWithAFileIsTold() {
+        WriteBehind out = new WriteBehind(new OutputStream() {
+            @Override
+            public void write(int one) {
+                throw new IllegalStateException("no such luck");
+            }
+        });
+
+        IOException told = assertThrows(IOException.class, () -> {
+            out.write(new byte[] {1}, 0, 1);
+            out.flush();
+        });
+        assertEquals("java.lang.IllegalStateException: no such luck", told.getMessage());
+    }
+
     /** Who writes faster than the disk writes itself when there is no more room, and waits for nobody else's disk. */
     @Test
     void aStuckFileHoldsUpNobodyElse() throws IOException, InterruptedException {
