@@ -56,6 +56,7 @@ public final class PodRaceBatch {
          * @throws IndexOutOfBoundsException if there is no such game or pod
          */
         public void set(int game, int pod, double podTargetX, double podTargetY, int podThrust) {
+            Objects.checkIndex(game, thrust.length / PODS);
             Objects.checkIndex(pod, PODS);
             PodCommands.check(pod, podTargetX, podTargetY, podThrust);
             int at = PODS * game + pod;
@@ -184,6 +185,6 @@ public final class PodRaceBatch {
 
     /** How many turns the player has left to pass a checkpoint. */
     public int turnsLeft(int game, int player) {
-        return counts[game][PodTurn.COUNTS * PODS + player];
+        return counts[game][PodTurn.COUNTS * PODS + Objects.checkIndex(player, PLAYERS)];
     }
 }

@@ -173,7 +173,8 @@ public final class PodRaceSimulator {
     }
 
     /**
-     * Becomes a copy of another race on the same map, without its log.
+     * Becomes a copy of another race on the same map, without its log. Another map with as many checkpoints is not
+     * noticed: the pods then race on this one.
      *
      * @throws IllegalArgumentException if the numbers of pods, players or checkpoints differ
      */

@@ -189,6 +189,8 @@ class PodRaceBatchTest {
         assertRefused("thrust 651", () -> commands.set(0, 0, 0, 0, 651));
         assertRefused("target NaN", () -> commands.set(0, 0, Double.NaN, 0, 1));
         assertThrows(IndexOutOfBoundsException.class, () -> commands.set(0, 4, 0, 0, 1));
+        assertThrows(IndexOutOfBoundsException.class, () -> commands.set(1 << 30, 0, 0, 0, 1), "4 times that is 0");
+        assertThrows(IndexOutOfBoundsException.class, () -> batch.turnsLeft(0, -1));
         assertRefused("a race of 2 pods", () -> batch.set(0, new PodRaceSimulator(map, 2, 1, 3)));
         assertRefused("with 2 checkpoints", () -> batch.get(0, new PodRaceSimulator(new double[][] {{0, 0}, {9, 9}})));
         ParallelBatch closed = new ParallelBatch(batch, 2);
