@@ -23,7 +23,8 @@ final class Headings {
      *
      * (1) cos, sin, length and quotients of the game: within 6 u of the true direction of h.
      * (2) After a turn straight to the target, h is StrictMath's atan2 (2 units in the last place of pi: 16 u), and the
-     *     vector is (dx, dy) / length (3 u): together below 2^-48.
+     *     vector is (dx, dy) times root / square (the rounding of the square moves root / square by half as much: 1 u;
+     *     root, reciprocal, both products: 4 u): together with (1) below 2^-48.
      * (3) A vector taken from the angle itself is the game's own.
      * (4) A turn by 18 degrees adds the double pi / 10 to h, rounded: with |h| < 2^10 by at most 2^-44 (half a unit in
      *     the last place). The rotation of the vector by the cosine and sine of pi / 10 rounds by less than 2^-50.
@@ -143,12 +144,20 @@ final class Headings {
         return angle;
     }
 
-    /**
-     * Turns a pod towards a target at (dx, dy) from it, not both 0, by at most 18 degrees. Straight to the target and
-     * by 18 degrees are both worked out and one is taken, the vector by weights of 0 and 1, its recipe by bits: a
-     * branch would be guessed wrong too often.
-     */
+    /** Turns a pod towards a target at (dx, dy) from it, not both 0, by at most 18 degrees. */
     void turnTo(double[] headings, int at, double dx, double dy) {
+        if (!turnQuickly(headings, at, dx, dy)) {
+            set(headings, at, turned(angle(headings, at), StrictAngles.atan2(dy, dx)));
+        }
+    }
+
+    /**
+     * The same by vectors, unless there is a doubt. Straight to the target and by 18 degrees are both worked out and
+     * one is taken, the vector by weights of 0 and 1, its recipe by bits: a branch would be guessed wrong too often.
+     *
+     * @return whether it is done; if not, the heading is as before
+     */
+    static boolean turnQuickly(double[] headings, int at, double dx, double dy) {
         double hx = headings[at + X];
         double hy = headings[at + Y];
         double square = dx * dx + dy * dy;
@@ -156,21 +165,22 @@ final class Headings {
         double across = hx * dy - hy * dx;
         double chain = headings[at + CHAIN];
         double within = along * Math.abs(along) - COSINE * COSINE * square;
-        if (Math.abs(within) > SQUARE_DOUBT * square && (across * across > DOUBT * DOUBT * square || within > 0)
-            && square > LEAST_SQUARE && square < GREATEST_SQUARE && chain < LONGEST) {
-            long beyond = Double.doubleToRawLongBits(within) >> 63;
-            double turned = -beyond;
-            double straight = (1 - turned) / Math.sqrt(square);
-            double sine = Math.copySign(SINE, across) * turned;
-            double cosine = COSINE * turned;
-            headings[at + X] = dx * straight + (hx * cosine - hy * sine);
-            headings[at + Y] = dy * straight + (hx * sine + hy * cosine);
-            headings[at + BASE_X] = either(dx, headings[at + BASE_X], beyond);
-            headings[at + BASE_Y] = either(dy, headings[at + BASE_Y], beyond);
-            headings[at + CHAIN] = 1 + turned * (2 * chain - 0.5 + Math.copySign(0.5, across));
-        } else {
-            set(headings, at, turned(angle(headings, at), StrictAngles.atan2(dy, dx)));
+        if (!(Math.abs(within) > SQUARE_DOUBT * square && (across * across > DOUBT * DOUBT * square || within > 0)
+            && square > LEAST_SQUARE && square < GREATEST_SQUARE && chain < LONGEST)) {
+            return false;
         }
+        long beyond = Double.doubleToRawLongBits(within) >> 63;
+        double turned = -beyond;
+        // the root and the reciprocal do not wait for each other
+        double straight = Math.sqrt(square) * ((1 - turned) / square);
+        double sine = Math.copySign(SINE, across) * turned;
+        double cosine = COSINE * turned;
+        headings[at + X] = dx * straight + (hx * cosine - hy * sine);
+        headings[at + Y] = dy * straight + (hx * sine + hy * cosine);
+        headings[at + BASE_X] = either(dx, headings[at + BASE_X], beyond);
+        headings[at + BASE_Y] = either(dy, headings[at + BASE_Y], beyond);
+        headings[at + CHAIN] = 1 + turned * (2 * chain - 0.5 + Math.copySign(0.5, across));
+        return true;
     }
 
     /** The first where the mask is 0, the second where it is -1. */

@@ -149,11 +149,13 @@ final class PodTurn {
         }
     }
 
-    /** Shields, boosts, headings and thrusts. */
+    /** Headings and thrusts. What is not usual is done elsewhere, so that nothing here has to be kept for a call. */
     private void steer(double[] targetX, double[] targetY, int[] thrusts, int first) {
         double[] from = state;
         double[] to = speed;
-        for (int pod = 0; pod < pods; pod++) {
+        int[] count = counts;
+        int all = pods;
+        for (int pod = 0; pod < all; pod++) {
             int at = NUMBERS * pod;
             int out = SPEED * pod;
             double x = from[at + X];
@@ -161,30 +163,45 @@ final class PodTurn {
             double vx = from[at + VX];
             double vy = from[at + VY];
             int command = thrusts[first + pod];
-            int thrust = command < 0 ? special(pod, command) : command;
-            int timer = Math.max(0, counts[COUNTS * pod + TIMER] - 1);
-            counts[COUNTS * pod + TIMER] = timer;
-            to[out + MASS] = command == PodCommands.SHIELD ? SHIELD_MASS : 1;
-            double dx = targetX[first + pod] - x;
-            double dy = targetY[first + pod] - y;
-            double power = 0;
-            if (command != PodCommands.NO_COMMAND && (dx != 0 || dy != 0)) {
-                headings.turnTo(from, at + HEADING, dx, dy);
-                power = timer == 0 ? thrust : 0;
-            }
-            to[out + X] = x;
-            to[out + Y] = y;
-            to[out + VX] = vx;
-            to[out + VY] = vy;
-            to[out + POWER] = power;
-            if (power != 0) {
-                double hx = from[at + HEADING];
-                to[out + VX] = vx + hx * power;
-                to[out + VY] = vy + from[at + HEADING + 1] * power;
-                if (!(Math.abs(x) < SMALL && Math.abs(y) < SMALL && Math.abs(vx) < SMALL && Math.abs(vy) < SMALL
-                    && hx == hx)) {
-                    pushExactly(pod);
+            if (command >= 0 && Math.abs(x) < SMALL && Math.abs(y) < SMALL && Math.abs(vx) < SMALL
+                && Math.abs(vy) < SMALL
+                && Headings.turnQuickly(from, at + HEADING, targetX[first + pod] - x, targetY[first + pod] - y)) {
+                int timer = Math.max(0, count[COUNTS * pod + TIMER] - 1);
+                count[COUNTS * pod + TIMER] = timer;
+                to[out + X] = x;
+                to[out + Y] = y;
+                to[out + MASS] = 1;
+                double power = timer == 0 ? command : 0;
+                to[out + POWER] = power;
+                if (power != 0) {
+                    vx += from[at + HEADING] * power;
+                    vy += from[at + HEADING + 1] * power;
                 }
+                to[out + VX] = vx;
+                to[out + VY] = vy;
+            } else {
+                steerExactly(pod, targetX[first + pod], targetY[first + pod], command);
+            }
+        }
+    }
+
+    /** The same for any pod, by the game's own direction. */
+    private void steerExactly(int pod, double targetX, double targetY, int command) {
+        int at = NUMBERS * pod;
+        int to = SPEED * pod;
+        int thrust = command < 0 ? special(pod, command) : command;
+        int timer = Math.max(0, counts[COUNTS * pod + TIMER] - 1);
+        counts[COUNTS * pod + TIMER] = timer;
+        System.arraycopy(state, at + X, speed, to + X, POWER);
+        speed[to + MASS] = command == PodCommands.SHIELD ? SHIELD_MASS : 1;
+        speed[to + POWER] = 0;
+        double dx = targetX - state[at + X];
+        double dy = targetY - state[at + Y];
+        if (command != PodCommands.NO_COMMAND && (dx != 0 || dy != 0)) {
+            headings.turnTo(state, at + HEADING, dx, dy);
+            if (timer == 0 && thrust != 0) {
+                speed[to + POWER] = thrust;
+                pushExactly(pod);
             }
         }
     }
