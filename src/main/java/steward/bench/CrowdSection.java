@@ -22,7 +22,9 @@ final class CrowdSection implements Section {
     /** Beyond so many bodies the textbook's way and the one that looks at all pairs take too long for a figure. */
     private static final int MOST_FOR_TEXTBOOK = 3000;
     private static final int MOST_FOR_PAIRS = 300;
+    private static final int CONTENDERS = 3;
     private static final double NANOS = 1e9;
+    private static final long NANOS_PER_MS = 1_000_000;
 
     private final List<Gas> gases = new ArrayList<>();
 
@@ -47,7 +49,7 @@ final class CrowdSection implements Section {
 
     @Override
     public int steps(Effort effort) {
-        return gases.size() * (effort == Effort.QUICK ? 2 : 4);
+        return gases.stream().mapToInt(gas -> 1 + rounds(gas.bodies().size(), effort)).sum();
     }
 
     @Override
@@ -57,19 +59,28 @@ final class CrowdSection implements Section {
         }
     }
 
+    private static int rounds(int bodies, Effort effort) {
+        return bodies > 30_000 || effort == Effort.QUICK ? 1 : effort.rounds();
+    }
+
     private void run(Gas gas, Effort effort, Consumer<String> about, Consumer<Row> rows) {
         int size = gas.bodies().size();
         long impacts = Math.max(effort == Effort.QUICK ? 2_000 : 200_000, effort == Effort.QUICK ? size : 5L * size);
-        int rounds = size > 30_000 || effort == Effort.QUICK ? 1 : 3;
+        int rounds = rounds(size, effort);
         double[] textbook = new double[rounds];
         double[] pairs = new double[rounds];
         double[] queue = new double[rounds];
         long bytes = 0;
-        for (int round = -1; round < rounds; round++) {
+        about.accept(size + " bodies, warming up");
+        Meter meter = new Meter();
+        long warm = meter.cpu(false) + CONTENDERS * effort.warmUpMs() * NANOS_PER_MS;
+        for (int round = -1; round < rounds; round += meter.cpu(false) < warm ? 0 : 1) {
             int k = Math.max(0, round);
-            about.accept(size + " bodies");
+            if (round >= 0) {
+                about.accept(size + " bodies");
+            }
             textbook[k] = size > MOST_FOR_TEXTBOOK ? Double.NaN : textbook(gas, size > 500 ? impacts / 8 : impacts);
-            pairs[k] = size > MOST_FOR_PAIRS ? Double.NaN : advance(new EventAdvance(parts(gas)), gas, impacts / 4);
+            pairs[k] = size > MOST_FOR_PAIRS ? Double.NaN : advance(new EventAdvance(parts(gas)), gas, impacts / 16);
             QueueAdvance cells = new QueueAdvance(parts(gas));
             queue[k] = advance(cells, gas, impacts);
             bytes = cells.bytes();
