@@ -1,7 +1,5 @@
 package steward.physics;
 
-import java.util.Arrays;
-
 /**
  * The event loop of {@link EventAdvance} for one sort of scene, several times as fast and with the same bits: circles
  * of one size and finite masses under {@link ImpactLaw#OFFICIAL_POD_RACE} in the official arithmetic, without walls.
@@ -9,13 +7,11 @@ import java.util.Arrays;
  * its course. Allocates nothing in a turn (but for the rare ending by the impact limit).
  *
  * <p>Caveat: at most {@value #MOST_BODIES} bodies; more, or of different sizes, are left to {@link EventAdvance}.
- *
- * <p>A little over 400 lines, because the proof of what is set aside stands beside what sets it aside.
  */
 public final class OfficialAdvance implements Advance {
 
-    /** So that the pairs fit into the 64 bits of a set. */
-    public static final int MOST_BODIES = 11;
+    /** The most bodies. */
+    public static final int MOST_BODIES = ScanPairs.MOST_BODIES;
     /** The set of all bodies. */
     public static final int ALL = -1;
 
@@ -43,15 +39,11 @@ public final class OfficialAdvance implements Advance {
     private double greatestTouching;
 
     private int size;
-    private long allPairs;
-    /** Per body the set of its pairs; per pair the two, all in the order of the scan. */
-    private final long[] pairsOf = new long[MOST_BODIES];
-    private final int[] first = new int[MOST_BODIES * (MOST_BODIES - 1) / 2];
-    private final int[] second = new int[first.length];
+    private ScanPairs scan = ScanPairs.of(0);
 
     /** The impacts found, in the order of time, ties in the order of the scan. */
-    private final double[] times = new double[first.length];
-    private final int[] pairs = new int[first.length];
+    private final double[] times = new double[MOST_BODIES * (MOST_BODIES - 1) / 2];
+    private final int[] pairs = new int[times.length];
     private int found;
 
     /** @throws IllegalArgumentException if there is more than the official law in the official arithmetic */
@@ -218,7 +210,7 @@ public final class OfficialAdvance implements Advance {
         int members = 0;
         for (long rest = set; rest != 0; rest &= rest - 1) {
             int pair = Long.numberOfTrailingZeros(rest);
-            members |= 1 << first[pair] | 1 << second[pair];
+            members |= 1 << scan.first(pair) | 1 << scan.second(pair);
         }
         return members;
     }
@@ -245,7 +237,7 @@ public final class OfficialAdvance implements Advance {
     private boolean turnOfOrdinary(Bodies bodies, TurnSink sink, long near, int exact) {
         long doubtful = 0;
         for (int body = 0; body < size; body++) {
-            doubtful |= (exact >> body & 1) != 0 ? 0 : pairsOf[body];
+            doubtful |= (exact >> body & 1) != 0 ? 0 : scan.pairsOf(body);
         }
         int left = law.impactLimit(size);
         boolean small = isSmall(bodies);
@@ -265,13 +257,13 @@ public final class OfficialAdvance implements Advance {
             now = times[0];
             long changed = 0;
             for (int k = 0; k < found && times[k] - now <= window; k++, left--) {
-                int a = first[pairs[k]];
-                int b = second[pairs[k]];
+                int a = scan.first(pairs[k]);
+                int b = scan.second(pairs[k]);
                 react(bodies, a, b, times[k], sink);
-                changed |= pairsOf[a] | pairsOf[b];
+                changed |= scan.pairsOf(a) | scan.pairsOf(b);
                 small &= isSmall(bodies, a) && isSmall(bodies, b);
             }
-            live = live & ~changed | nearAgain(bodies, small ? changed : allPairs, 1 - now);
+            live = live & ~changed | nearAgain(bodies, small ? changed : scan.all(), 1 - now);
             if ((live & doubtful) != 0) {
                 return false;
             }
@@ -296,8 +288,8 @@ public final class OfficialAdvance implements Advance {
         long near = 0;
         for (long rest = among; rest != 0; rest &= rest - 1) {
             int pair = Long.numberOfTrailingZeros(rest);
-            int i = first[pair];
-            int j = second[pair];
+            int i = scan.first(pair);
+            int j = scan.second(pair);
             if (mayMeet(bodies.x[i] - bodies.x[j], bodies.y[i] - bodies.y[j], bodies.vx[i] - bodies.vx[j],
                 bodies.vy[i] - bodies.vy[j], time, touchSquare)) {
                 near |= 1L << pair;
@@ -312,8 +304,8 @@ public final class OfficialAdvance implements Advance {
         found = 0;
         for (long rest = live; rest != 0; rest &= rest - 1) {
             int pair = Long.numberOfTrailingZeros(rest);
-            int i = first[pair];
-            int j = second[pair];
+            int i = scan.first(pair);
+            int j = scan.second(pair);
             double dx = bodies.x[i] - bodies.x[j];
             double dy = bodies.y[i] - bodies.y[j];
             double square = dx * dx + dy * dy;
@@ -391,21 +383,7 @@ public final class OfficialAdvance implements Advance {
     }
 
     private void number(int bodies) {
-        if (bodies > MOST_BODIES) {
-            throw new IllegalArgumentException(bodies + " bodies, expected at most " + MOST_BODIES);
-        }
+        scan = ScanPairs.of(bodies);
         size = bodies;
-        Arrays.fill(pairsOf, 0);
-        int pair = 0;
-        for (int i = bodies - 1; i > 0; i--) {
-            for (int j = i - 1; j >= 0; j--) {
-                first[pair] = i;
-                second[pair] = j;
-                pairsOf[i] |= 1L << pair;
-                pairsOf[j] |= 1L << pair;
-                pair++;
-            }
-        }
-        allPairs = (1L << pair) - 1;
     }
 }

@@ -1,6 +1,8 @@
 package steward.game.podrace;
 
+import steward.physics.ImpactLaw;
 import steward.physics.OfficialAdvance;
+import steward.physics.ScanPairs;
 
 /**
  * The impacts of a turn from velocities that are known to 2^-27 only, with a bound on what that does to everything that
@@ -13,9 +15,10 @@ final class CertifiedImpacts {
 
     private static final double TOUCH = 2 * PodTurn.RADIUS;
     private static final double TOUCH_SQUARE = TOUCH * TOUCH;
-    private static final double MINIMUM_IMPULSE = 120;
-    /** The rules push each of two that overlap by half of the overlap and so much, in u. */
-    private static final double PUSH_OUT = 1e-5;
+    /** 120; the proofs below count on it, and on the push-out. */
+    private static final double MINIMUM_IMPULSE = ImpactLaw.OFFICIAL_POD_RACE.minimumImpulse();
+    /** The rules push each of two that overlap by half of the overlap and so much, in u: 1e-5. */
+    private static final double PUSH_OUT = ImpactLaw.OFFICIAL_POD_RACE.pushOut();
 
     /*
      * Below, "ours" is what is computed here, "the game's" what the official expressions give. Two numbers bound how
@@ -81,10 +84,7 @@ final class CertifiedImpacts {
     private final double[] vx;
     private final double[] vy;
     private final double[] inverseMass;
-    /** Per pair of the scan the two pods; per pod the pairs it is in. */
-    private final int[] first;
-    private final int[] second;
-    private final long[] pairsOf;
+    private final ScanPairs scan;
 
     private double errorX;
     private double errorV;
@@ -101,19 +101,7 @@ final class CertifiedImpacts {
         vx = new double[pods];
         vy = new double[pods];
         inverseMass = new double[pods];
-        first = new int[pods * (pods - 1) / 2];
-        second = new int[first.length];
-        pairsOf = new long[pods];
-        int pair = 0;
-        for (int i = pods - 1; i > 0; i--) {
-            for (int j = i - 1; j >= 0; j--) {
-                first[pair] = i;
-                second[pair] = j;
-                pairsOf[i] |= 1L << pair;
-                pairsOf[j] |= 1L << pair;
-                pair++;
-            }
-        }
+        scan = ScanPairs.of(pods);
     }
 
     /** A pod at the start of the turn. @return whether its numbers are small enough */
@@ -203,11 +191,11 @@ final class CertifiedImpacts {
             }
             advance(soonest);
             now += soonest;
-            react(first[pair], second[pair], impacts == 0 && soonest == 0, error, itsApproach);
-            if (!(errorX + errorV < GREATEST_ERROR && isSlow(first[pair]) && isSlow(second[pair]))) {
+            react(scan.first(pair), scan.second(pair), impacts == 0 && soonest == 0, error, itsApproach);
+            if (!(errorX + errorV < GREATEST_ERROR && isSlow(scan.first(pair)) && isSlow(scan.second(pair)))) {
                 return false;
             }
-            long changed = pairsOf[first[pair]] | pairsOf[second[pair]];
+            long changed = scan.pairsOf(scan.first(pair)) | scan.pairsOf(scan.second(pair));
             live = live & ~changed | nearAgain(changed & ~(1L << pair), 1 - now);
         }
         return false;
@@ -218,8 +206,8 @@ final class CertifiedImpacts {
      * {@link #approach}.
      */
     private boolean isSure(int pair, boolean start, double error, double left) {
-        int i = first[pair];
-        int j = second[pair];
+        int i = scan.first(pair);
+        int j = scan.second(pair);
         double dx = x[i] - x[j];
         double dy = y[i] - y[j];
         double wx = vx[i] - vx[j];
@@ -322,8 +310,8 @@ final class CertifiedImpacts {
         long near = 0;
         for (long rest = among; rest != 0; rest &= rest - 1) {
             int pair = Long.numberOfTrailingZeros(rest);
-            int i = first[pair];
-            int j = second[pair];
+            int i = scan.first(pair);
+            int j = scan.second(pair);
             if (OfficialAdvance.mayMeet(x[i] - x[j], y[i] - y[j], vx[i] - vx[j], vy[i] - vy[j], left, CLEAR_SQUARE)) {
                 near |= 1L << pair;
             }
