@@ -12,12 +12,12 @@ import steward.physics.TurnLog;
  * in doubt, the game's own expressions are evaluated. States lie in arrays of the caller; this holds what one turn
  * needs. Allocates nothing. Not thread-safe.
  *
- * <p>Where the time goes: of a turn without impacts about half into steering, a quarter into gliding; a turn with
- * impacts takes about three times as long. Tried and not taken, because measured no faster: a box around the checkpoint
- * before its quadratic; one sum in place of the four bounds on place and speed; going through the pods of a set bit by
- * bit when they glide; writing the base of a heading to one of two places instead of taking one of two values (a fifth
- * slower: later loads wait for the address). A closer test of who may meet would gain nothing: those whom the filter
- * leaves do meet. All in one file, because all of it works on the same arrays.
+ * <p>Of a turn without impacts most of the time goes into steering, then into gliding; a turn with impacts takes
+ * longer. Tried and not taken, because measured no faster: a box around the checkpoint before its quadratic; one sum in
+ * place of the four bounds on place and speed; going through the pods of a set bit by bit when they glide; writing the
+ * base of a heading to one of two places instead of taking one of two values (slower: later loads wait for the
+ * address); steering and gliding in one loop. A closer test of who may meet would gain nothing: those whom the filter
+ * leaves nearly always meet. All in one file of almost 500 lines, because all of it works on the same arrays.
  */
 final class PodTurn {
 
