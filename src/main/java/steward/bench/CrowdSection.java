@@ -22,7 +22,6 @@ final class CrowdSection implements Section {
     /** Beyond so many bodies the textbook's way and the one that looks at all pairs take too long for a figure. */
     private static final int MOST_FOR_TEXTBOOK = 3000;
     private static final int MOST_FOR_PAIRS = 300;
-    private static final int CONTENDERS = 3;
     private static final double NANOS = 1e9;
     private static final long NANOS_PER_MS = 1_000_000;
 
@@ -49,7 +48,7 @@ final class CrowdSection implements Section {
 
     @Override
     public int steps(Effort effort) {
-        return gases.stream().mapToInt(gas -> 1 + rounds(gas.bodies().size(), effort)).sum();
+        return gases.stream().mapToInt(gas -> 1 + rounds(gas.count(), effort)).sum();
     }
 
     @Override
@@ -59,12 +58,16 @@ final class CrowdSection implements Section {
         }
     }
 
+    private static int contenders(int bodies) {
+        return bodies > MOST_FOR_TEXTBOOK ? 1 : bodies > MOST_FOR_PAIRS ? 2 : 3;
+    }
+
     private static int rounds(int bodies, Effort effort) {
         return bodies > 30_000 || effort == Effort.QUICK ? 1 : effort.rounds();
     }
 
     private void run(Gas gas, Effort effort, Consumer<String> about, Consumer<Row> rows) {
-        int size = gas.bodies().size();
+        int size = gas.count();
         long impacts = Math.max(effort == Effort.QUICK ? 2_000 : 200_000, effort == Effort.QUICK ? size : 5L * size);
         int rounds = rounds(size, effort);
         double[] textbook = new double[rounds];
@@ -73,7 +76,7 @@ final class CrowdSection implements Section {
         long bytes = 0;
         about.accept(size + " bodies, warming up");
         Meter meter = new Meter();
-        long warm = meter.cpu(false) + CONTENDERS * effort.warmUpMs() * NANOS_PER_MS;
+        long warm = meter.cpu(false) + contenders(size) * effort.warmUpMs() * NANOS_PER_MS;
         for (int round = -1; round < rounds; round += meter.cpu(false) < warm ? 0 : 1) {
             int k = Math.max(0, round);
             if (round >= 0) {

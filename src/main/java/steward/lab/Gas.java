@@ -62,6 +62,11 @@ public final class Gas {
         return side < 2 ? 0 : 1 + (int) Math.floor((side - 2) / Math.sqrt(3));
     }
 
+    /** How many bodies there are. */
+    public int count() {
+        return count;
+    }
+
     /** How long a side of the box is, in radii. */
     public double side() {
         return side;
