@@ -3,11 +3,12 @@ package steward.physics;
 import java.util.Arrays;
 
 /*
- * Buckets of equal width hold the events of the near future in unordered lists, one list holds the rest, and only the
- * events of the present bucket stand in a heap: about one per bucket, so that each operation takes constant time on
- * the average (G. Paul, "A Complexity O(1) priority queue for event driven molecular dynamics simulations", 2007).
- * Where many events fall into one bucket it is a heap of them all. The width only decides how long it takes, never the
- * order.
+ * A ring of buckets of equal width holds the events of the near future in unordered lists, one list holds the rest, and
+ * only the events of the present bucket stand in a heap: about one per bucket, so that each operation takes constant
+ * time on the average (G. Paul, "A Complexity O(1) priority queue for event driven molecular dynamics simulations",
+ * 2007). The rest is looked through once in a round of the ring: whatever it holds was too far away then, by a whole
+ * round. Where many events fall into one bucket it is a heap of them all. The width only decides how long it takes,
+ * never the order.
  */
 
 /**
@@ -25,6 +26,13 @@ final class EventBuckets {
 
     private static final int ABSENT = Integer.MIN_VALUE;
     private static final int IN_HEAP = Integer.MIN_VALUE + 1;
+    /** How many buckets there are for each body: what an event waits for, mostly. More take memory, fewer time. */
+    private static final int PER_BODY = 4;
+    private static final int LEAST_BUCKETS = 64;
+    /** With fewer or more events in a bucket, on the average, the width is chosen anew. */
+    private static final double LEAST_FILL = 0.1;
+    private static final double MOST_FILL = 3;
+    private static final double MOST_SCALE = 0x1p60;
 
     private final Order order;
     private double[] key = new double[0];
@@ -35,9 +43,17 @@ final class EventBuckets {
     private int[] heads = new int[0];
     private int[] heap = new int[0];
     private int buckets;
+    /** How many events there are, in all and in the heap. */
+    private int size;
     private int heapSize;
-    private int current;
+    /** The number of the present bucket, counted from {@link #base}, and its place in the ring. */
+    private long current;
+    private int slot;
+    /** Where the rest is looked through again. */
+    private long horizon;
+    /** How many events have come into the heap since it was, and from how many buckets. */
     private int served;
+    private int passed;
     private double base;
     private double scale;
 
@@ -58,17 +74,20 @@ final class EventBuckets {
             previous = new int[capacity];
             heap = new int[capacity];
         }
-        buckets = Math.max(64, Integer.highestOneBit(Math.max(1, bodies - 1)) << 1);
+        buckets = LEAST_BUCKETS + PER_BODY * bodies;
         if (heads.length <= buckets) {
-            heads = new int[buckets + 1];
+            heads = new int[LEAST_BUCKETS + PER_BODY * capacity + 1];
         }
         Arrays.fill(heads, 0, buckets + 1, -1);
         Arrays.fill(previous, 0, bodies, ABSENT);
+        size = 0;
         heapSize = 0;
-        current = 0;
-        served = buckets;
+        slot = 0;
         base = now;
-        scale = meanGap > 0 ? Math.min(bodies / meanGap, 0x1p60) : 0x1p60;
+        scale = meanGap > 0 ? Math.min(bodies / meanGap, MOST_SCALE) : MOST_SCALE;
+        openRound(0);
+        passed = buckets / 8;                          // soon: what the mean gap is worth has to be seen
+        horizon = passed;
     }
 
     /** When the event of a body is; meaningless if it has none. */
@@ -81,16 +100,20 @@ final class EventBuckets {
         if (previous[body] != ABSENT) {
             remove(body);
         }
+        size++;
         key[body] = time;
         enter(body, time);
     }
 
     private void enter(int body, double time) {
-        double bucket = (time - base) * scale;
-        if (bucket < current + 1) {
+        long ahead = (long) ((time - base) * scale) - current;
+        if (ahead <= 0) {
             push(body);
+        } else if (ahead < buckets) {
+            int bucket = slot + (int) ahead;
+            link(body, bucket < buckets ? bucket : bucket - buckets);
         } else {
-            link(body, bucket < buckets ? (int) bucket : buckets);
+            link(body, buckets);
         }
     }
 
@@ -110,6 +133,7 @@ final class EventBuckets {
         if (before == ABSENT) {
             return;
         }
+        size--;
         previous[body] = ABSENT;
         int after = next[body];
         if (before == IN_HEAP) {
@@ -129,10 +153,19 @@ final class EventBuckets {
     /** The body whose event is next, or -1; it stays. */
     int first() {
         while (heapSize == 0) {
-            if (++current >= buckets && !openNextWindow()) {
+            if (size == 0) {
                 return -1;
             }
-            empty(current);
+            current++;
+            if (++slot == buckets) {
+                slot = 0;
+            }
+            if (heads[slot] >= 0) {
+                empty(slot);
+            }
+            if (current == horizon) {
+                lookThroughRest();
+            }
         }
         return heap[0];
     }
@@ -148,29 +181,54 @@ final class EventBuckets {
         }
     }
 
-    /** All buckets are behind: spreads the rest over them anew, as wide as it took. @return false if there is none */
-    private boolean openNextWindow() {
-        int body = heads[buckets];
-        if (body < 0) {
-            current = buckets;
-            return false;
-        }
-        double earliest = Double.POSITIVE_INFINITY;
-        for (int b = body; b >= 0; b = next[b]) {
-            earliest = Math.min(earliest, key[b]);
-        }
-        double fill = (double) served / buckets;
-        scale = Math.min(scale * Math.min(16, Math.max(0.0625, fill)), 0x1p60);
-        base = earliest;
-        served = 0;
-        current = 0;
+    /** What has come near goes into the ring. If buckets have proved too wide or too narrow, all others move too. */
+    private void lookThroughRest() {
+        double fill = (double) served / passed;
+        int chain = heads[buckets];
         heads[buckets] = -1;
-        while (body >= 0) {
+        boolean even = fill >= LEAST_FILL && fill <= MOST_FILL;
+        for (int bucket = 0; bucket < buckets && !even; bucket++) {
+            chain = join(heads[bucket], chain);
+            heads[bucket] = -1;
+        }
+        if (even || chain < 0) {
+            openRound(current);
+        } else {
+            base = earliest(chain);
+            scale = Math.min(scale * Math.min(16, Math.max(0.0625, fill)), MOST_SCALE);
+            openRound(0);
+        }
+        for (int body = chain; body >= 0;) {
             int after = next[body];
             enter(body, key[body]);
             body = after;
         }
-        return true;
+    }
+
+    private void openRound(long from) {
+        current = from;
+        served = 0;
+        passed = buckets;
+        horizon = from + buckets;
+    }
+
+    private int join(int list, int chain) {
+        int joined = chain;
+        for (int body = list; body >= 0;) {
+            int after = next[body];
+            next[body] = joined;
+            joined = body;
+            body = after;
+        }
+        return joined;
+    }
+
+    private double earliest(int chain) {
+        double earliest = Double.POSITIVE_INFINITY;
+        for (int body = chain; body >= 0; body = next[body]) {
+            earliest = Math.min(earliest, key[body]);
+        }
+        return earliest;
     }
 
     private boolean isBefore(int i, int j) {
