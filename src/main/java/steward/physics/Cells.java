@@ -4,8 +4,13 @@ import java.util.Arrays;
 
 /*
  * Two bodies whose diameters are at most the side of a cell touch only while they are in the same cell or in cells next
- * to each other. The grid has no border: a column or row beyond it is that many modulo its size, so that a body may fly
- * anywhere and the memory stays; who is far away then shares a cell with others and is looked at with them, no more.
+ * to each other. Where cells are wider than that, by 2 h, each body may even be up to h beyond the cell where it is
+ * listed: centres of two cells that are not next to each other are then still a diameter apart. So a body is moved to
+ * the next cell only when it is that far beyond its own, and many have an impact before, and stay.
+ *
+ * The grid has no border: a column or row beyond it is that many modulo its size, so that a body may fly anywhere and
+ * the memory stays; who is far away then shares a cell with others and is looked at with them, no more. Two columns
+ * and rows on each side stay free at first, for those that fly out while a turn lasts.
  *
  * Whose diameter is larger (or who is very far away) does not belong here: see QueueBodies.
  */
@@ -14,14 +19,18 @@ import java.util.Arrays;
 final class Cells {
 
     /**
-     * How many bodies there should be in a cell, where their sizes allow it. From 0.3 to 0.8 an impact costs about the
+     * How many bodies there should be in a cell, where their sizes allow it. From 0.6 to 0.9 an impact costs about the
      * same: change it and see {@code steward bench --only crowds}.
      */
-    private static final double PER_CELL = 0.5;
+    private static final double PER_CELL = 0.7;
     /** Columns and rows at least so far from the origin are too far: there, roundings would near the slack. */
     static final int FAR = 1 << 20;
     /** By how much a cell is larger than a diameter, relatively: far more than what roundings move a body. */
     private static final double SLACK = 1 + 0x1p-20;
+    /** What part of the room beyond cells is used; the rest is slack. */
+    private static final double OF_ROOM = 1 - 0x1p-10;
+    /** Columns and rows that stay free at each side. */
+    private static final int MARGIN = 2;
     private static final int SAMPLE = 64;
     /** At most so many bodies are left out of the grid for their size. */
     private static final int MOST_LARGE = 16;
@@ -37,6 +46,7 @@ final class Cells {
     private double originY;
     private double side;
     private double perSide;
+    private double beyond;
     private double largestInside;
 
     /** Chooses the size and number of cells for these bodies; {@link #sort} then empties them. */
@@ -56,6 +66,8 @@ final class Cells {
         originX = lowest(bodies.x, size, sampleX[sampled / 10] - width);
         originY = lowest(bodies.y, size, sampleY[sampled / 10] - height);
         chooseSide(size, width * height / size);
+        originX -= MARGIN * side;
+        originY -= MARGIN * side;
         double wide = Math.min(4.0 * size, Math.ceil(3 * width / side));
         double high = Math.min(4.0 * size, Math.ceil(3 * height / side));
         columns = needed(bodies.x, size, originX, wide);
@@ -68,7 +80,7 @@ final class Cells {
             }
         }
         if (heads.length < columns * rows) {
-            heads = new int[Math.max(columns * rows, 4 * size + 64)];
+            heads = new int[columns * rows * 5 / 4];
         }
         if (next.length < size) {
             next = new int[bodies.capacity()];
@@ -102,6 +114,7 @@ final class Cells {
                 cheapest = cost;
                 side = needed;
                 largestInside = largest[out];
+                beyond = OF_ROOM / 2 * (needed - (2 * largest[out] * SLACK + rounding));
             }
         }
         perSide = 1 / side;
@@ -120,7 +133,7 @@ final class Cells {
         for (int k = 0; k < size; k++) {
             most = Math.max(most, values[k]);
         }
-        return Math.max(3, (int) Math.min(Math.ceil((most - origin) * perSide) + 2, bound + 2));
+        return Math.max(3, (int) Math.min(Math.ceil((most - origin) * perSide) + MARGIN, bound + 2 * MARGIN));
     }
 
     /** The range that holds all but the tenth at either end, made larger by as much. */
@@ -183,14 +196,19 @@ final class Cells {
         return side;
     }
 
-    /** Where a column begins. */
-    double left(int column) {
-        return originX + column * side;
+    /** The middle of a column. */
+    double middleX(int column) {
+        return originX + (column + 0.5) * side;
     }
 
-    /** Where a row begins. */
-    double top(int row) {
-        return originY + row * side;
+    /** The middle of a row. */
+    double middleY(int row) {
+        return originY + (row + 0.5) * side;
+    }
+
+    /** How far from the middle of its cell a body may get, to the right or left and up or down. */
+    double reach() {
+        return side / 2 + beyond;
     }
 
     /** The cell where column and row cross. */

@@ -93,20 +93,8 @@ sealed class QueueSearch permits ExactQueueSearch {
         int at = 8 * body;
         crowd.link[at + CROSSED] = 0;
         best = NEVER;
+        lookAt(body, crowd.isOutside(body) ? everybody() : neighbours(at), now);
         lookAtWalls(body, now);
-        int found;
-        if (crowd.isOutside(body)) {
-            found = crowd.size;
-            for (int k = 0; k < found; k++) {
-                near[k] = k;
-            }
-        } else {
-            if (crowd.outsiders > 0) {
-                lookAt(body, crowd.outside, crowd.outsiders, now);
-            }
-            found = crowd.cells.gatherAround(crowd.link[at + COLUMN], crowd.link[at + ROW], near);
-        }
-        lookAt(body, near, found, now);
         crowd.state[at + IMPACT] = best;
         found(body);
         if (best < NEVER) {
@@ -114,6 +102,19 @@ sealed class QueueSearch permits ExactQueueSearch {
             crowd.link[at + PARTNER_CHANGES] = partner >= 0 ? crowd.link[8 * partner + CHANGES] : 0;
         }
         enqueue(body, now);
+    }
+
+    private int everybody() {
+        for (int k = 0; k < crowd.size; k++) {
+            near[k] = k;
+        }
+        return crowd.size;
+    }
+
+    private int neighbours(int at) {
+        int found = crowd.cells.gatherAround(crowd.link[at + COLUMN], crowd.link[at + ROW], near);
+        System.arraycopy(crowd.outside, 0, near, found, crowd.outsiders);
+        return found + crowd.outsiders;
     }
 
     /** A body goes over into the next cell and looks at those that have become neighbours by it. */
@@ -148,7 +149,7 @@ sealed class QueueSearch permits ExactQueueSearch {
             partner = link[at + PARTNER];
             known(body);
             double before = best;
-            lookAt(body, near, found, now);
+            lookAt(body, found, now);
             if (best < before || best < NEVER && partner != link[at + PARTNER]) {
                 state[at + IMPACT] = best;
                 found(body);
@@ -194,9 +195,13 @@ sealed class QueueSearch permits ExactQueueSearch {
         }
     }
 
-    /** Looks for an earlier impact with others; itself among them does no harm. */
-    private void lookAt(int body, int[] others, int count, double now) {
+    /**
+     * Looks for an earlier impact with the first so many that are near; itself among them does no harm. First the
+     * filter goes through all of them, without a branch, then those that it has left meet the body.
+     */
+    private void lookAt(int body, int count, double now) {
         double[] state = crowd.state;
+        int[] others = near;
         int at = 8 * body;
         double time = now - state[at + SINCE];
         double vx = state[at + VX];
@@ -207,6 +212,7 @@ sealed class QueueSearch permits ExactQueueSearch {
         double reach = Math.abs(x) + Math.abs(y) + Math.abs(vx) + Math.abs(vy);
         double doubt = 0x1p-57 * reach * reach;
         double left = Math.min(best, 1) - now;
+        int kept = 0;
         for (int k = 0; k < count; k++) {
             int other = 8 * others[k];
             double dvx = vx - state[other + VX];
@@ -219,12 +225,16 @@ sealed class QueueSearch permits ExactQueueSearch {
             double touch = radius + state[other + RADIUS];
             double squared = dx * dx + dy * dy;
             double c = squared - touch * touch - (0x1p-38 * squared + 0x1p-57 * a + doubt);
-            double bound = a * c;
             double twice = b - Math.abs(b);            // 2b if they approach, otherwise 0
-            if ((twice * twice > 4 * bound || bound < LEAST) && !(c > -twice * left) && b < 0
-                && (pairs == null || pairs.meet(body, others[k]))) {
+            double misses = 4 * (a * c) - twice * twice - LEAST;
+            double late = c + twice * left;
+            others[kept] = others[k];
+            kept += (int) ((Double.doubleToRawLongBits(b) & Double.doubleToRawLongBits(misses)
+                & Double.doubleToRawLongBits(late)) >>> 63);               // all three below 0
+        }
+        for (int k = 0; k < kept; k++) {
+            if (pairs == null || pairs.meet(body, others[k])) {
                 offer(body, others[k], now);
-                left = Math.min(best, 1) - now;
             }
         }
     }
@@ -269,8 +279,9 @@ sealed class QueueSearch permits ExactQueueSearch {
         if (link[at + Crowd.OUTSIDE] < 0) {
             double vx = state[at + VX];
             double vy = state[at + VY];
-            double x = timeToLeave(state[at + X], vx, crowd.cells.left(link[at + COLUMN]), crowd.cells.side());
-            double y = timeToLeave(state[at + Y], vy, crowd.cells.top(link[at + ROW]), crowd.cells.side());
+            double reach = crowd.cells.reach();
+            double x = timeToLeave(state[at + X] - crowd.cells.middleX(link[at + COLUMN]), vx, reach);
+            double y = timeToLeave(state[at + Y] - crowd.cells.middleY(link[at + ROW]), vy, reach);
             double leaves = state[at + SINCE] + Math.min(x, y);
             if (leaves < time) {
                 time = Math.max(now, leaves);
@@ -285,9 +296,9 @@ sealed class QueueSearch permits ExactQueueSearch {
         }
     }
 
-    /** To the border of a cell that lies ahead: half a side from the middle, to the side to which it flies. */
-    private static double timeToLeave(double x, double v, double from, double side) {
-        return v == 0 ? NEVER : (from + side / 2 - x + Math.copySign(side / 2, v)) / v;
+    /** Until a body is so far from the middle, on the side to which it flies. */
+    private static double timeToLeave(double fromMiddle, double v, double reach) {
+        return v == 0 ? NEVER : (Math.copySign(reach, v) - fromMiddle) / v;
     }
 
     /** 1 or -1, as the sign of a velocity. */
