@@ -1,28 +1,41 @@
 package steward.game.podrace;
 
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.locks.LockSupport;
+
 /**
- * Plays a {@link PodRaceBatch} with several threads, each a range of the games. Games know nothing of each other, so
- * that the results do not depend on the number of threads. The caller's thread plays the first range. Allocates nothing
- * in a turn. Not thread-safe: one caller at a time, who leaves the batch and the commands alone meanwhile.
+ * Plays a {@link PodRaceBatch} with several threads. Each takes some games at a time until there are none left, the
+ * caller's thread too, so that one that comes late holds nobody up. Games know nothing of each other, so that the
+ * results do not depend on the number of threads. Allocates nothing in a turn. Not thread-safe: one caller at a time,
+ * who leaves the batch and the commands alone meanwhile.
  *
- * <p>Waking the threads takes some microseconds a turn: it pays from some hundred games on.
+ * <p>Threads that have nothing to do look out for the next turn for some microseconds before they sleep, unless there
+ * are more of them than processors. Where turns follow each other, it pays from some dozens of games on.
  */
 public final class ParallelBatch implements AutoCloseable {
 
     private static final int MOST_THREADS = 1024;
+    /** How many games a thread takes at a time. */
+    private static final int CHUNK = 16;
+    /** How often a thread looks before it sleeps. */
+    private static final int PATIENCE = 2000;
 
     private final PodRaceBatch batch;
-    private final PodTurn[] kernels;
-    private final Object gate = new Object();
-    private final Object end = new Object();
+    private final Helper[] helpers;
+    private final PodTurn kernel;
+    private final int chunks;
+    private final int patience;
 
-    /** Which turn is to be played, of which commands; after the last there is none. Guarded by {@link #gate}. */
-    private long turn;
-    private PodRaceBatch.Commands commands;
-    private boolean closed;
-    /** How many threads still play, and what went wrong. Guarded by {@link #end}. */
-    private int playing;
-    private Throwable problem;
+    /** The games that nobody has taken yet begin with this chunk; so many chunks have not been played. */
+    private final AtomicInteger next;
+    private final AtomicInteger left = new AtomicInteger();
+    private volatile long turn;
+    /** Written before {@link #next} says that there is something to take. */
+    private volatile PodRaceBatch.Commands commands;
+    private volatile Throwable problem;
+    private volatile boolean closed;
+    /** The caller, when it sleeps. */
+    private volatile Thread sleeper;
 
     /**
      * Starts the threads.
@@ -35,21 +48,22 @@ public final class ParallelBatch implements AutoCloseable {
             throw new IllegalArgumentException(threads + " threads, expected 1.." + MOST_THREADS);
         }
         this.batch = batch;
-        kernels = new PodTurn[Math.min(threads, batch.games())];
-        for (int k = 0; k < kernels.length; k++) {
-            kernels[k] = batch.kernel();
-        }
-        for (int k = 1; k < kernels.length; k++) {
-            int range = k;
-            Thread thread = new Thread(() -> work(range), "pod-race-batch-" + k);
-            thread.setDaemon(true);
-            thread.start();
+        kernel = batch.kernel();
+        chunks = (batch.games() - 1) / CHUNK + 1;
+        next = new AtomicInteger(chunks);
+        patience = threads <= Runtime.getRuntime().availableProcessors() ? PATIENCE : 0;
+        helpers = new Helper[Math.min(threads, batch.games()) - 1];
+        for (int k = 0; k < helpers.length; k++) {
+            helpers[k] = new Helper(batch.kernel());
+            helpers[k].setName("pod-race-batch-" + (k + 1));
+            helpers[k].setDaemon(true);
+            helpers[k].start();
         }
     }
 
     /** How many threads play, the caller's among them. */
     public int threads() {
-        return kernels.length;
+        return helpers.length + 1;
     }
 
     /**
@@ -61,91 +75,107 @@ public final class ParallelBatch implements AutoCloseable {
      */
     public void play(PodRaceBatch.Commands given) {
         batch.check(given);
-        synchronized (end) {
-            playing = kernels.length - 1;
-            problem = null;
+        if (closed) {
+            throw new IllegalStateException("the threads have been let go");
         }
-        synchronized (gate) {
-            if (closed) {
-                throw new IllegalStateException("the threads have been let go");
-            }
-            commands = given;
-            turn++;
-            gate.notifyAll();
-        }
-        try {
-            playRange(0, given);
-        } finally {
-            await();
-        }
+        problem = null;
+        commands = given;
+        left.set(chunks);
+        next.set(0);
+        turn++;                                        // one caller at a time: nobody else writes it
+        wake();
+        playChunks(kernel);
+        await();
         if (problem != null) {
             throw new IllegalStateException(problem);
         }
     }
 
-    private void playRange(int range, PodRaceBatch.Commands given) {
-        long games = batch.games();
-        batch.play(given, kernels[range], (int) (games * range / kernels.length),
-            (int) (games * (range + 1) / kernels.length));
+    private void wake() {
+        for (Helper helper : helpers) {
+            if (helper.asleep) {
+                LockSupport.unpark(helper);
+            }
+        }
+    }
+
+    /** Takes games and plays them until there are none left. */
+    private void playChunks(PodTurn by) {
+        for (int chunk = next.getAndIncrement(); chunk < chunks; chunk = next.getAndIncrement()) {
+            try {
+                int first = chunk * CHUNK;
+                batch.play(commands, by, first, Math.min(first + CHUNK, batch.games()));
+            } catch (RuntimeException | Error thrown) {
+                problem = thrown;
+            }
+            if (left.decrementAndGet() == 0) {
+                LockSupport.unpark(sleeper);
+            }
+        }
     }
 
     private void await() {
-        boolean interrupted = false;
-        synchronized (end) {
-            while (playing > 0) {
-                try {
-                    end.wait();
-                } catch (InterruptedException later) {
-                    interrupted = true;
-                }
-            }
+        for (int look = 0; look < patience && left.get() > 0; look++) {
+            Thread.onSpinWait();
         }
+        boolean interrupted = false;
+        sleeper = Thread.currentThread();
+        while (left.get() > 0) {
+            LockSupport.park(this);
+            interrupted |= Thread.interrupted();
+        }
+        sleeper = null;
         if (interrupted) {
             Thread.currentThread().interrupt();
         }
     }
 
-    private void work(int range) {
-        for (long next = 1;; next++) {
-            PodRaceBatch.Commands given = next(next);
-            if (given == null) {
-                return;
-            }
-            Throwable wrong = null;
-            try {
-                playRange(range, given);
-            } catch (RuntimeException | Error thrown) {
-                wrong = thrown;
-            }
-            synchronized (end) {
-                problem = wrong == null ? problem : wrong;
-                if (--playing == 0) {
-                    end.notifyAll();
+    /** Plays along. */
+    private final class Helper extends Thread {
+
+        private final PodTurn own;
+        /** Whoever starts a turn after this was set wakes it. */
+        private volatile boolean asleep;
+
+        Helper(PodTurn own) {
+            this.own = own;
+        }
+
+        @Override
+        public void run() {
+            for (long played = 0; !closed;) {
+                long current = turn;
+                if (current == played) {
+                    awaitTurn(played);
+                } else {
+                    playChunks(own);
+                    played = current;
                 }
             }
         }
-    }
 
-    /** Waits for a turn. @return its commands, {@code null} when there is none any more */
-    private PodRaceBatch.Commands next(long number) {
-        synchronized (gate) {
-            while (turn < number && !closed) {
-                try {
-                    gate.wait();
-                } catch (InterruptedException nobodyMeansIt) {
-                    continue;
+        private void awaitTurn(long played) {
+            for (int look = 0; look < patience; look++) {
+                if (turn != played || closed) {
+                    return;
                 }
+                Thread.onSpinWait();
             }
-            return turn < number ? null : commands;
+            asleep = true;
+            while (turn == played && !closed) {
+                LockSupport.park(this);
+                Thread.interrupted();                  // nobody means it
+            }
+            asleep = false;
         }
     }
 
     /** Lets the threads go. */
     @Override
     public void close() {
-        synchronized (gate) {
-            closed = true;
-            gate.notifyAll();
+        closed = true;
+        for (Helper helper : helpers) {
+            LockSupport.unpark(helper);
         }
     }
 }
