@@ -63,9 +63,9 @@ final class JsonLine {
         return new Value(nameFrom, token, token == JsonToken.VALUE_NULL ? null : in.getString(), -1, -1);
     }
 
-    /** The hash of all that stands before a field, without the comma between. */
-    String hashBefore(String name) {
-        return InputHash.of(bytes, 0, Math.max(0, values.get(name).nameFrom() - 1));
+    /** The hash of all that stands before a field, without the comma between, in a format of replays. */
+    String hashBefore(String name, int format) {
+        return InputHash.of(format, bytes, 0, Math.max(0, values.get(name).nameFrom() - 1));
     }
 
     boolean has(String name) {

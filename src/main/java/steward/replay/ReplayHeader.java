@@ -19,7 +19,7 @@ public record ReplayHeader(String game, String scene, long seed, List<String> na
                            List<Protocol> protocols, double timeFactor) {
 
     /** The version of the format that is written, and the newest that is read. */
-    public static final int FORMAT = 1;
+    public static final int FORMAT = 2;
     /** The value of {@code type} in the first line. */
     public static final String TYPE = "steward-replay";
     /** How every replay begins, up to the number of its format. */

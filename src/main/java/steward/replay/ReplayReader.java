@@ -132,6 +132,11 @@ public final class ReplayReader implements AutoCloseable {
         return header;
     }
 
+    /** The version of the format; only with a header. */
+    int format() {
+        return headerLine.integer("format");
+    }
+
     /** Whether another referee played the match, and only what was observed of it is recorded; only with a header. */
     public boolean imported() {
         return headerLine.flag("imported");

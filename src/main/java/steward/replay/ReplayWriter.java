@@ -307,7 +307,7 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
     private void startHash(int from) {
         out.flush();
         byte[] bytes = line.bytes();
-        InputHash.add(hash.reset(), bytes, bytes[from] == ':' ? from + 1 : from, line.size());
+        InputHash.add(hash.reset(), ReplayHeader.FORMAT, bytes, bytes[from] == ':' ? from + 1 : from, line.size());
     }
 
     private void writeHash(String name, int from) {

@@ -32,6 +32,7 @@ final class TurnCheck {
     private static final int MOST_DIGITS = 18;
 
     private final Resimulation again;
+    private final int format;
     private final LineBuffer outcome = new LineBuffer();
     private final JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), outcome);
     private final OutcomeJson json = new OutcomeJson();
@@ -47,8 +48,10 @@ final class TurnCheck {
         NOTHING
     }
 
-    TurnCheck(Resimulation again) {
+    /** @param format of the replay */
+    TurnCheck(Resimulation again, int format) {
         this.again = again;
+        this.format = format;
     }
 
     private static byte[] bytes(String text) {
@@ -93,7 +96,7 @@ final class TurnCheck {
 
     /** As {@link InputHash}, of commands alone: nobody failed, said or wrote anything. */
     private long inputHash(byte[] line, int from, int to) {
-        InputHash.add(hash.reset(), line, from, to);
+        InputHash.add(hash.reset(), format, line, from, to);
         for (int none = KINDS_OF_TEXTS * again.game().players(); none > 0; none--) {
             InputHash.add(hash, null);
         }

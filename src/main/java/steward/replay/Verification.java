@@ -40,11 +40,11 @@ public record Verification(int turns, Difference difference, String warning) {
         Resimulation again = new Resimulation(replay.header(), types, replay.source());
         byte[] start = json(out -> ReplayWriter.writeOpening(out, again.game(), again.codec()));
         byte[] recorded = opening(replay);
-        boolean observed = replay.imported();
-        Difference difference = compare(0, recorded, start, observed);
-        difference = difference != null ? difference : compareHash(0, "headerHash", replay.headerLine());
+        Difference difference = compare(0, recorded, start, replay.imported());
+        difference = difference != null ? difference
+            : compareHash(0, "headerHash", replay.headerLine(), replay.format());
         String[] faults = new String[again.game().players()];
-        TurnCheck check = new TurnCheck(again);
+        TurnCheck check = new TurnCheck(again, replay.format());
         int turns = 0;
         while (difference == null) {
             byte[] line = replay.nextLine();
@@ -57,11 +57,11 @@ public record Verification(int turns, Difference difference, String warning) {
             RecordedTurn turn = replay.turn(line);
             if (turn == null) {
                 difference = replay.result() == null ? null
-                    : compareResult(replay.result(), again.game(), replay.header().names(), faults, observed);
+                    : compareResult(replay, again.game(), faults);
                 break;
             }
             difference = found == TurnCheck.Found.PLAYED ? null : again.play(turn);
-            difference = difference != null ? difference : compareTurn(check, turn, observed);
+            difference = difference != null ? difference : compareTurn(check, turn, replay);
             turns += difference == null ? 1 : 0;
             for (int player = 0; player < faults.length; player++) {
                 faults[player] = faults[player] == null ? turn.faults()[player] : faults[player];
@@ -82,11 +82,11 @@ public record Verification(int turns, Difference difference, String warning) {
     }
 
     /** Compares a turn that was played with all that its line says. */
-    private static Difference compareTurn(TurnCheck check, RecordedTurn turn, boolean observed) {
-        String inputHash = InputHash.of(turn.commands(), 0, turn.commands().length, turn.faults(), turn.messages(),
-            turn.stderr());
+    private static Difference compareTurn(TurnCheck check, RecordedTurn turn, ReplayReader replay) {
+        String inputHash = InputHash.of(replay.format(), turn.commands(), 0, turn.commands().length, turn.faults(),
+            turn.messages(), turn.stderr());
         return inputHash.equals(turn.inputHash())
-            ? compare(turn.number(), turn.outcome(), outcome(check), observed)
+            ? compare(turn.number(), turn.outcome(), outcome(check), replay.imported())
             : new Difference(turn.number(), "inputHash", turn.inputHash(),
                 inputHash + " of what the players did and wrote");
     }
@@ -113,8 +113,8 @@ public record Verification(int turns, Difference difference, String warning) {
         return observed ? Difference.fromObserved(turn, recorded, found) : Difference.between(turn, recorded, found);
     }
 
-    private static Difference compareResult(JsonLine result, Game game, List<String> names, String[] faults,
-                                            boolean observed) {
+    private static Difference compareResult(ReplayReader replay, Game game, String[] faults) {
+        JsonLine result = replay.result();
         if (!game.isOver()) {
             return new Difference(game.turn(), "result", "an end of the match", "the match goes on");
         }
@@ -130,15 +130,17 @@ public record Verification(int turns, Difference difference, String warning) {
             out.writeName("standing");
             out.writeRawValue(new String(result.array("standing"), StandardCharsets.UTF_8));
         });
-        Difference difference = compare(game.turn(), recorded, standing, observed);
-        difference = difference != null ? difference : comparePlayers(result, game.turn(), names, faults);
-        return difference != null ? difference : compareHash(game.turn(), "resultHash", result);
+        Difference difference = compare(game.turn(), recorded, standing, replay.imported());
+        difference = difference != null ? difference
+            : comparePlayers(result, game.turn(), replay.header().names(), faults);
+        return difference != null ? difference
+            : compareHash(game.turn(), "resultHash", result, replay.format());
     }
 
     /** Nothing before the field was altered, not even what has no effect on the game. */
-    private static Difference compareHash(int turn, String field, JsonLine line) {
+    private static Difference compareHash(int turn, String field, JsonLine line, int format) {
         String recorded = line.text(field);
-        String found = line.hashBefore(field);
+        String found = line.hashBefore(field, format);
         return recorded.equals(found) ? null
             : new Difference(turn, field, recorded, found + " of the line as it stands");
     }

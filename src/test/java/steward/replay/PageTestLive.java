@@ -102,7 +102,7 @@ class PageTestLive {
         browser.open(new PageTestPages(folder).live("Unknown"), "");
         browser.complaints();                                // about the feed that nobody serves here
         addTurn("""
-            {"type":"steward-replay","format":1,"game":"bubbles","seed":"1","timeFactor":null,
+            {"type":"steward-replay","format":2,"game":"bubbles","seed":"1","timeFactor":null,
              "players":[{"name":"a","bot":"./a"},{"name":"b","bot":"./b"},{"name":"c","bot":"./c"}],
              "scene":{"name":"pond","time":{"firstAnswerMs":1000,"answerMs":50}},
              "drawing":{"field":{"x":-100,"y":-50,"width":200,"height":100},

@@ -43,15 +43,15 @@ class RefusedReplayTest {
 
     @Test
     void aNewerFormat() {
-        assertEquals("r.jsonl:1: format: found 2, expected at most 1: a newer version of Steward wrote this replay",
-            refusal("{\"type\":\"steward-replay\",\"format\":2,\"whatever\":[]}\n"));
+        assertEquals("r.jsonl:1: format: found 3, expected at most 2: a newer version of Steward wrote this replay",
+            refusal("{\"type\":\"steward-replay\",\"format\":3,\"whatever\":[]}\n"));
         assertEquals("r.jsonl:1: format: found 0, expected at least 1",
             refusal("{\"type\":\"steward-replay\",\"format\":0}\n"));
     }
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
-        "\"format\":1 | \"format\":\"x\" | format: found x, expected a whole number",
+        "\"format\":2 | \"format\":\"x\" | format: found x, expected a whole number",
         "\"seed\":\"1\" | \"seed\":\"one\" | seed: found \"one\", expected a whole number of 64 bits",
         "\"seed\":\"1\" | \"seed\":1 | seed: found 1, expected a string",
         "\"seed\":\"1\", | `` | seed: found nothing, expected a string",

@@ -45,7 +45,8 @@ class TurnCheckTest {
     }
 
     private TurnCheck check() {
-        return new TurnCheck(new Resimulation(Recorded.reader(match.bytes()).header(), TestScenes.TYPES, "r.jsonl"));
+        return new TurnCheck(new Resimulation(Recorded.reader(match.bytes()).header(), TestScenes.TYPES, "r.jsonl"),
+            ReplayHeader.FORMAT);
     }
 
     @Test

@@ -84,7 +84,7 @@ class RefusalsTest {
         "end    | \"ranks\":\\[            | \"ranks\":[0.5,",
         "end    | \"reason\":\"            | \"reason\":5,\"r\":\"",
         "end    | \"scores\":              | \"score\":",
-        "header | \"format\":1             | \"format\":2",
+        "header | \"format\":2             | \"format\":3",
         "header | \"seed\":\"2\"           | \"seed\":2",
         "header | \"timeFactor\":null      | \"timeFactor\":0",
         "header | \"kind\":\"pod\"         | \"kind\":\"bumper\"",
