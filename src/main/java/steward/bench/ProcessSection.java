@@ -57,7 +57,8 @@ final class ProcessSection implements Section {
         return "Turns of a match between two bot processes that answer at once, against two bare pipes to the same"
             + " program, asked in sequence with as many bytes: by the wall clock, by the CPU time of all processes"
             + " together, and by that of the asking thread alone. Then whole matches of a single turn between two"
-            + " shells, against starting, asking and ending the same shells without a referee: the rest is our own.";
+            + " shells, against starting and asking the same shells without a referee, the second when the first has"
+            + " answered, as in a match, and ending them: the rest is our own.";
     }
 
     @Override
@@ -194,9 +195,11 @@ final class ProcessSection implements Section {
         for (int round = -rounds / 2; round < rounds; round++) {
             about.accept("starts");
             long start = System.nanoTime();
-            try (PipeRoundTrip one = new PipeRoundTrip(shell); PipeRoundTrip other = new PipeRoundTrip(shell)) {
+            try (PipeRoundTrip one = new PipeRoundTrip(shell)) {
                 one.exchange(line, 1);
-                other.exchange(line, 1);
+                try (PipeRoundTrip other = new PipeRoundTrip(shell)) {
+                    other.exchange(line, 1);
+                }
             }
             long between = System.nanoTime();
             play(oneTurn, shell, nobody);

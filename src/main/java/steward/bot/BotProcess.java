@@ -5,7 +5,10 @@ import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.util.Arrays;
 import java.util.List;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 
@@ -65,7 +68,7 @@ public final class BotProcess implements Player {
     private boolean written;
 
     /** Says the last lines. */
-    private volatile Thread writer;
+    private volatile FutureTask<Void> writer;
 
     private volatile String lastWords;
 
@@ -263,19 +266,18 @@ public final class BotProcess implements Player {
         }
     }
 
-    /** A thread of its own says the last lines and closes, since that may block; it stays behind if it does. */
+    /** Another thread says the last lines and closes, since that may block; it stays behind if it does. */
     private void startWriter(byte[] lines, int length) {
         byte[] copy = lines == null ? new byte[0] : Arrays.copyOf(lines, length);
-        Thread thread = new Thread(() -> {
+        FutureTask<Void> task = new FutureTask<>(() -> {
             if (copy.length > 0) {
                 send(copy, copy.length);
             }
             closeInput();
-        }, "steward-farewell");
-        thread.setDaemon(true);
+        }, null);
         try {
-            thread.start();
-            writer = thread;
+            SpareThreads.run(task);
+            writer = task;
         } catch (OutOfMemoryError e) {
             // No more threads: it is not told.
             return;
@@ -317,12 +319,15 @@ public final class BotProcess implements Player {
     /** Waits until the last lines are written and the process has exited, for as long as either may take. */
     private void awaitExit() {
         try {
-            writer.join(FAREWELL_MS);
-            if (!writer.isAlive()) {
-                group.process().waitFor(graceMs, TimeUnit.MILLISECONDS);
-            }
+            writer.get(FAREWELL_MS, TimeUnit.MILLISECONDS);
+            group.process().waitFor(graceMs, TimeUnit.MILLISECONDS);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
+        } catch (TimeoutException e) {
+            // It does not read.
+            return;
+        } catch (ExecutionException e) {
+            throw new IllegalStateException(e.getCause());
         }
     }
 

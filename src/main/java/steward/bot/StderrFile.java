@@ -33,11 +33,16 @@ final class StderrFile {
     /** The file is cut when it is longer than this while the bot is thinking, in bytes. */
     static final long CUT_UNREAD = 256L << 20;
 
+    private static final Set<StandardOpenOption> NEW =
+        Set.of(StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+    private static final FileAttribute<?>[] ONLY_MINE = onlyMine();
+
     private final Path path;
     private final RandomAccessFile file;
     private long position;
     private long lost;
     private byte[] buffer;
+    private boolean unlinked;
 
     private StderrFile(Path path, RandomAccessFile file) {
         this.path = path;
@@ -55,8 +60,7 @@ final class StderrFile {
             String number = Long.toUnsignedString(ThreadLocalRandom.current().nextLong(), 36);
             Path path = folder.resolve("steward-" + number + ".stderr");
             try {
-                Set<StandardOpenOption> options = Set.of(StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
-                Files.newByteChannel(path, options, onlyMine()).close();
+                Files.newByteChannel(path, NEW, ONLY_MINE).close();
                 return new StderrFile(path, new RandomAccessFile(path.toFile(), "rw"));
             } catch (FileAlreadyExistsException e) {
                 continue;
@@ -80,8 +84,12 @@ final class StderrFile {
 
     /** Takes the name away; the file itself goes with its last user. */
     void unlink() {
+        if (unlinked) {
+            return;
+        }
         try {
             Files.deleteIfExists(path);
+            unlinked = true;
         } catch (IOException e) {
             // A system that keeps the names of open files: the attempt at the end will do.
             return;

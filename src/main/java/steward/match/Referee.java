@@ -9,6 +9,7 @@ import java.util.concurrent.CompletionException;
 import java.util.concurrent.ExecutionException;
 import steward.bot.Answer;
 import steward.bot.Player;
+import steward.bot.SpareThreads;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
@@ -18,10 +19,10 @@ import steward.game.GameSetup;
  * who failed, has the game play the turn and tells the listener. All players who are in are asked every turn, also
  * after another has failed.
  *
- * <p>The loop runs on a daemon thread of its own. When a player can neither be read nor killed, that thread is stuck;
- * the player then hands the fault to a fresh thread, which goes on with the next player, and the stuck one, should it
- * ever return, leaves without touching anything. All state of the loop is therefore in fields, handed over by the
- * player with a happens-before edge.
+ * <p>The loop runs on a thread that does nothing else, one of {@link SpareThreads}. When a player can neither be read
+ * nor killed, that thread is stuck; the player then hands the fault to a fresh thread, which goes on with the next
+ * player, and the stuck one, should it ever return, leaves without touching anything. All state of the loop is
+ * therefore in fields, handed over by the player with a happens-before edge.
  */
 public final class Referee {
 
@@ -118,7 +119,7 @@ public final class Referee {
             if (allDirect) {
                 begin();
             } else {
-                startThread(this::begin);
+                SpareThreads.run(this::begin);
             }
             return result.get();
         } catch (ExecutionException problem) {
@@ -131,12 +132,6 @@ public final class Referee {
             players.forEach(Player::close);
             throw interrupted;
         }
-    }
-
-    private static void startThread(Runnable work) {
-        Thread thread = new Thread(work, "referee");
-        thread.setDaemon(true);
-        thread.start();
     }
 
     private void begin() {

@@ -35,7 +35,7 @@ class BotLeakTest {
     /** Those of our threads that are there for one bot. */
     private static long threads() {
         return Thread.getAllStackTraces().keySet().stream().map(Thread::getName)
-            .filter(name -> name.equals("steward-deadline") || name.equals("steward-farewell")).count();
+            .filter(name -> name.equals("steward-deadline") || name.equals("steward-spare")).count();
     }
 
     private static void play(int number) {
@@ -64,7 +64,8 @@ class BotLeakTest {
         }
         // The JDK closes its ends when it has taken note of an exit; class loading may have opened a few files.
         ScriptedBots.await("descriptors are left open", () -> descriptors() <= descriptorsBefore + 5);
-        ScriptedBots.await("threads are left behind", () -> threads() <= threadsBefore);
+        // A spare thread that is not quite back when the next bot needs one gets a companion; far from one each.
+        ScriptedBots.await("threads are left behind", () -> threads() <= threadsBefore + BOTS / 20);
         Set<String> files = temporaryFiles();
         files.removeAll(filesBefore);
         assertEquals(Set.of(), files);
