@@ -323,11 +323,9 @@ public final class BotProcess implements Player {
             group.process().waitFor(graceMs, TimeUnit.MILLISECONDS);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
-        } catch (TimeoutException e) {
-            // It does not read.
+        } catch (TimeoutException | ExecutionException e) {
+            // It does not read, or there is no memory left to write with: it is killed without having been told.
             return;
-        } catch (ExecutionException e) {
-            throw new IllegalStateException(e.getCause());
         }
     }
 

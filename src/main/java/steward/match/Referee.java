@@ -166,8 +166,11 @@ public final class Referee {
         try {
             work.run();
         } catch (Throwable problem) {              // errors too: whoever waits for the result must be told
-            players.forEach(Player::close);
-            result.completeExceptionally(problem);
+            try {
+                players.forEach(Player::close);
+            } finally {
+                result.completeExceptionally(problem);
+            }
         }
     }
 

@@ -12,7 +12,7 @@ import java.util.Arrays;
  * the memory stays; who is far away then shares a cell with others and is looked at with them, no more. Two columns
  * and rows on each side stay free at first, for those that fly out while a turn lasts.
  *
- * Whose diameter is larger (or who is very far away) does not belong here: see QueueBodies.
+ * Whose diameter is larger (or who is very far away) does not belong here: see Crowd.
  */
 
 /** Square cells that hold bodies, as lists of their places. Sized anew for each turn, by the bodies as they stand. */
@@ -35,8 +35,7 @@ final class Cells {
     /** At most so many bodies are left out of the grid for their size. */
     private static final int MOST_LARGE = 16;
 
-    private final double[] sampleX = new double[SAMPLE];
-    private final double[] sampleY = new double[SAMPLE];
+    private final double[] sample = new double[SAMPLE];
     private final double[] largest = new double[MOST_LARGE + 1];
     private int columns;
     private int rows;
@@ -52,19 +51,13 @@ final class Cells {
     /** Chooses the size and number of cells for these bodies; {@link #sort} then empties them. */
     void begin(Bodies bodies) {
         int size = bodies.size();
-        int sampled = Math.min(SAMPLE, size);
-        for (int k = 0; k < sampled; k++) {
-            int body = (int) ((long) k * size / sampled);
-            sampleX[k] = bodies.x[body];
-            sampleY[k] = bodies.y[body];
-        }
-        sort(sampleX, sampled);
-        sort(sampleY, sampled);
         findLargest(bodies);
-        double width = Math.max(spread(sampleX, sampled), 2 * largest[0]);
-        double height = Math.max(spread(sampleY, sampled), 2 * largest[0]);
-        originX = lowest(bodies.x, size, sampleX[sampled / 10] - width);
-        originY = lowest(bodies.y, size, sampleY[sampled / 10] - height);
+        int sampled = sample(bodies.x, size);
+        double width = Math.max(spread(sample, sampled), 2 * largest[0]);
+        originX = lowest(bodies.x, size, sample[sampled / 10] - width);
+        sample(bodies.y, size);
+        double height = Math.max(spread(sample, sampled), 2 * largest[0]);
+        originY = lowest(bodies.y, size, sample[sampled / 10] - height);
         chooseSide(size, width * height / size);
         originX -= MARGIN * side;
         originY -= MARGIN * side;
@@ -80,11 +73,21 @@ final class Cells {
             }
         }
         if (heads.length < columns * rows) {
-            heads = new int[columns * rows * 5 / 4];
+            heads = new int[Math.min(columns * rows * 9 / 8, 4 * size + 64)];
         }
         if (next.length < size) {
             next = new int[bodies.capacity()];
         }
+    }
+
+    /** Some of the values, sorted; how many. */
+    private int sample(double[] values, int size) {
+        int sampled = Math.min(SAMPLE, size);
+        for (int k = 0; k < sampled; k++) {
+            sample[k] = values[(int) ((long) k * size / sampled)];
+        }
+        sort(sample, sampled);
+        return sampled;
     }
 
     private void findLargest(Bodies bodies) {
@@ -281,6 +284,6 @@ final class Cells {
 
     /** What its arrays take, in bytes. */
     long bytes() {
-        return 4L * (heads.length + next.length) + 8L * (2 * SAMPLE + MOST_LARGE);
+        return 4L * (heads.length + next.length) + 8L * (SAMPLE + MOST_LARGE);
     }
 }

@@ -35,7 +35,7 @@ final class Crowd {
     static final int ROW = 4;
     /** How many cells it has crossed since it last looked around. */
     static final int CROSSED = 5;
-    /** What its event is: an impact (0), or leaving its cell, by 2 + step of column + 4 (2 + step of row). */
+    /** Its event: an impact (0), or leaving its cell as far as it may, by 2 + step of column + 4 (2 + step of row). */
     static final int EVENT = 6;
     /** Its place among those that are in no cell, or -1. */
     static final int OUTSIDE = 7;

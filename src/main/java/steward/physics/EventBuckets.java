@@ -26,9 +26,9 @@ final class EventBuckets {
 
     private static final int ABSENT = Integer.MIN_VALUE;
     private static final int IN_HEAP = Integer.MIN_VALUE + 1;
-    /** How many buckets there are for each body: what an event waits for, mostly. More take memory, fewer time. */
-    private static final int PER_BODY = 4;
-    private static final int LEAST_BUCKETS = 64;
+    /** How many buckets there are for each body: so many mean gaps long is the ring, and few events wait longer. */
+    private static final int PER_BODY = 3;
+    private static final int LEAST_BUCKETS = 16;
     /** With fewer or more events in a bucket, on the average, the width is chosen anew. */
     private static final double LEAST_FILL = 0.1;
     private static final double MOST_FILL = 3;

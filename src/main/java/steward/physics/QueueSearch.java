@@ -229,8 +229,9 @@ sealed class QueueSearch permits ExactQueueSearch {
             double misses = 4 * (a * c) - twice * twice - LEAST;
             double late = c + twice * left;
             others[kept] = others[k];
-            kept += (int) ((Double.doubleToRawLongBits(b) & Double.doubleToRawLongBits(misses)
-                & Double.doubleToRawLongBits(late)) >>> 63);               // all three below 0
+            // All three below 0. What overflows, and is no number then, misses: not by the sign that a processor gives.
+            kept += (int) ((Double.doubleToRawLongBits(b) & Double.doubleToLongBits(misses)
+                & Double.doubleToRawLongBits(late)) >>> 63);
         }
         for (int k = 0; k < kept; k++) {
             if (pairs == null || pairs.meet(body, others[k])) {

@@ -30,9 +30,9 @@ import steward.scene.JsonValue.JsonText;
 public record Accuracy(Way way, int steps, Arithmetic arithmetic) {
 
     /**
-     * From so many bodies on, {@link QueueAdvance} is at least as fast as {@link EventAdvance} in every kind of turn:
-     * measured by {@code QueueBenchmark}. In turns without impacts the two are equal at about 24 to 28 bodies, with
-     * many impacts at about 8 to 12.
+     * From so many bodies on, {@link QueueAdvance} is used instead of {@link EventAdvance}: measured by
+     * {@code QueueBenchmark}. With half an impact a body the two are equal at about 10 bodies, in turns without any at
+     * about 32; at 24 the queue costs a quarter more then, and a third where there are impacts.
      */
     static final int FEWEST_FOR_CELLS = 24;
 

@@ -12,6 +12,8 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -72,6 +74,23 @@ class BotProcessTest {
         assertTrue(System.nanoTime() - before < 60_000_000_000L, "it was not told to end");
         ScriptedBots.assertGone(pid);
         ScriptedBots.finish(bot, "over\n");
+    }
+
+    /** More than a pipe holds: it is killed without having been told all of it. */
+    @Test
+    void theEndOfABotThatDoesNotListen() {
+        ScriptedBots.assumeGroups();
+        BotProcess bot = ScriptedBots.bot("read -r a; echo $$; exec sleep 1000");
+        long pid = Long.parseLong(ScriptedBots.reply(bot, "x\n"));
+        ScriptedBots.finish(bot, "x".repeat(1 << 20) + "\n");
+        ScriptedBots.assertGone(pid);
+    }
+
+    @Test
+    void spareThreadsKeepNoJvmAlive() throws InterruptedException {
+        BlockingQueue<Thread> threads = new LinkedBlockingQueue<>();
+        SpareThreads.run(() -> threads.add(Thread.currentThread()));
+        assertTrue(threads.take().isDaemon());
     }
 
     /** The first of two exits only when the second has heard the end: nobody waits for one before telling the next. */

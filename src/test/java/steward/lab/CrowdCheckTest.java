@@ -47,7 +47,8 @@ class CrowdCheckTest {
 
     /** Counted, not timed: all arrays together, at sizes at and next to powers of two. */
     @ParameterizedTest
-    @CsvSource({"1000, 0.1, DOUBLE", "1000, 0.1, EXACT", "1023, 0.5, EXACT", "1025, 0.001, COMPENSATED",
+    @CsvSource({"100, 0.1, EXACT", "129, 0.1, EXACT", "200, 0.01, EXACT", "100, 0.7, EXACT", "1000, 0.1, DOUBLE",
+        "1000, 0.1, EXACT", "1023, 0.5, EXACT", "1025, 0.001, COMPENSATED",
         "1025, 0.001, EXACT", "4097, 0.1, DOUBLE", "4097, 0.1, EXACT", "20000, 0.3, EXACT"})
     void aBodyTakesAtMostTwoHundredBytes(int bodies, double coverage, Arithmetic arithmetic) {
         Gas gas = new Gas(1, bodies, coverage);

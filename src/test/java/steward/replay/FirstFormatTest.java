@@ -36,7 +36,6 @@ class FirstFormatTest {
         }
     }
 
-
     private static long hash(byte[] bytes) {
         long hash = 0;
         for (byte one : bytes) {

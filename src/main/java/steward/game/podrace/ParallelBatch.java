@@ -9,8 +9,8 @@ import java.util.concurrent.locks.LockSupport;
  * results do not depend on the number of threads. Allocates nothing in a turn. Not thread-safe: one caller at a time,
  * who leaves the batch and the commands alone meanwhile.
  *
- * <p>Threads that have nothing to do look out for the next turn for some microseconds before they sleep, unless there
- * are more of them than processors. Where turns follow each other, it pays from some dozens of games on.
+ * <p>Threads that have nothing to do look out for the next turn before they sleep, for some tens of microseconds,
+ * unless there are more of them than processors. Where turns follow each other, it pays from some dozens of games on.
  */
 public final class ParallelBatch implements AutoCloseable {
 
@@ -40,7 +40,7 @@ public final class ParallelBatch implements AutoCloseable {
     /**
      * Starts the threads.
      *
-     * @param threads 1..1024; no more than there are games are used
+     * @param threads 1..1024; no more are used than there are sixteens of games
      * @throws IllegalArgumentException if that is not so
      */
     public ParallelBatch(PodRaceBatch batch, int threads) {
@@ -51,8 +51,8 @@ public final class ParallelBatch implements AutoCloseable {
         kernel = batch.kernel();
         chunks = (batch.games() - 1) / CHUNK + 1;
         next = new AtomicInteger(chunks);
-        patience = threads <= Runtime.getRuntime().availableProcessors() ? PATIENCE : 0;
-        helpers = new Helper[Math.min(threads, batch.games()) - 1];
+        helpers = new Helper[Math.min(threads, chunks) - 1];
+        patience = threads() <= Runtime.getRuntime().availableProcessors() ? PATIENCE : 0;
         for (int k = 0; k < helpers.length; k++) {
             helpers[k] = new Helper(batch.kernel());
             helpers[k].setName("pod-race-batch-" + (k + 1));

@@ -6,6 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
+import java.lang.reflect.Field;
+import java.util.Arrays;
+import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.Test;
 import steward.numerics.SplitMix64;
 
@@ -180,6 +183,53 @@ class PodRaceBatchTest {
             assertTrue(Thread.interrupted());
         }
         assertEquals(90, batch.turnsLeft(GAMES - 1, 1));
+    }
+
+    /** It sleeps where nobody asks for a turn, and is woken by the next one. */
+    @Test
+    void aThreadThatSleepsIsWoken() throws InterruptedException {
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        fill(true);
+        try (ParallelBatch parallel = new ParallelBatch(batch, 2)) {
+            parallel.play(commands);
+            Thread helper = Thread.getAllStackTraces().keySet().stream()
+                .filter(thread -> thread.getName().startsWith("pod-race-batch-")
+                    && Arrays.stream(thread.getStackTrace()).anyMatch(at -> at.getMethodName().equals("awaitTurn")))
+                .findFirst().orElseThrow();
+            for (int turn = 0; turn < 3; turn++) {
+                await("it does not go to sleep", () -> helper.getState() == Thread.State.WAITING);
+                long before = threads.getThreadCpuTime(helper.getId());
+                parallel.play(commands);
+                await("nobody woke it", () -> threads.getThreadCpuTime(helper.getId()) > before);
+            }
+        }
+    }
+
+    private static void await(String otherwise, BooleanSupplier condition) throws InterruptedException {
+        long end = System.nanoTime() + 30_000_000_000L;
+        while (!condition.getAsBoolean()) {
+            assertTrue(System.nanoTime() < end, otherwise);
+            Thread.sleep(1);
+        }
+    }
+
+    /** Also where another thread meets it; the next turn is played as ever. */
+    @Test
+    void whatGoesWrongInAGameIsTold() throws ReflectiveOperationException {
+        Field field = PodRaceBatch.class.getDeclaredField("states");
+        field.setAccessible(true);
+        double[][] states = (double[][]) field.get(batch);
+        try (ParallelBatch parallel = new ParallelBatch(batch, 2)) {
+            for (int game : new int[] {0, GAMES / 2, GAMES - 1}) {
+                double[] state = states[game];
+                states[game] = null;
+                assertThrows(IllegalStateException.class, () -> parallel.play(commands), "game " + game);
+                states[game] = state;
+                int before = batch.turnsLeft(0, 1);
+                parallel.play(commands);
+                assertEquals(before - 1, batch.turnsLeft(0, 1));
+            }
+        }
     }
 
     @Test

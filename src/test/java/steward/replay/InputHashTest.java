@@ -1,0 +1,64 @@
+package steward.replay;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+
+import java.math.BigInteger;
+import java.nio.charset.StandardCharsets;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import steward.numerics.SplitMix64;
+
+/** What is written today is to be verified for good: the hash of format 2, byte for byte as its Javadoc says. */
+class InputHashTest {
+
+    private static final long GAMMA = 0x9E3779B97F4A7C15L;
+
+    /** In whole numbers of any size, from the last byte of each eight to the first. */
+    private static String expected(byte[] bytes, int from, int to) {
+        long hash = 0;
+        for (int at = from; at < to - (to - from) % 8; at += 8) {
+            hash = SplitMix64.mix(hash + GAMMA + number(bytes, at, at + 8));
+        }
+        hash = SplitMix64.mix(hash + GAMMA + number(bytes, to - (to - from) % 8, to));
+        hash = SplitMix64.mix(hash + GAMMA + (to - from));
+        return String.format("%016x", hash);
+    }
+
+    private static long number(byte[] bytes, int from, int to) {
+        BigInteger number = BigInteger.ZERO;
+        for (int k = to - 1; k >= from; k--) {
+            number = number.multiply(BigInteger.valueOf(256)).add(BigInteger.valueOf(Byte.toUnsignedInt(bytes[k])));
+        }
+        return number.longValue();
+    }
+
+    private static byte[] bytes(String text) {
+        return text.getBytes(StandardCharsets.UTF_8);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 2, 7, 8, 9, 15, 16, 17, 100})
+    void bytesEnterEightAtATime(int length) {
+        byte[] bytes = new byte[length + 3];
+        for (int k = 0; k < bytes.length; k++) {
+            bytes[k] = (byte) (37 * k + 200);
+        }
+        assertEquals(expected(bytes, 3, length + 3), InputHash.of(2, bytes, 3, length + 3));
+    }
+
+    @Test
+    void theirNumberCounts() {
+        assertNotEquals(InputHash.of(2, bytes("a"), 0, 1), InputHash.of(2, bytes("a\0"), 0, 2));
+        assertNotEquals(InputHash.of(2, bytes(""), 0, 0), InputHash.of(2, new byte[8], 0, 8));
+    }
+
+    /** Written down once, so that no change of both sides goes unseen. */
+    @Test
+    void knownAnswers() {
+        byte[] line = bytes("[[{\"target\":[1,2]}],null]");
+        assertEquals("aa298ae74e414e3a", InputHash.of(2, line, 0, line.length, new String[] {null, "st\u00f6p"}));
+        assertEquals("12e1450b62f064ea", InputHash.of(1, line, 0, line.length, new String[] {null, "st\u00f6p"}));
+    }
+}
