@@ -125,16 +125,14 @@ public final class AttendedProcess implements Player {
         if (lines != null) {
             tell(lines, length);
         }
-        Thread writer = new Thread(() -> {
+        SpareThreads.run(() -> {
             send();
             try {
                 input.close();
             } catch (IOException gone) {
                 return;
             }
-        }, "steward-farewell");
-        writer.setDaemon(true);
-        writer.start();
+        });
     }
 
     /** Asks it and all that it has started to end, and kills what has not after the time. */
