@@ -7,7 +7,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.lang.management.ManagementFactory;
+import java.lang.reflect.Field;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -83,6 +85,24 @@ class BotProcessTest {
         BotProcess bot = ScriptedBots.bot("read -r a; echo $$; exec sleep 1000");
         long pid = Long.parseLong(ScriptedBots.reply(bot, "x\n"));
         ScriptedBots.finish(bot, "x".repeat(1 << 20) + "\n");
+        ScriptedBots.assertGone(pid);
+    }
+
+    /** Whatever goes wrong while it is told the end: nothing is thrown, and it is killed. */
+    @Test
+    void theEndCannotBeSaid() throws ReflectiveOperationException {
+        ScriptedBots.assumeGroups();
+        BotProcess bot = ScriptedBots.bot("read -r a; echo $$; exec sleep 1000");
+        long pid = Long.parseLong(ScriptedBots.reply(bot, "x\n"));
+        Field input = BotProcess.class.getDeclaredField("input");
+        input.setAccessible(true);
+        input.set(bot, new OutputStream() {
+            @Override
+            public void write(int one) {
+                throw new OutOfMemoryError("no room to write");
+            }
+        });
+        ScriptedBots.finish(bot, "end\n");
         ScriptedBots.assertGone(pid);
     }
 

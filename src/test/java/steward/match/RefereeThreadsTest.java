@@ -91,6 +91,21 @@ class RefereeThreadsTest {
         assertTrue(log.contains("A close") && log.contains("B close"));
     }
 
+    /** The caller is told what was the matter first, and does not wait for ever. */
+    @Test
+    void aPlayerThatCannotBeClosedKeepsNobodyWaiting() {
+        RuntimeException problem = new IllegalStateException("full disk");
+        ScriptedPlayer bad = new ScriptedPlayer("B", log, ScriptedPlayer::idle) {
+            @Override
+            public void close() {
+                throw new IllegalStateException("cannot be closed");
+            }
+        };
+        Referee referee = referee(new Throwing("played", problem), idle("A"), bad);
+
+        assertSame(problem, assertThrows(IllegalStateException.class, referee::play));
+    }
+
     /** Stuck in its question until it is let go; meanwhile another thread is handed the fault. */
     private final class StuckPlayer extends ScriptedPlayer {
 

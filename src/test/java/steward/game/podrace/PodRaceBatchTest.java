@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import java.lang.reflect.Field;
-import java.util.Arrays;
+import java.util.Set;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.Test;
 import steward.numerics.SplitMix64;
@@ -190,12 +190,10 @@ class PodRaceBatchTest {
     void aThreadThatSleepsIsWoken() throws InterruptedException {
         ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
         fill(true);
+        Set<Thread> ofOthers = Thread.getAllStackTraces().keySet();
         try (ParallelBatch parallel = new ParallelBatch(batch, 2)) {
-            parallel.play(commands);
-            Thread helper = Thread.getAllStackTraces().keySet().stream()
-                .filter(thread -> thread.getName().startsWith("pod-race-batch-")
-                    && Arrays.stream(thread.getStackTrace()).anyMatch(at -> at.getMethodName().equals("awaitTurn")))
-                .findFirst().orElseThrow();
+            Thread helper = Thread.getAllStackTraces().keySet().stream().filter(thread -> !ofOthers.contains(thread)
+                && thread.getName().startsWith("pod-race-batch-")).findFirst().orElseThrow();
             for (int turn = 0; turn < 3; turn++) {
                 await("it does not go to sleep", () -> helper.getState() == Thread.State.WAITING);
                 long before = threads.getThreadCpuTime(helper.getId());
