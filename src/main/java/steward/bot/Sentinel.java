@@ -54,7 +54,7 @@ final class Sentinel {
     /** How long the sentinel may take to say that it has killed, in nanoseconds, before it is taken for dead. */
     private static final long PATIENCE = 500_000_000;
 
-    /** How long it most often takes, in nanoseconds: so long it is not worth sleeping. */
+    /** So long it is waited for awake, in nanoseconds: mostly the answer comes sooner than a sleep would end. */
     private static final long SOON = 100_000;
 
     private static final long EXTERNAL_PATIENCE_MS = 1000;

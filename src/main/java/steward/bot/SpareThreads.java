@@ -4,8 +4,8 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 
 /**
- * Daemon threads for work that may block for ever, kept for some time for who comes next: to start one takes a tenth of
- * a millisecond, and a match needs some. Whoever gets stuck keeps its thread, and the others get new ones.
+ * Daemon threads for work that may block for ever, kept for some time for who comes next: a match needs several, and
+ * starting them is a good part of its start and end. Whoever gets stuck keeps its thread, and the others get new ones.
  */
 public final class SpareThreads {
 

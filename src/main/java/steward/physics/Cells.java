@@ -19,7 +19,7 @@ import java.util.Arrays;
 final class Cells {
 
     /**
-     * How many bodies there should be in a cell, where their sizes allow it. From 0.6 to 0.9 an impact costs about the
+     * How many bodies there should be in a cell, where their sizes allow it. From 0.7 to 0.9 an impact costs about the
      * same: change it and see {@code steward bench --only crowds}.
      */
     private static final double PER_CELL = 0.7;

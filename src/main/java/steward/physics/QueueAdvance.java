@@ -93,7 +93,7 @@ public final class QueueAdvance implements Advance {
         flown.flown(bodies);
     }
 
-    /** What its arrays take after a turn, in bytes: below 200 for each body there is room for, from a hundred on. */
+    /** What its arrays take after a turn, in bytes: below 200 for each body there is room for, from 150 on. */
     public long bytes() {
         return crowd.bytes() + events.bytes() + search.bytes();
     }

@@ -22,12 +22,12 @@ import static steward.physics.Crowd.Y;
  *
  *     t = c / (sqrt(b^2 - a c) - b),    which is at least c / -2b.
  *
- * So a pair is left out without a root or a division if b >= 0, or c >= -2b times what is left until the best known
- * impact, or b^2 < a c. Where the two are now is known but for a few units in the last place of their coordinates x and
- * of their ways since their last impacts, 2^-50 (|x| + |v|) for each; that moves c by at most 2 |d| times as much, and
- * 2 |d| e <= 2^-40 d.d + 2^40 e^2. So much (and more) is taken from c first: what is in doubt is kept, and computed as
- * the rung says, from the places where the last of the two changed its flight: a time of impact depends on nothing but
- * the two flights, whoever computes it and when.
+ * So a pair is left out without a root or a division if b >= 0, or c >= -2b times what is left until the impact that
+ * was known before, or b^2 < a c. Where the two are now is known but for a few units in the last place of their
+ * coordinates x and of their ways since their last impacts, 2^-50 (|x| + |v|) for each; that moves c by at most 2 |d|
+ * times as much, and 2 |d| e <= 2^-40 d.d + 2^40 e^2. So much (and more) is taken from c first: what is in doubt is
+ * kept, and computed as the rung says, from the places where the last of the two changed its flight: a time of impact
+ * depends on nothing but the two flights, whoever computes it and when.
  */
 
 /**

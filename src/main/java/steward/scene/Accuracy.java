@@ -31,8 +31,8 @@ public record Accuracy(Way way, int steps, Arithmetic arithmetic) {
 
     /**
      * From so many bodies on, {@link QueueAdvance} is used instead of {@link EventAdvance}: measured by
-     * {@code QueueBenchmark}. With half an impact a body the two are equal at about 10 bodies, in turns without any at
-     * about 32; at 24 the queue costs a quarter more then, and a third where there are impacts.
+     * {@code QueueBenchmark}. With half an impact a body the two are equal at about 8 bodies, in turns without any at
+     * about 32; at 24 the queue costs a quarter more then, and a third or less where there are impacts.
      */
     static final int FEWEST_FOR_CELLS = 24;
 

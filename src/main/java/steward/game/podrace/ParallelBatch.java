@@ -10,7 +10,7 @@ import java.util.concurrent.locks.LockSupport;
  * who leaves the batch and the commands alone meanwhile.
  *
  * <p>Threads that have nothing to do look out for the next turn before they sleep, for some tens of microseconds,
- * unless there are more of them than processors. Where turns follow each other, it pays from some dozens of games on.
+ * unless there are more of them than processors. A batch of 16 games or fewer is left to the caller's thread.
  */
 public final class ParallelBatch implements AutoCloseable {
 
