@@ -41,7 +41,7 @@ public final class PartPrices {
     private static final double NORMAL = 1.4826;
     private static final double OF_MEDIAN = 1.2533;
 
-    private final List<Slice> slices = new ArrayList<>();
+    private final List<TimedTurns> slices = new ArrayList<>();
     private final List<double[]> rounds = new ArrayList<>();
 
     /**
@@ -63,19 +63,6 @@ public final class PartPrices {
      * @param rounds how many rounds count
      */
     public record Prices(List<Price> prices, Price turn, int rounds) {
-    }
-
-    /** Something timed. */
-    interface Slice {
-
-        /** Is not timed. */
-        default void prepare() {
-        }
-
-        void run();
-
-        /** How many turns it has. */
-        int turns();
     }
 
     private PartPrices() {
@@ -123,10 +110,10 @@ public final class PartPrices {
             new HalfPlane(far, 0, -1, 0, 1), new HalfPlane(0, far, 0, -1, 1));
     }
 
-    private static Slice flights(Bodies[] states, Advance advance, Motion motion) {
+    private static TimedTurns flights(Bodies[] states, Advance advance, Motion motion) {
         Bodies bodies = new Bodies(Arrays.stream(states).mapToInt(Bodies::capacity).max().orElse(1));
         TurnLog log = new TurnLog();
-        return new Slice() {
+        return new TimedTurns() {
             @Override
             public void run() {
                 for (int turn = 0; turn < TURNS; turn++) {
@@ -151,7 +138,7 @@ public final class PartPrices {
         while (share < 1 || rounds.size() < warm + LEAST_ROUNDS) {
             double[] nanos = new double[slices.size()];
             for (int k = 0; k < nanos.length; k++) {
-                Slice slice = slices.get(k);
+                TimedTurns slice = slices.get(k);
                 slice.prepare();
                 long start = work.getAsLong();
                 slice.run();

@@ -7,7 +7,7 @@ import steward.game.GameSetup;
 import steward.numerics.SplitMix64;
 
 /** A turn of many games whose bodies stay where they are: only what the game itself does is timed. */
-final class StillGames implements PartPrices.Slice {
+final class StillGames implements TimedTurns {
 
     /** Before players who make no progress are out. */
     private static final int MOST_TURNS = 16;

@@ -171,7 +171,7 @@ sealed class Collision permits CarefulCollision {
     private static void endApproachToWall(Bodies bodies, int a, Wall wall, double nx, double ny) {
         double speed = Math.abs(bodies.vx[a]) + Math.abs(bodies.vy[a]);
         double step = -Math.ulp(speed);
-        while (wall.timeOfImpact(bodies.x[a], bodies.y[a], bodies.vx[a], bodies.vy[a], bodies.radius[a]) == 0) {
+        while (TimeOfImpact.wall(wall, bodies.x[a], bodies.y[a], bodies.vx[a], bodies.vy[a], bodies.radius[a]) == 0) {
             bodies.vx[a] += nx * step;
             bodies.vy[a] += ny * step;
             step *= 2;

@@ -200,7 +200,7 @@ final class Crowd {
     }
 
     /** Says what the stored place of a body, which has just flown there, lacks. */
-    void tell(int body, ExactFlight rounded, int i) {
+    void tell(int body, LowParts rounded, int i) {
         rounded.set(i, low[4 * body + X_LOW], low[4 * body + Y_LOW]);
     }
 

@@ -34,11 +34,11 @@ public final class EventAdvance implements Advance {
             ExactPairs pairs = new ExactPairs(law);
             ExactWalls wallTimes = new ExactWalls(walls);
             RefiningQueue refining = new RefiningQueue(law, pairs, wallTimes);
-            ExactFlight exact = new ExactFlight(refining);
+            LowParts lows = new LowParts();
             scans = Scan.of(parts, pairs, wallTimes);
             queue = refining;
-            flight = exact;
-            touch = Touch.of(parts, ExactCollision.of(law, walls, pairs, wallTimes, exact), walls);
+            flight = new ExactFlight(refining, lows);
+            touch = Touch.of(parts, ExactCollision.of(law, walls, pairs, wallTimes, lows), walls);
         } else {
             scans = Scan.of(parts, PairTime.of(law, parts.arithmetic()));
             queue = ImpactQueue.of(law);

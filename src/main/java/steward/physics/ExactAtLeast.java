@@ -8,8 +8,8 @@ sealed class ExactAtLeast extends ExactCollision {
     private final DoubleDouble first = new DoubleDouble();
     private final DoubleDouble second = new DoubleDouble();
 
-    ExactAtLeast(ImpactLaw law, Wall[] walls, ExactPairs pairs, ExactWalls wallTimes, ExactFlight flight) {
-        super(law, walls, pairs, wallTimes, flight);
+    ExactAtLeast(ImpactLaw law, Wall[] walls, ExactPairs pairs, ExactWalls wallTimes, LowParts lows) {
+        super(law, walls, pairs, wallTimes, lows);
     }
 
     /** The impulse under the law, and what it does. */
@@ -57,8 +57,8 @@ sealed class ExactAtLeast extends ExactCollision {
     /** Where walls give it as well. */
     static final class AtWallsToo extends ExactAtLeast {
 
-        AtWallsToo(ImpactLaw law, Wall[] walls, ExactPairs pairs, ExactWalls wallTimes, ExactFlight flight) {
-            super(law, walls, pairs, wallTimes, flight);
+        AtWallsToo(ImpactLaw law, Wall[] walls, ExactPairs pairs, ExactWalls wallTimes, LowParts lows) {
+            super(law, walls, pairs, wallTimes, lows);
         }
 
         @Override

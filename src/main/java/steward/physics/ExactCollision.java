@@ -4,7 +4,7 @@ import steward.numerics.DoubleDouble;
 import steward.numerics.ErrorFree;
 
 /**
- * The reactions of {@link CarefulCollision} from where the bodies are before rounding (see {@link ExactFlight}): all
+ * The reactions of {@link CarefulCollision} from where the bodies are before rounding (see {@link LowParts}): all
  * numbers are two doubles each, good to some units of 2^-106, and impulse and new
  * velocities are rounded once, when they are stored. Masses count as stored, not their rounded inverses. Two bodies
  * that touch but for 2^-60 of the distance touch: that is what a time of impact in double-double leaves open.
@@ -23,7 +23,7 @@ sealed class ExactCollision extends CarefulCollision permits ExactAtLeast {
 
     private final ExactPairs pairs;
     private final ExactWalls wallTimes;
-    private final ExactFlight flight;
+    private final LowParts lows;
     private final DoubleDouble normalX = new DoubleDouble();
     private final DoubleDouble normalY = new DoubleDouble();
     final DoubleDouble work = new DoubleDouble();
@@ -43,17 +43,17 @@ sealed class ExactCollision extends CarefulCollision permits ExactAtLeast {
     double energy;
 
     /** What the law needs, and no more. */
-    static ExactCollision of(ImpactLaw law, Wall[] walls, ExactPairs pairs, ExactWalls wallTimes, ExactFlight flight) {
-        return !(law.minimumImpulse() > 0) ? new ExactCollision(law, walls, pairs, wallTimes, flight)
-            : law.minimumImpulseAtWalls() ? new ExactAtLeast.AtWallsToo(law, walls, pairs, wallTimes, flight)
-            : new ExactAtLeast(law, walls, pairs, wallTimes, flight);
+    static ExactCollision of(ImpactLaw law, Wall[] walls, ExactPairs pairs, ExactWalls wallTimes, LowParts lows) {
+        return !(law.minimumImpulse() > 0) ? new ExactCollision(law, walls, pairs, wallTimes, lows)
+            : law.minimumImpulseAtWalls() ? new ExactAtLeast.AtWallsToo(law, walls, pairs, wallTimes, lows)
+            : new ExactAtLeast(law, walls, pairs, wallTimes, lows);
     }
 
-    ExactCollision(ImpactLaw law, Wall[] walls, ExactPairs pairs, ExactWalls wallTimes, ExactFlight flight) {
+    ExactCollision(ImpactLaw law, Wall[] walls, ExactPairs pairs, ExactWalls wallTimes, LowParts lows) {
         super(law, walls);
         this.pairs = pairs;
         this.wallTimes = wallTimes;
-        this.flight = flight;
+        this.lows = lows;
     }
 
     @Override
@@ -83,9 +83,9 @@ sealed class ExactCollision extends CarefulCollision permits ExactAtLeast {
     /** The vector from a to b; centres that coincide part along x. */
     private void direct(Bodies bodies, int a, int b) {
         double x = bodies.x[b] - bodies.x[a];
-        double xRest = ErrorFree.sumError(bodies.x[b], -bodies.x[a], x) + (flight.lowX(b) - flight.lowX(a));
+        double xRest = ErrorFree.sumError(bodies.x[b], -bodies.x[a], x) + (lows.x[b] - lows.x[a]);
         double y = bodies.y[b] - bodies.y[a];
-        double yRest = ErrorFree.sumError(bodies.y[b], -bodies.y[a], y) + (flight.lowY(b) - flight.lowY(a));
+        double yRest = ErrorFree.sumError(bodies.y[b], -bodies.y[a], y) + (lows.y[b] - lows.y[a]);
         dx = x + xRest;
         dxLow = ErrorFree.sumError(x, xRest, dx);
         dy = y + yRest;
@@ -138,7 +138,7 @@ sealed class ExactCollision extends CarefulCollision permits ExactAtLeast {
         Wall wall = walls[w];
         double ax = bodies.x[a];
         double ay = bodies.y[a];
-        wallTimes.normal(w, work.setSum(ax, flight.lowX(a)), other.setSum(ay, flight.lowY(a)), normalX, normalY);
+        wallTimes.normal(w, work.setSum(ax, lows.x[a]), other.setSum(ay, lows.y[a]), normalX, normalY);
         double nx = normalX.high();
         double ny = normalY.high();
         double vax = bodies.vx[a];
@@ -242,9 +242,9 @@ sealed class ExactCollision extends CarefulCollision permits ExactAtLeast {
         if (bodies.inverseMass[body] > 0) {
             double x = bodies.x[body];
             double y = bodies.y[body];
-            bodies.x[body] = work.set(normalX).multiply(by).add(flight.lowX(body)).add(x).high();
-            bodies.y[body] = work.set(normalY).multiply(by).add(flight.lowY(body)).add(y).high();
-            flight.moved(body);
+            bodies.x[body] = work.set(normalX).multiply(by).add(lows.x[body]).add(x).high();
+            bodies.y[body] = work.set(normalY).multiply(by).add(lows.y[body]).add(y).high();
+            lows.clear(body);
             sink.knot(bodies.id(body), time, bodies.x[body], bodies.y[body]);
         }
     }

@@ -1,6 +1,5 @@
 package steward.physics;
 
-import java.util.Arrays;
 import steward.numerics.DoubleDouble;
 import steward.numerics.ErrorFree;
 
@@ -11,45 +10,26 @@ import steward.numerics.ErrorFree;
  */
 
 /**
- * Flies to times in double-double and rounds each coordinate once, when it is stored. What a coordinate has lost by
- * this is kept until the bodies fly on, so that an impact can be computed from where they really are.
+ * Flies to times in double-double and rounds each coordinate once, when it is stored; {@link LowParts} keep what the
+ * stored coordinates lack.
  */
 final class ExactFlight extends Flight {
 
     private final RefiningQueue queue;
+    private final LowParts low;
     private final DoubleDouble now = new DoubleDouble();
     private final DoubleDouble time = new DoubleDouble();
-    /** Whether the lows can be other than 0. */
+    /** Whether low parts can be other than 0. */
     private boolean rounded;
-    private double[] lowX = new double[0];
-    private double[] lowY = new double[0];
 
-    ExactFlight(RefiningQueue queue) {
+    ExactFlight(RefiningQueue queue, LowParts low) {
         this.queue = queue;
-    }
-
-    /** Flies nobody, but keeps what coordinates have lost for somebody else who does. */
-    ExactFlight() {
-        this(null);
-    }
-
-    /** Room for so many bodies. */
-    void room(int capacity) {
-        if (lowX.length < capacity) {
-            lowX = new double[capacity];
-            lowY = new double[capacity];
-        }
-    }
-
-    /** Somebody else has flown a body. */
-    void set(int i, double ofX, double ofY) {
-        lowX[i] = ofX;
-        lowY[i] = ofY;
+        this.low = low;
     }
 
     @Override
     double begin(Bodies bodies) {
-        room(bodies.capacity());
+        low.room(bodies.capacity());
         queue.begin(bodies, now.set(0));
         rounded = true;
         return 0;
@@ -58,29 +38,22 @@ final class ExactFlight extends Flight {
     @Override
     double toImpact(Bodies bodies, double start, ImpactQueue chosen) {
         queue.until(0, time);
-        if (time.high() == 0) {
-            forgetLows(bodies.size());
-        } else {
+        if (time.high() != 0) {
             rounded = true;
-            fly(bodies.x, bodies.vx, lowX, bodies.size(), time.high(), time.low());
-            fly(bodies.y, bodies.vy, lowY, bodies.size(), time.high(), time.low());
-        }
-        return now.add(time).high();
-    }
-
-    private void forgetLows(int size) {
-        if (rounded) {
-            Arrays.fill(lowX, 0, size, 0);
-            Arrays.fill(lowY, 0, size, 0);
+            fly(bodies.x, bodies.vx, low.x, bodies.size(), time.high(), time.low());
+            fly(bodies.y, bodies.vy, low.y, bodies.size(), time.high(), time.low());
+        } else if (rounded) {
+            low.clearFirst(bodies.size());
             rounded = false;
         }
+        return now.add(time).high();
     }
 
     @Override
     void toEnd(Bodies bodies, double start) {
         time.setDifference(1, now.high()).add(-now.low());
-        fly(bodies.x, bodies.vx, lowX, bodies.size(), time.high(), time.low());
-        fly(bodies.y, bodies.vy, lowY, bodies.size(), time.high(), time.low());
+        fly(bodies.x, bodies.vx, low.x, bodies.size(), time.high(), time.low());
+        fly(bodies.y, bodies.vy, low.y, bodies.size(), time.high(), time.low());
     }
 
     private static void fly(double[] x, double[] v, double[] low, int count, double timeHigh, double timeLow) {
@@ -93,20 +66,5 @@ final class ExactFlight extends Flight {
             low[i] = ErrorFree.sumError(sum, rest, stored);
             x[i] = stored;
         }
-    }
-
-    /** What the stored coordinate of a body lacks, as long as nobody has moved it. */
-    double lowX(int i) {
-        return lowX[i];
-    }
-
-    double lowY(int i) {
-        return lowY[i];
-    }
-
-    /** Somebody has moved the body: where it is stored is where it is. */
-    void moved(int i) {
-        lowX[i] = 0;
-        lowY[i] = 0;
     }
 }

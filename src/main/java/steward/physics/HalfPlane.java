@@ -27,11 +27,6 @@ public record HalfPlane(double x, double y, double insideX, double insideY, doub
     }
 
     @Override
-    public double timeOfImpact(double cx, double cy, double vx, double vy, double radius) {
-        return TimeOfImpact.halfPlane(gap(cx, cy, radius), -(vx * insideX + vy * insideY));
-    }
-
-    @Override
     public double gap(double cx, double cy, double radius) {
         return (cx - x) * insideX + (cy - y) * insideY - radius;
     }

@@ -16,10 +16,10 @@ abstract sealed class PairTime permits PairTime.TouchIsImpact, PairTime.Approach
     /** The official games: whoever touches reacts, even while separating. */
     static final class TouchIsImpact extends PairTime {
 
-        private final Arithmetic arithmetic;
+        private final CircleTime circles;
 
         TouchIsImpact(Arithmetic arithmetic) {
-            this.arithmetic = arithmetic;
+            circles = CircleTime.of(arithmetic);
         }
 
         @Override
@@ -30,17 +30,17 @@ abstract sealed class PairTime permits PairTime.TouchIsImpact, PairTime.Approach
             if (Math.sqrt(dx * dx + dy * dy) <= touch) {
                 return 0;
             }
-            return arithmetic.circles(dx, dy, bodies.vx[i] - bodies.vx[j], bodies.vy[i] - bodies.vy[j], touch);
+            return circles.until(dx, dy, bodies.vx[i] - bodies.vx[j], bodies.vy[i] - bodies.vy[j], touch);
         }
     }
 
     /** Physics: only an approach ends in an impact. */
     static final class ApproachIsImpact extends PairTime {
 
-        private final Arithmetic arithmetic;
+        private final CircleTime circles;
 
         ApproachIsImpact(Arithmetic arithmetic) {
-            this.arithmetic = arithmetic;
+            circles = CircleTime.of(arithmetic);
         }
 
         @Override
@@ -56,7 +56,7 @@ abstract sealed class PairTime permits PairTime.TouchIsImpact, PairTime.Approach
             if (Math.sqrt(dx * dx + dy * dy) <= touch) {
                 return 0;
             }
-            return arithmetic.approachingCircles(dx, dy, dvx, dvy, touch);
+            return circles.untilApproachingMeet(dx, dy, dvx, dvy, touch);
         }
     }
 

@@ -56,7 +56,7 @@ public final class QueueAdvance implements Advance {
         if (exact) {
             ExactPairs exactPairs = new ExactPairs(law);
             ExactWalls exactWalls = new ExactWalls(walls);
-            ExactFlight rounded = new ExactFlight();
+            LowParts rounded = new LowParts();
             search = new ExactQueueSearch(crowd, events, walls, pairs, exactPairs, exactWalls);
             collision = ExactCollision.of(law, walls, exactPairs, exactWalls, rounded);
             touch = QueueTouch.of(crowd, parts, collision, rounded, walls);

@@ -45,7 +45,7 @@ sealed class QueueSearch permits ExactQueueSearch {
 
     final Crowd crowd;
     final EventBuckets events;
-    private final Arithmetic arithmetic;
+    private final CircleTime circles;
     private final Wall[] walls;
     private final HalfPlane[] planes;
     private final QueuePairs pairs;
@@ -57,7 +57,7 @@ sealed class QueueSearch permits ExactQueueSearch {
     QueueSearch(Crowd crowd, EventBuckets events, Arithmetic arithmetic, Wall[] walls, QueuePairs pairs) {
         this.crowd = crowd;
         this.events = events;
-        this.arithmetic = arithmetic;
+        circles = CircleTime.of(arithmetic);
         this.walls = walls;
         this.pairs = pairs;
         planes = new HalfPlane[walls.length];
@@ -187,8 +187,8 @@ sealed class QueueSearch permits ExactQueueSearch {
         double[] state = crowd.state;
         int at = 8 * body;
         double since = state[at + SINCE];
-        double until = walls[w].timeOfImpact(state[at + X], state[at + Y], state[at + VX], state[at + VY],
-            state[at + RADIUS]);
+        double until = TimeOfImpact.wall(walls[w], state[at + X], state[at + Y], state[at + VX],
+            state[at + VY], state[at + RADIUS]);
         if (until <= 1 - since && Math.max(now, since + until) < best) {
             best = Math.max(now, since + until);
             partner = ~w;
@@ -257,7 +257,7 @@ sealed class QueueSearch permits ExactQueueSearch {
         }
         double touch = state[i + RADIUS] + state[j + RADIUS];
         double until = Math.sqrt(dx * dx + dy * dy) <= touch ? 0
-            : arithmetic.approachingCircles(dx, dy, dvx, dvy, touch);
+            : circles.untilApproachingMeet(dx, dy, dvx, dvy, touch);
         double time = Math.max(now, since + until);
         if (until <= 1 - since && time <= best && !(time > state[j + IMPACT])
             && (time < best || isLower(body, other))) {

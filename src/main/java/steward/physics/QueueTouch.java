@@ -28,7 +28,7 @@ abstract class QueueTouch {
     abstract boolean happens(int a, int b, double now);
 
     /** @param rounded is told what rounded coordinates lack, or {@code null} if nobody wants to know */
-    static QueueTouch of(Crowd crowd, PhysicsParts parts, Collision collision, ExactFlight rounded,
+    static QueueTouch of(Crowd crowd, PhysicsParts parts, Collision collision, LowParts rounded,
                          Wall[] walls) {
         return parts.reaction() == null
             ? new Bounce(crowd, collision, rounded, parts.law().restitution() == ImpactLaw.Restitution.MINIMUM)
@@ -54,14 +54,14 @@ abstract class QueueTouch {
     static final class Bounce extends QueueTouch {
 
         private final Collision collision;
-        private final ExactFlight rounded;
+        private final LowParts rounded;
         private final boolean restitutions;
         private final Bodies two = new Bodies(2);
         private final Named named = new Named();
         private Bodies bodies;
         private TurnSink sink;
 
-        Bounce(Crowd crowd, Collision collision, ExactFlight rounded, boolean restitutions) {
+        Bounce(Crowd crowd, Collision collision, LowParts rounded, boolean restitutions) {
             super(crowd);
             this.collision = collision;
             this.rounded = rounded;
@@ -141,12 +141,12 @@ abstract class QueueTouch {
     static final class Ask extends QueueTouch {
 
         private final Touch touch;
-        private final ExactFlight rounded;
+        private final LowParts rounded;
         private final Contacts contacts;
         private Bodies bodies;
         private TurnSink sink;
 
-        Ask(Crowd crowd, Touch touch, ExactFlight rounded, Contacts contacts) {
+        Ask(Crowd crowd, Touch touch, LowParts rounded, Contacts contacts) {
             super(crowd);
             this.touch = touch;
             this.rounded = rounded;

@@ -20,11 +20,6 @@ public record Segment(double ax, double ay, double bx, double by, double restitu
     }
 
     @Override
-    public double timeOfImpact(double x, double y, double vx, double vy, double radius) {
-        return TimeOfImpact.segment(x, y, vx, vy, radius, ax, ay, bx, by, length());
-    }
-
-    @Override
     public double gap(double x, double y, double radius) {
         return distance(x, y) - radius;
     }
@@ -41,7 +36,8 @@ public record Segment(double ax, double ay, double bx, double by, double restitu
         return distance == 0 ? -(bx - ax) / length() : (nearestY(x, y) - y) / distance;
     }
 
-    private double length() {
+    /** The distance between its ends. */
+    public double length() {
         return Math.sqrt((bx - ax) * (bx - ax) + (by - ay) * (by - ay));
     }
 

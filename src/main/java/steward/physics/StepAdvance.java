@@ -82,7 +82,7 @@ public final class StepAdvance implements Advance {
     }
 
     private boolean touches(Bodies bodies, int a, int b) {
-        double until = b >= 0 ? overlap.until(bodies, a, b) : walls[~b].timeOfImpact(
+        double until = b >= 0 ? overlap.until(bodies, a, b) : TimeOfImpact.wall(walls[~b], 
             bodies.x[a], bodies.y[a], bodies.vx[a], bodies.vy[a], bodies.radius[a]);
         return until == 0;
     }

@@ -78,6 +78,24 @@ public final class TimeOfImpact {
     }
 
     /**
+     * Circle and wall of any shape. A body larger than an arena has no room and stays at its centre.
+     *
+     * @param x centre of the circle
+     * @return 0 when they touch already and approach
+     */
+    public static double wall(Wall wall, double x, double y, double vx, double vy, double radius) {
+        if (wall instanceof HalfPlane plane) {
+            return halfPlane(plane.gap(x, y, radius), -(vx * plane.insideX() + vy * plane.insideY()));
+        }
+        if (wall instanceof Segment segment) {
+            return segment(x, y, vx, vy, radius, segment.ax(), segment.ay(), segment.bx(), segment.by(),
+                segment.length());
+        }
+        Arena arena = (Arena) wall;
+        return arena(x - arena.x(), y - arena.y(), vx, vy, Math.max(0, arena.radius() - radius));
+    }
+
+    /**
      * Circle and half-plane: the circle stays on the side to which the unit normal points.
      *
      * @param gap     from the circle's edge to the plane's edge; 0 or less when they touch

@@ -6,9 +6,6 @@ public sealed interface Wall permits HalfPlane, Segment, Arena {
     /** The share of an approach speed that an impact gives back, 0..1; the lower of wall and body counts. */
     double restitution();
 
-    /** When a circle with this centre, velocity and radius first touches, in turns; 0 when it does and approaches. */
-    double timeOfImpact(double x, double y, double vx, double vy, double radius);
-
     /** From a circle's edge to the wall, in u; 0 or less when they touch. */
     double gap(double x, double y, double radius);
 

@@ -6,7 +6,7 @@ abstract sealed class WallTime permits WallTime.Plain, ExactWalls {
     /** Time from now, 0 for an impact that happens at once, infinite for none. */
     abstract double until(Bodies bodies, int i, int w);
 
-    /** What {@link Wall#timeOfImpact} says. */
+    /** What {@link TimeOfImpact#wall} says. */
     static final class Plain extends WallTime {
 
         private final Wall[] walls;
@@ -17,7 +17,8 @@ abstract sealed class WallTime permits WallTime.Plain, ExactWalls {
 
         @Override
         double until(Bodies bodies, int i, int w) {
-            return walls[w].timeOfImpact(bodies.x[i], bodies.y[i], bodies.vx[i], bodies.vy[i], bodies.radius[i]);
+            return TimeOfImpact.wall(walls[w], bodies.x[i], bodies.y[i], bodies.vx[i], bodies.vy[i],
+                bodies.radius[i]);
         }
     }
 }

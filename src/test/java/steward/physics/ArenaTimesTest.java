@@ -64,15 +64,15 @@ class ArenaTimesTest {
     @Test
     void arenasByHand() {
         Arena arena = new Arena(100, 50, 10, 1);
-        assertEquals(4, arena.timeOfImpact(100, 50, 2, 0, 2), "from the centre");
-        assertEquals(1, arena.timeOfImpact(94, 50, 14, 0, 2), "all across");
-        assertEquals(2, arena.timeOfImpact(94, 50, -1, 0, 2), "straight out");
-        assertEquals(0, arena.timeOfImpact(108, 50, 1, 0, 2), "touching, outward");
-        assertEquals(0, arena.timeOfImpact(109, 50, 1, 5, 2), "overlapping, outward");
-        assertEquals(16, arena.timeOfImpact(108, 50, -1, 0, 2), "touching, inward: only the other side counts");
-        assertEquals(17, arena.timeOfImpact(109, 50, -1, 0, 2), "overlapping, inward: the same");
-        assertEquals(NEVER, arena.timeOfImpact(100, 50, 0, 0, 2), "stands still");
-        assertEquals(NEVER, arena.timeOfImpact(109, 50, 0, 0, 2), "stands still outside");
+        assertEquals(4, TimeOfImpact.wall(arena, 100, 50, 2, 0, 2), "from the centre");
+        assertEquals(1, TimeOfImpact.wall(arena, 94, 50, 14, 0, 2), "all across");
+        assertEquals(2, TimeOfImpact.wall(arena, 94, 50, -1, 0, 2), "straight out");
+        assertEquals(0, TimeOfImpact.wall(arena, 108, 50, 1, 0, 2), "touching, outward");
+        assertEquals(0, TimeOfImpact.wall(arena, 109, 50, 1, 5, 2), "overlapping, outward");
+        assertEquals(16, TimeOfImpact.wall(arena, 108, 50, -1, 0, 2), "touching, inward: only the other side counts");
+        assertEquals(17, TimeOfImpact.wall(arena, 109, 50, -1, 0, 2), "overlapping, inward: the same");
+        assertEquals(NEVER, TimeOfImpact.wall(arena, 100, 50, 0, 0, 2), "stands still");
+        assertEquals(NEVER, TimeOfImpact.wall(arena, 109, 50, 0, 0, 2), "stands still outside");
     }
 
     /** From (9, 0) outside room 8 upward: the line x = 9 never comes inside, so it only ever flies outward. */

@@ -36,7 +36,7 @@ class FlatWallTimesTest {
                 .subtract(Exact.of(radius));
             BigDecimal closing = Exact.dot(vx, vy, plane.insideX(), plane.insideY()).negate();
             double lengths = 8 * size;
-            double found = plane.timeOfImpact(x, y, vx, vy, radius);
+            double found = TimeOfImpact.wall(plane, x, y, vx, vy, radius);
             String what = "seed " + seed + " found " + found;
             if (closing.abs().doubleValue() < 8 * Exact.ULP * size) {
                 continue;
@@ -80,7 +80,7 @@ class FlatWallTimesTest {
         }
 
         double found() {
-            return new Segment(ax, ay, bx, by, 1).timeOfImpact(x, y, vx, vy, radius);
+            return TimeOfImpact.wall(new Segment(ax, ay, bx, by, 1), x, y, vx, vy, radius);
         }
 
         double lengths() {
@@ -195,48 +195,48 @@ class FlatWallTimesTest {
     @Test
     void bothSidesAndBothEndsOfASegment() {
         Segment wall = new Segment(0, 0, 10, 0, 1);
-        assertEquals(5, wall.timeOfImpact(4, 7, 0, -1, 2), "from above");
-        assertEquals(5, wall.timeOfImpact(4, -7, 0, 1, 2), "from below");
-        assertEquals(5, wall.timeOfImpact(0, 7, 0, -1, 2), "exactly at end a");
-        assertEquals(5, wall.timeOfImpact(10, -7, 0, 1, 2), "exactly at end b");
-        assertEquals(3, wall.timeOfImpact(-5, 0, 1, 0, 2), "end on, at a");
-        assertEquals(3, wall.timeOfImpact(15, 0, -1, 0, 2), "end on, at b");
-        assertEquals(1, wall.timeOfImpact(-3, 5, 0, -1, 5), 4 * Math.ulp(1.0), "(-3, 4) is 5 from a");
-        assertEquals(1, wall.timeOfImpact(13, -5, 0, 1, 5), 4 * Math.ulp(1.0), "(13, -4) is 5 from b");
-        assertEquals(NEVER, wall.timeOfImpact(12, 7, 0, -1, 2), "passes b at its radius: a tangent is a miss");
-        assertEquals(NEVER, wall.timeOfImpact(4, 2, 1, 0, 2), "along the wall, touching");
-        assertEquals(NEVER, wall.timeOfImpact(4, 7, 0, 1, 2), "recedes");
-        assertEquals(NEVER, wall.timeOfImpact(4, 7, 0, 0, 2), "stands still");
+        assertEquals(5, TimeOfImpact.wall(wall, 4, 7, 0, -1, 2), "from above");
+        assertEquals(5, TimeOfImpact.wall(wall, 4, -7, 0, 1, 2), "from below");
+        assertEquals(5, TimeOfImpact.wall(wall, 0, 7, 0, -1, 2), "exactly at end a");
+        assertEquals(5, TimeOfImpact.wall(wall, 10, -7, 0, 1, 2), "exactly at end b");
+        assertEquals(3, TimeOfImpact.wall(wall, -5, 0, 1, 0, 2), "end on, at a");
+        assertEquals(3, TimeOfImpact.wall(wall, 15, 0, -1, 0, 2), "end on, at b");
+        assertEquals(1, TimeOfImpact.wall(wall, -3, 5, 0, -1, 5), 4 * Math.ulp(1.0), "(-3, 4) is 5 from a");
+        assertEquals(1, TimeOfImpact.wall(wall, 13, -5, 0, 1, 5), 4 * Math.ulp(1.0), "(13, -4) is 5 from b");
+        assertEquals(NEVER, TimeOfImpact.wall(wall, 12, 7, 0, -1, 2), "passes b at its radius: a tangent is a miss");
+        assertEquals(NEVER, TimeOfImpact.wall(wall, 4, 2, 1, 0, 2), "along the wall, touching");
+        assertEquals(NEVER, TimeOfImpact.wall(wall, 4, 7, 0, 1, 2), "recedes");
+        assertEquals(NEVER, TimeOfImpact.wall(wall, 4, 7, 0, 0, 2), "stands still");
     }
 
     @Test
     void whoTouchesASegmentHitsAtOnceIfApproaching() {
         Segment wall = new Segment(0, 0, 10, 0, 1);
-        assertEquals(0, wall.timeOfImpact(4, 2, 3, -1, 2), "touching");
-        assertEquals(0, wall.timeOfImpact(4, -1, 3, 1, 2), "overlapping from below");
-        assertEquals(0, wall.timeOfImpact(12, 0, -1, 5, 2), "touching end b");
-        assertEquals(NEVER, wall.timeOfImpact(4, 1, 3, 1, 2), "overlapping, recedes");
-        assertEquals(NEVER, wall.timeOfImpact(11, 0, 1, 1, 2), "overlapping end b, recedes");
+        assertEquals(0, TimeOfImpact.wall(wall, 4, 2, 3, -1, 2), "touching");
+        assertEquals(0, TimeOfImpact.wall(wall, 4, -1, 3, 1, 2), "overlapping from below");
+        assertEquals(0, TimeOfImpact.wall(wall, 12, 0, -1, 5, 2), "touching end b");
+        assertEquals(NEVER, TimeOfImpact.wall(wall, 4, 1, 3, 1, 2), "overlapping, recedes");
+        assertEquals(NEVER, TimeOfImpact.wall(wall, 11, 0, 1, 1, 2), "overlapping end b, recedes");
     }
 
     /** The distance to a segment along a straight flight is convex: who recedes from it never comes back. */
     @Test
     void whoRecedesFromOneSideDoesNotRunIntoAnEndOfIt() {
         Segment wall = new Segment(0, 0, 100, 0, 1);
-        assertEquals(NEVER, wall.timeOfImpact(50, 9.99, 100, 0.001, 10), "toward b, an overlap of 0.01 shrinking");
-        assertEquals(NEVER, wall.timeOfImpact(50, -9.99, -100, -0.001, 10), "toward a, from below");
-        assertEquals(NEVER, wall.timeOfImpact(50, 9.99, 100, 0, 10), "along the wall");
+        assertEquals(NEVER, TimeOfImpact.wall(wall, 50, 9.99, 100, 0.001, 10), "toward b, an overlap of 0.01 shrinking");
+        assertEquals(NEVER, TimeOfImpact.wall(wall, 50, -9.99, -100, -0.001, 10), "toward a, from below");
+        assertEquals(NEVER, TimeOfImpact.wall(wall, 50, 9.99, 100, 0, 10), "along the wall");
     }
 
     /** Whole-number flights at a half-plane; gap / closing is one exact division. */
     @Test
     void halfPlanesByHand() {
         HalfPlane floor = new HalfPlane(0, 0, 0, 1, 1);
-        assertEquals(2, floor.timeOfImpact(7, 5, 9, -2, 1));
-        assertEquals(0, floor.timeOfImpact(7, 1, 9, -2, 1), "touching, approaches");
-        assertEquals(0, floor.timeOfImpact(7, 0.5, 9, -2, 1), "overlapping, approaches");
-        assertEquals(NEVER, floor.timeOfImpact(7, 1, 9, 2, 1), "touching, recedes");
-        assertEquals(NEVER, floor.timeOfImpact(7, 0.5, 9, 0, 1), "overlapping, along");
-        assertEquals(NEVER, floor.timeOfImpact(7, 5, 0, 0, 1), "stands still");
+        assertEquals(2, TimeOfImpact.wall(floor, 7, 5, 9, -2, 1));
+        assertEquals(0, TimeOfImpact.wall(floor, 7, 1, 9, -2, 1), "touching, approaches");
+        assertEquals(0, TimeOfImpact.wall(floor, 7, 0.5, 9, -2, 1), "overlapping, approaches");
+        assertEquals(NEVER, TimeOfImpact.wall(floor, 7, 1, 9, 2, 1), "touching, recedes");
+        assertEquals(NEVER, TimeOfImpact.wall(floor, 7, 0.5, 9, 0, 1), "overlapping, along");
+        assertEquals(NEVER, TimeOfImpact.wall(floor, 7, 5, 0, 0, 1), "stands still");
     }
 }
