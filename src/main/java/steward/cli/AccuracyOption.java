@@ -16,7 +16,7 @@ final class AccuracyOption {
 
     /** Opens a scene by its path or shipped name, on this rung if one is called for. */
     GameSetup open(String scene) {
-        return Contest.openScene(scene, accuracy);
+        return Games.open(scene, accuracy);
     }
 
     /** As it would be typed, with a blank before it; nothing where there is no such option. */

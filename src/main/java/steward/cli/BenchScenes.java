@@ -66,7 +66,7 @@ final class BenchScenes {
         }
         plain.addAll(List.of("-cp", classes, Main.class.getName()));
         String launcher = System.getProperty(LAUNCHER);
-        return new MatchKit(Games.types(), Contest.openScene(SCENE), BenchDirect::new, BenchLines::new, responder,
+        return new MatchKit(Games.types(), Games.open(SCENE), BenchDirect::new, BenchLines::new, responder,
             launcher == null ? null : List.of(launcher), plain);
     }
 
@@ -77,7 +77,7 @@ final class BenchScenes {
 
     private static Map<String, GameSetup> growth() {
         Map<String, GameSetup> scenes = new LinkedHashMap<>();
-        scenes.put("2 players", Contest.openScene(SCENE));
+        scenes.put("2 players", Games.open(SCENE));
         for (int players : new int[] {1, 4, 8}) {
             scenes.put(players + (players == 1 ? " player" : " players"),
                 scene(PLAYERS, PLAYERS.replace("2", Integer.toString(players))));

@@ -44,7 +44,7 @@ final class CalibrateOptions {
         List<Path> files = new ArrayList<>();
         for (String scene : scenes) {
             // On any rung: the scene may state a demand that only this calibration can meet.
-            GameSetup setup = Contest.openScene(scene, Calibration.PLAYED_ON);
+            GameSetup setup = Games.open(scene, Calibration.PLAYED_ON);
             Path file = file(scene, out);
             if (files.contains(file.toAbsolutePath().normalize())) {
                 throw new InputException("--calibrate: found two scenes for " + file + ", expected one");

@@ -14,9 +14,6 @@ import steward.match.Seat;
 import steward.match.TimeControl;
 import steward.replay.ReplayHeader;
 import steward.replay.ReplayWriter;
-import steward.scene.Accuracy;
-import steward.scene.SceneFiles;
-import steward.scene.SceneReader;
 
 /**
  * A scene and the bots that are to play in it, checked: any number of matches can be played, also at the same time.
@@ -56,16 +53,6 @@ record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double
         List<Entrant> entrants = entrants(bots, usual);
         checkProtocols(setup, entrants);
         return new Contest(setup, entrants, timeControl(setup, timeFactor), timeFactor);
-    }
-
-    /** Opens a scene by its path or shipped name. */
-    static GameSetup openScene(String scene) {
-        return openScene(scene, null);
-    }
-
-    /** @param accuracy the rung to compute it on, or {@code null} for the scene's own */
-    static GameSetup openScene(String scene, Accuracy accuracy) {
-        return Games.types().open(SceneReader.read(SceneFiles.load(scene), accuracy));
     }
 
     private static TimeControl timeControl(GameSetup setup, double factor) {

@@ -36,7 +36,7 @@ final class SimulateCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        PodRaceType.PodRaceSetup setup = (PodRaceType.PodRaceSetup) Contest.openScene(SCENE);
+        PodRaceType.PodRaceSetup setup = (PodRaceType.PodRaceSetup) Games.open(SCENE);
         // Whatever the bytes are, Latin-1 can read them: a strange one is quoted in the error about its line.
         BufferedReader in = new BufferedReader(
             new InputStreamReader(new FileInputStream(FileDescriptor.in), StandardCharsets.ISO_8859_1));

@@ -55,10 +55,10 @@ final class TradeoffScenes {
 
     private static TradeoffScene named(String word) {
         if (word.equals(RACE)) {
-            return race(RACE, "states of races by the official rules", Contest.openScene(OFFICIAL));
+            return race(RACE, "states of races by the official rules", Games.open(OFFICIAL));
         }
         if (word.equals(BRAWL)) {
-            GameSetup setup = Contest.openScene(OFFICIAL);
+            GameSetup setup = Games.open(OFFICIAL);
             return played(BRAWL, "states of four pods that all want the same checkpoint, official rules", setup,
                 Pilots.brawl(setup, SEED));
         }
@@ -68,7 +68,7 @@ final class TradeoffScenes {
             }
         }
         checkKnown(word);
-        GameSetup setup = Contest.openScene(word);
+        GameSetup setup = Games.open(word);
         return race(setup.scene().name(), "states of games in this scene", setup);
     }
 

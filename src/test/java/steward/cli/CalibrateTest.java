@@ -114,7 +114,7 @@ class CalibrateTest {
         ByteArrayOutputStream err = new ByteArrayOutputStream();
         Path file = folder.resolve("d.accuracy.json");
         Calibrating calibrating = Calibrating.of(new Streams(new ByteArrayOutputStream(), err, false, false),
-            Contest.openScene("duel"), file, 1200);
+            Games.open("duel"), file, 1200);
         calibrating.interrupted();
         assertEquals("steward: interrupted before anything was measured\n", err.toString(StandardCharsets.UTF_8));
         assertFalse(Files.exists(file));
@@ -131,10 +131,10 @@ class CalibrateTest {
     void anInterruptedRunLeavesOlderFiguresWhereTheyAre() throws Exception {
         Path file = Files.writeString(folder.resolve("d.accuracy.json"), "older");
         ByteArrayOutputStream err = new ByteArrayOutputStream();
-        Calibration calibration = new Calibration(Contest.openScene("duel"),
-            seed -> Pilots.race(Contest.openScene("duel"), seed), 1000);
+        Calibration calibration = new Calibration(Games.open("duel"),
+            seed -> Pilots.race(Games.open("duel"), seed), 1000);
         calibration.run(1, () -> { });
-        new Calibrating(new Streams(new ByteArrayOutputStream(), err, false, false), Contest.openScene("duel"), file,
+        new Calibrating(new Streams(new ByteArrayOutputStream(), err, false, false), Games.open("duel"), file,
             calibration).interrupted();
         assertEquals("older", Files.readString(file));
         assertEquals("steward: interrupted; the figures of 1000 states are in " + file + ".part, the older ones still "
@@ -149,7 +149,7 @@ class CalibrateTest {
     @ParameterizedTest
     @ValueSource(strings = {"duel", "mad-pod-racing-silver", "mad-pod-racing", "walled-race"})
     void theFiguresOfAShippedSceneHold(String name) throws Exception {
-        GameSetup setup = Contest.openScene(name, Calibration.PLAYED_ON);
+        GameSetup setup = Games.open(name, Calibration.PLAYED_ON);
         String source = AccuracyFigures.resource(name);
         AccuracyFigures figures = AccuracyFigures.read(
             new String(SceneFiles.class.getResourceAsStream(source).readAllBytes(), StandardCharsets.UTF_8), source);

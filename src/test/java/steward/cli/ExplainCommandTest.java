@@ -27,7 +27,7 @@ class ExplainCommandTest {
         "walled-race, 'pair impacts, walls, restitution, minimum impulse, infinite masses, drag, velocity rounding, "
             + "position rounding, headings, checkpoint sweeps'"})
     void aShippedSceneHasExactlyItsParts(String scene, String parts) {
-        List<Part> plan = Contest.openScene(scene).plan().parts();
+        List<Part> plan = Games.open(scene).plan().parts();
         assertEquals(parts, String.join(", ", plan.stream().filter(Part::in).map(Part::name).toList()));
         assertEquals(14, plan.size());
     }
@@ -63,7 +63,7 @@ class ExplainCommandTest {
     @Test
     void onAClockThatStandsStillEverythingIsCheap() {
         ByteArrayOutputStream err = new ByteArrayOutputStream();
-        GameSetup setup = Contest.openScene("walled-race");
+        GameSetup setup = Games.open("walled-race");
         long[] wall = new long[1];
         PriceList prices = PriceList.measure(new Streams(new ByteArrayOutputStream(), err, true, true), setup,
             () -> 0, () -> wall[0] += 700_000_000);

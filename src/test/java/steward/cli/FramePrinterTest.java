@@ -38,7 +38,7 @@ class FramePrinterTest {
 
     @Test
     void aBotThatFailedWasSentThatTurnAndNothingMore() throws IOException {
-        Recorded recorded = Recorded.play(Contest.openScene("duel"), 11, "df", 5);
+        Recorded recorded = Recorded.play(Games.open("duel"), 11, "df", 5);
         assertTrue(recorded.result().anyFault());
         assertEquals(6, recorded.sent().get(1).toString().lines().count());
         same(recorded);
@@ -50,7 +50,7 @@ class FramePrinterTest {
         String three = SceneFiles.load("duel").text().replace("\"players\": 2", "\"players\": 3")
             .replace("\"turnsWithoutCheckpoint\": 50", "\"turnsWithoutCheckpoint\": 40");
         Path scene = Files.writeString(folder.resolve("three.json"), three);
-        Recorded recorded = Recorded.play(Contest.openScene(scene.toString()), 2, "dsd", 0);
+        Recorded recorded = Recorded.play(Games.open(scene.toString()), 2, "dsd", 0);
         String sent = recorded.sent().get(1).toString();
         assertTrue(recorded.result().turns() > 40, recorded.result().ending());
         assertEquals(42, sent.lines().count());

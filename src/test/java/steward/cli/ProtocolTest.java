@@ -148,7 +148,7 @@ class ProtocolTest {
     /** A mix with one bot that speaks what the scene does not have is refused before anything starts. */
     @Test
     void aSceneWithoutTheProtocolIsRefusedUpFront() {
-        GameSetup mute = new WithoutLines(Contest.openScene("duel"));
+        GameSetup mute = new WithoutLines(Games.open("duel"));
         List<Contest.Entrant> mixed = List.of(new Contest.Entrant("a", "./a", Protocol.JSON, List.of("./a")),
             new Contest.Entrant("b", "codingame:./b", Protocol.CODINGAME, List.of("./b")));
         InputException problem = assertThrows(InputException.class, () -> Contest.checkProtocols(mute, mixed));

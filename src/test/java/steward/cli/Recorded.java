@@ -79,7 +79,7 @@ record Recorded(byte[] bytes, List<StringBuilder> sent, MatchResult result) {
 
     /** Two bots that both drive well. */
     static Recorded duel(long seed) {
-        return play(Contest.openScene("duel"), seed, "dd", 0);
+        return play(Games.open("duel"), seed, "dd", 0);
     }
 
     /**

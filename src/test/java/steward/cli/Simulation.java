@@ -17,7 +17,7 @@ final class Simulation {
 
     /** What is wrong with an input. */
     static String problemOf(String input) {
-        PodRaceType.PodRaceSetup setup = (PodRaceType.PodRaceSetup) Contest.openScene("mad-pod-racing");
+        PodRaceType.PodRaceSetup setup = (PodRaceType.PodRaceSetup) Games.open("mad-pod-racing");
         SimulatorProtocol protocol = new SimulatorProtocol(setup, new BufferedReader(new StringReader(input)),
             new PrintStream(new ByteArrayOutputStream()));
         return assertThrows(IllegalArgumentException.class, protocol::run).getMessage();
