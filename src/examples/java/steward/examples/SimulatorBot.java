@@ -7,8 +7,8 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.StringTokenizer;
-import steward.game.podrace.PodCommands;
-import steward.game.podrace.PodRaceSimulator;
+import steward.game.podrace.simulator.PodCommands;
+import steward.game.podrace.simulator.PodRaceSimulator;
 
 /**
  * An example: a bot that searches with {@link PodRaceSimulator}. It speaks CodinGame's lines, and one file is all of

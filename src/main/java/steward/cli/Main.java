@@ -6,6 +6,22 @@ import java.util.List;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
+import steward.cli.bench.BenchCommand;
+import steward.cli.lab.ExplainCommand;
+import steward.cli.lab.StabilityCommand;
+import steward.cli.lab.TradeoffCommand;
+import steward.cli.play.DemoCommand;
+import steward.cli.play.MatchCommand;
+import steward.cli.play.PlayCommand;
+import steward.cli.play.RefereeCommand;
+import steward.cli.play.SimulateCommand;
+import steward.cli.replay.FeedCommand;
+import steward.cli.replay.ImportCommand;
+import steward.cli.replay.ReplayCommand;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Numbers;
+import steward.cli.shared.Problems;
+import steward.cli.shared.Streams;
 
 /** The program. See {@link ExitStatus} for how it ends. */
 @Command(name = "steward", synopsisSubcommandLabel = "COMMAND",
@@ -41,7 +57,7 @@ public final class Main {
         List<String> words = List.of(arguments);
         if (words.size() == 2 && words.get(0).equals(WHOLE)) {
             try {
-                words = steward.bot.CommandLine.split(words.get(1));
+                words = steward.bot.command.CommandLine.split(words.get(1));
             } catch (IllegalArgumentException problem) {
                 streams.err().println("steward: " + WHOLE + ", " + problem.getMessage());
                 return ExitStatus.UNUSABLE;

@@ -11,7 +11,7 @@ public interface GameType {
     /**
      * Reads and checks the game's own blocks of a scene and says which parts it needs.
      *
-     * @throws steward.scene.SceneException if a block is missing or wrong, or the scene has a field nobody reads
+     * @throws steward.scene.json.SceneException if a block is missing or wrong, or the scene has a field nobody reads
      */
     GameSetup open(Scene scene);
 }

@@ -2,9 +2,9 @@ package steward.game;
 
 import java.util.ArrayList;
 import java.util.List;
-import steward.scene.Nearest;
 import steward.scene.Scene;
 import steward.scene.SceneReader;
+import steward.text.Nearest;
 
 /**
  * The games that are known; made by the command line, which alone lists them.
@@ -23,7 +23,7 @@ public record GameTypes(List<GameType> types) {
      *
      * @param text   the scene as JSON
      * @param source where it came from, for errors
-     * @throws steward.scene.SceneException if anything about it is wrong
+     * @throws steward.scene.json.SceneException if anything about it is wrong
      */
     public GameSetup open(String text, String source) {
         return open(SceneReader.read(text, source));
@@ -32,7 +32,7 @@ public record GameTypes(List<GameType> types) {
     /**
      * Has its game read the rest of a scene.
      *
-     * @throws steward.scene.SceneException if there is no such game, or anything about its blocks is wrong
+     * @throws steward.scene.json.SceneException if there is no such game, or anything about its blocks is wrong
      */
     public GameSetup open(Scene scene) {
         List<String> known = new ArrayList<>();

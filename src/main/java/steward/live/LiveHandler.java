@@ -8,7 +8,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
-import steward.replay.ReplayPage;
+import steward.replay.page.ReplayPage;
 
 /**
  * Answers requests: the page, the match as server-sent events, and the match so far as a page that is a file. Anything

@@ -10,7 +10,7 @@ import java.net.URI;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
-import steward.replay.ReplayPage;
+import steward.replay.page.ReplayPage;
 
 /**
  * Serves the page of a match that is being played, and the match line by line to whoever opened it. Only reading is

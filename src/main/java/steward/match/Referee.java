@@ -9,7 +9,7 @@ import java.util.concurrent.CompletionException;
 import java.util.concurrent.ExecutionException;
 import steward.bot.Answer;
 import steward.bot.Player;
-import steward.bot.SpareThreads;
+import steward.bot.process.SpareThreads;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;

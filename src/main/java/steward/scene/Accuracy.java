@@ -8,16 +8,19 @@ import java.util.Locale;
 import java.util.Map;
 import steward.physics.Advance;
 import steward.physics.Arithmetic;
-import steward.physics.EventAdvance;
 import steward.physics.ImpactLaw;
-import steward.physics.OfficialAdvance;
 import steward.physics.PhysicsParts;
-import steward.physics.QueueAdvance;
-import steward.physics.StepAdvance;
-import steward.scene.JsonValue.Entry;
-import steward.scene.JsonValue.JsonNumber;
-import steward.scene.JsonValue.JsonObject;
-import steward.scene.JsonValue.JsonText;
+import steward.physics.event.EventAdvance;
+import steward.physics.event.OfficialAdvance;
+import steward.physics.event.StepAdvance;
+import steward.physics.queue.QueueAdvance;
+import steward.scene.json.JsonValue.Entry;
+import steward.scene.json.JsonValue.JsonNumber;
+import steward.scene.json.JsonValue.JsonObject;
+import steward.scene.json.JsonValue.JsonText;
+import steward.scene.json.Place;
+import steward.scene.json.Wording;
+import steward.text.Nearest;
 
 /**
  * With how much care a scene is computed: a rung of the ladder from {@code step/1}, the cheapest, to

@@ -1,6 +1,7 @@
 package steward.scene;
 
 import java.math.BigDecimal;
+import steward.scene.json.Wording;
 
 /**
  * What a scene may ask for in place of a rung: over one turn, bodies are where they belong to {@code maxPositionError}

@@ -9,6 +9,10 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import steward.scene.json.Block;
+import steward.scene.json.JsonTree;
+import steward.scene.json.SceneException;
+import steward.scene.json.Wording;
 
 /**
  * How far off each rung was in the states of a scene that a calibration has seen, and how much work it was: read from

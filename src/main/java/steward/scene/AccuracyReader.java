@@ -5,7 +5,9 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import steward.physics.Arithmetic;
-import steward.physics.StepAdvance;
+import steward.physics.event.StepAdvance;
+import steward.scene.json.Block;
+import steward.scene.json.SceneException;
 
 /** Reads the block {@code accuracy} of a scene: a rung of the ladder, or a demand that a rung is then found for. */
 final class AccuracyReader {

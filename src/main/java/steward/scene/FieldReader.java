@@ -8,6 +8,7 @@ import steward.physics.Arena;
 import steward.physics.HalfPlane;
 import steward.physics.Segment;
 import steward.physics.Wall;
+import steward.scene.json.Block;
 
 /** Reads the block {@code field}. */
 final class FieldReader {

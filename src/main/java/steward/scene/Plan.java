@@ -5,13 +5,14 @@ import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import steward.physics.Advance;
 import steward.physics.Contacts;
-import steward.physics.ImpactLaw.Restitution;
 import steward.physics.ImpactLaw;
+import steward.physics.ImpactLaw.Restitution;
 import steward.physics.Motion;
 import steward.physics.PhysicsParts;
-import steward.physics.QueueAdvance;
 import steward.physics.Reaction;
 import steward.physics.Wall;
+import steward.physics.queue.QueueAdvance;
+import steward.scene.json.Wording;
 
 /** Which parts of the engine a scene needs and why, and the physics made of just these. */
 public final class Plan {

@@ -2,6 +2,7 @@ package steward.scene;
 
 import java.util.Optional;
 import steward.physics.ImpactLaw;
+import steward.scene.json.Block;
 
 /**
  * What a scene file says, apart from the blocks of the game. Two scenes are equal when their files say the same in the

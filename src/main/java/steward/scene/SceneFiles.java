@@ -11,6 +11,8 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import steward.scene.json.SceneException;
+import steward.scene.json.Wording;
 
 /** Finds scene files: by path, or by the name of one that comes with the program. */
 public final class SceneFiles {

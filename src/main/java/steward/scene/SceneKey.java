@@ -3,10 +3,12 @@ package steward.scene;
 import java.util.List;
 import java.util.TreeMap;
 import steward.numerics.StateHash;
-import steward.scene.JsonValue.JsonArray;
-import steward.scene.JsonValue.JsonNumber;
-import steward.scene.JsonValue.JsonObject;
-import steward.scene.JsonValue.JsonText;
+import steward.scene.json.Block;
+import steward.scene.json.JsonValue;
+import steward.scene.json.JsonValue.JsonArray;
+import steward.scene.json.JsonValue.JsonNumber;
+import steward.scene.json.JsonValue.JsonObject;
+import steward.scene.json.JsonValue.JsonText;
 
 /**
  * A key of everything in a scene that decides what happens in its games: all but its name, the times players have, and

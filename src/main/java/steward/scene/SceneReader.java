@@ -5,6 +5,9 @@ import java.util.Optional;
 import steward.physics.ImpactLaw;
 import steward.physics.ImpactLaw.Restitution;
 import steward.physics.ImpactLaw.ScanOrder;
+import steward.scene.json.Block;
+import steward.scene.json.JsonTree;
+import steward.scene.json.SceneException;
 
 /** Reads the fields and blocks that scenes of all games have in common. */
 public final class SceneReader {

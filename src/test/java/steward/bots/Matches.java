@@ -7,7 +7,7 @@ import steward.bot.Bot;
 import steward.bot.InProcessPlayer;
 import steward.game.GameSetup;
 import steward.game.GameTypes;
-import steward.game.podrace.PodRaceType;
+import steward.game.podrace.protocol.PodRaceType;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
 import steward.match.Referee;

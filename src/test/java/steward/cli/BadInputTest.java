@@ -15,6 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import steward.cli.shared.ExitStatus;
 import steward.scene.SceneFiles;
 
 /** Calls and inputs that cannot be used: each with its message on stderr, status 2, and nothing played or written. */

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import steward.bot.CommandLine;
+import steward.bot.command.CommandLine;
 
 /** The program as a process of its own: what its streams and signals do. */
 @Timeout(60)

@@ -8,6 +8,7 @@ import java.util.regex.Pattern;
 import steward.bot.Bot;
 import steward.bot.InProcessPlayer;
 import steward.bot.Player;
+import steward.cli.shared.Games;
 import steward.game.GameSetup;
 import steward.match.MatchResult;
 import steward.match.Referee;

@@ -5,7 +5,7 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import steward.bot.CommandLine;
+import steward.bot.command.CommandLine;
 
 /** Bot programs for tests: shell scripts, which start at once. They play with one pod. */
 final class ShellBots {

@@ -18,8 +18,8 @@ import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 import steward.codingame.GameRecordingImport.Imported;
 import steward.match.TestScenes;
-import steward.replay.Difference;
-import steward.replay.Verification;
+import steward.replay.verify.Difference;
+import steward.replay.verify.Verification;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 

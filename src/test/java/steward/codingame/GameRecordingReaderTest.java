@@ -10,7 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.match.TestScenes;
-import steward.scene.SceneException;
+import steward.scene.json.SceneException;
 
 /** Recordings that cannot be used: the error says in which frame and line, what was found and what was expected. */
 class GameRecordingReaderTest {

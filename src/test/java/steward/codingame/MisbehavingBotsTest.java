@@ -11,7 +11,7 @@ import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import steward.bot.BotProcess;
+import steward.bot.process.BotProcess;
 import steward.game.GameSetup;
 import steward.match.Protocol;
 import steward.match.Seat;

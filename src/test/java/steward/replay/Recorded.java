@@ -14,6 +14,7 @@ import steward.match.Referee;
 import steward.match.SeededBot;
 import steward.match.TestScenes;
 import steward.match.TimeControl;
+import steward.replay.verify.Verification;
 
 /**
  * A match played and recorded in memory.

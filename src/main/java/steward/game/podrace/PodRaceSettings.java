@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import steward.numerics.SplitMix64;
-import steward.scene.Block;
 import steward.scene.Scene;
+import steward.scene.json.Block;
 
 /**
  * The settings of a pod race, from the blocks {@code pods} and {@code race} of a scene.

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
+import steward.game.podrace.protocol.PodRaceType;
 import steward.match.TestScenes;
 
 /** Who is out, who wins, and in what order the others stand. */

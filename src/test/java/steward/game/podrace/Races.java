@@ -1,5 +1,6 @@
 package steward.game.podrace;
 
+import steward.game.podrace.protocol.PodRaceType;
 import steward.match.TestScenes;
 
 /** Races on maps made for one question, and pods in states made for it. */

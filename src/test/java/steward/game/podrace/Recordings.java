@@ -10,9 +10,10 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
+import steward.game.podrace.protocol.PodRaceType;
+import steward.scene.SceneFiles;
 import steward.scene.SceneReader;
 import steward.scene.SceneText;
-import steward.scene.SceneFiles;
 
 /** Official recordings: where they are, how they are read, and the race they are compared with. */
 final class Recordings {

@@ -1,0 +1,193 @@
+package steward.bot.process;
+
+import java.io.File;
+import java.io.IOException;
+import java.io.RandomAccessFile;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystems;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.FileAttribute;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.Set;
+import java.util.concurrent.ThreadLocalRandom;
+import steward.bot.Utf8;
+
+/**
+ * Where a bot's stderr goes: a file without a name, open here and in the bot. A bot can never block on it, no thread
+ * has to drain it, and what a bot wrote before its answer is there when the answer is read, every time.
+ *
+ * <p>The bot appends, so the file may be cut to nothing at any time: that bounds it. A bot that opens
+ * {@code /dev/stderr} anew, without appending, cuts the file itself; what it wrote since the last look is then
+ * found only if the file has another length than before.
+ */
+final class StderrFile {
+
+    /** What is kept of one turn, in bytes. */
+    static final int KEPT = 16 * 1024;
+
+    /** The file is cut when it is longer than this after having been looked at, in bytes. */
+    static final long CUT_AFTER_READING = 16L << 20;
+
+    /** The file is cut when it is longer than this while the bot is thinking, in bytes. */
+    static final long CUT_UNREAD = 256L << 20;
+
+    private static final Set<StandardOpenOption> NEW =
+        Set.of(StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+    private static final FileAttribute<?>[] ONLY_MINE = onlyMine();
+
+    private final Path path;
+    private final RandomAccessFile file;
+    private long position;
+    private long lost;
+    private byte[] buffer;
+    private boolean unlinked;
+
+    private StderrFile(Path path, RandomAccessFile file) {
+        this.path = path;
+        this.file = file;
+    }
+
+    /**
+     * A new file in the directory for temporary files, readable by this user alone.
+     *
+     * @throws IOException when there is none to be had
+     */
+    static StderrFile create() throws IOException {
+        Path folder = Path.of(System.getProperty("java.io.tmpdir"));
+        for (;;) {
+            String number = Long.toUnsignedString(ThreadLocalRandom.current().nextLong(), 36);
+            Path path = folder.resolve("steward-" + number + ".stderr");
+            try {
+                Files.newByteChannel(path, NEW, ONLY_MINE).close();
+                return new StderrFile(path, new RandomAccessFile(path.toFile(), "rw"));
+            } catch (FileAlreadyExistsException e) {
+                continue;
+            }
+        }
+    }
+
+    private static FileAttribute<?>[] onlyMine() {
+        boolean posix = FileSystems.getDefault().supportedFileAttributeViews().contains("posix");
+        if (!posix) {
+            return new FileAttribute<?>[0];
+        }
+        return new FileAttribute<?>[] {
+            PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rw-------"))};
+    }
+
+    /** The file by name, for as long as it has one. */
+    File file() {
+        return path.toFile();
+    }
+
+    /** Takes the name away; the file itself goes with its last user. */
+    void unlink() {
+        if (unlinked) {
+            return;
+        }
+        try {
+            Files.deleteIfExists(path);
+            unlinked = true;
+        } catch (IOException e) {
+            // A system that keeps the names of open files: the attempt at the end will do.
+            return;
+        }
+    }
+
+    /**
+     * What has been written since the last call: its first {@value #KEPT} bytes, a line that says how many more
+     * there were, and of those the lines with data that {@link DataLineScan} finds. A character of which
+     * only a part has been written is left for the next call.
+     *
+     * @param last whether there is no next call
+     * @return {@code null} when nothing has been written
+     */
+    synchronized String collect(boolean last) {
+        try {
+            long size = file.length();
+            if (size == position && lost == 0) {
+                return null;
+            }
+            if (size < position) {
+                position = 0;
+            }
+            String text = read(size, last);
+            if (size > CUT_AFTER_READING) {
+                cut();
+            }
+            return text;
+        } catch (IOException e) {
+            return "[stderr cannot be read: " + e.getMessage() + "]";
+        }
+    }
+
+    private String read(long size, boolean last) throws IOException {
+        if (buffer == null) {
+            buffer = new byte[KEPT];
+        }
+        file.seek(position);
+        int wanted = (int) Math.min(KEPT, size - position);
+        int count = 0;
+        while (count < wanted) {
+            int n = file.read(buffer, count, wanted - count);
+            if (n < 0) {
+                break;
+            }
+            count += n;
+        }
+        boolean more = size - position > count;
+        int whole = last && !more ? count : Utf8.wholeCharacters(buffer, 0, count);
+        byte[] data = {};
+        if (more) {
+            int line = DataLineScan.begunLine(buffer, whole);
+            boolean lineStart = line < whole || whole > 0 && buffer[whole - 1] == '\n';
+            whole = line;
+            data = DataLineScan.read(file, position + whole, size, lineStart);
+        }
+        String text = new String(buffer, 0, whole, StandardCharsets.UTF_8);
+        long dropped = (more ? size - position - whole - data.length : 0) + lost;
+        position = more ? size : position + whole;
+        lost = 0;
+        if (dropped > 0) {
+            text += (text.isEmpty() || text.endsWith("\n") ? "" : "\n") + "[" + dropped + " more bytes dropped]\n";
+        }
+        text += new String(data, StandardCharsets.UTF_8);
+        return text.isEmpty() ? null : text;
+    }
+
+    private void cut() throws IOException {
+        file.setLength(0);
+        position = 0;
+    }
+
+    /** Cuts a file that has grown out of all proportion before anybody came to read it. */
+    void bound() {
+        try {
+            if (file.length() <= CUT_UNREAD) {
+                return;
+            }
+            synchronized (this) {
+                lost += file.length() - position;
+                cut();
+            }
+        } catch (IOException e) {
+            // Closed meanwhile: nothing to bound.
+            return;
+        }
+    }
+
+    /** Closes the file here. */
+    synchronized void close() {
+        try {
+            file.close();
+        } catch (IOException e) {
+            // Nothing was written through it that could be lost.
+            return;
+        } finally {
+            unlink();
+        }
+    }
+}

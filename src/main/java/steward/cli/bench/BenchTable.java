@@ -1,0 +1,58 @@
+package steward.cli.bench;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import steward.bench.Row;
+import steward.bench.Section;
+import steward.cli.shared.Streams;
+import steward.text.Words;
+
+/** Prints the benchmarks' table row by row as it comes. */
+final class BenchTable {
+
+    private static final int NAME = 42;
+    private static final int FIGURE = 14;
+    private static final int TIME = 12;
+    private static final int RATIO = 9;
+    private static final int WIDTH = 100;
+
+    private final Streams streams;
+    private final List<Row> held = new ArrayList<>();
+
+    BenchTable(Streams streams) {
+        this.streams = streams;
+    }
+
+    void begin(Section section) {
+        streams.out().println("\n" + section.name() + ": " + Words.wrap(section.about(), " ", WIDTH, ""));
+        streams.out().println("  " + Words.left("", NAME) + Words.right("a second", FIGURE)
+            + Words.right("each", TIME) + Words.right("ratio", RATIO) + Words.right("bytes", RATIO));
+        streams.out().flush();
+    }
+
+    /** Keeps a row back while a progress bar stands where it would be printed. */
+    synchronized void hold(Row row) {
+        held.add(row);
+    }
+
+    /** Prints what was kept back; also when the run is interrupted. */
+    synchronized void release() {
+        held.forEach(this::add);
+        held.clear();
+    }
+
+    void add(Row row) {
+        String line = "  " + Words.left(row.name(), NAME)
+            + Words.right(String.format(Locale.ROOT, "%,.0f", row.perSecond()), FIGURE)
+            + Words.right(time(row.nanos()), TIME) + Words.right(Words.fixed(row.ratio(), 2), RATIO)
+            + Words.right(Words.fixed(row.bytes(), 0), RATIO);
+        streams.out().println(row.note().isEmpty() ? line : line + "  " + row.note());
+        streams.out().flush();
+    }
+
+    private static String time(double nanos) {
+        return nanos < 1e3 ? Words.fixed(nanos, 0) + " ns" : nanos < 1e6 ? Words.fixed(nanos / 1e3, 2) + " us"
+            : Words.fixed(nanos / 1e6, 2) + " ms";
+    }
+}

@@ -1,0 +1,100 @@
+package steward.cli.lab;
+
+import java.util.Locale;
+import java.util.function.Supplier;
+import steward.cli.shared.Streams;
+import steward.lab.stability.StabilityRow;
+import steward.lab.trial.Seen;
+import steward.text.Words;
+
+/** Prints the stability table as it comes: per case what is demanded, and a line per rung with what was seen. */
+final class StabilityTable {
+
+    private static final int WIDTH = 100;
+    private static final long PAUSE_NANOS = 250_000_000;
+    private static final int RUNG = 13;
+    private static final int VERDICT = 10;
+    private static final String CLEAR = "\r" + " ".repeat(79) + "\r";
+
+    private final Streams streams;
+    private final int rows;
+    private String lastCase = "";
+    private String present = "";
+    private volatile String unfinished = "";
+    private long saidNanos = System.nanoTime();
+    private int begun;
+    private int held;
+    private int failed;
+
+    StabilityTable(Streams streams, int rows) {
+        this.streams = streams;
+        this.rows = rows;
+    }
+
+    /** What is tried now, for a terminal. */
+    void about(String name, String rung) {
+        begun++;
+        present = Words.shorten(name, 40) + ", " + rung;
+        show("");
+    }
+
+    /** How far that is. */
+    void reached(double share, Supplier<String> soFar) {
+        long now = System.nanoTime();
+        if (now - saidNanos >= PAUSE_NANOS) {
+            saidNanos = now;
+            String percent = String.format(Locale.ROOT, ", %.1f%%", 100 * share);
+            unfinished = present + percent + ": " + soFar.get();
+            show(percent);
+        }
+    }
+
+    /** The figures of the row that is not finished, or nothing; by any thread. */
+    String unfinished() {
+        return unfinished;
+    }
+
+    private void show(String percent) {
+        if (streams.errTerminal()) {
+            streams.err().print(CLEAR + begun + " of " + rows + ": " + present + percent);
+            streams.err().flush();
+        }
+    }
+
+    void add(StabilityRow row) {
+        clear();
+        unfinished = "";
+        if (!row.name().equals(lastCase)) {
+            streams.out().println((lastCase.isEmpty() ? "" : "\n") + row.name());
+            line("demanded", "", row.demand());
+            lastCase = row.name();
+        }
+        Seen seen = row.seen();
+        held += seen.verdict() == Seen.Verdict.HOLDS ? 1 : 0;
+        failed += row.failed() ? 1 : 0;
+        line(row.rung(), seen.verdict().name().toLowerCase(Locale.ROOT), seen.text());
+        streams.out().flush();
+    }
+
+    private void line(String rung, String verdict, String text) {
+        String start = "  " + Words.left(rung, RUNG) + Words.left(verdict, VERDICT);
+        String next = "\n" + " ".repeat(start.length());
+        String lines = Words.wrap(Words.plain(text), " ", WIDTH - start.length(), "");
+        streams.out().println(start + lines.replace("\n", next));
+    }
+
+    private void clear() {
+        if (streams.errTerminal()) {
+            streams.err().print(CLEAR);
+            streams.err().flush();
+        }
+    }
+
+    /** @return whether no demand has failed */
+    boolean end() {
+        streams.out().println();
+        streams.out().println(Words.count(held, "demand") + (held == 1 ? " is" : " are") + " met, " + failed
+            + (failed == 1 ? " is" : " are") + " not");
+        return failed == 0;
+    }
+}

@@ -1,0 +1,169 @@
+package steward.cli.replay;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import steward.bot.command.BotCommand;
+import steward.bot.command.CommandLine;
+import steward.bot.process.Debugger;
+import steward.cli.shared.Games;
+import steward.cli.shared.Streams;
+import steward.files.InputException;
+import steward.files.OutputFiles;
+import steward.match.Protocol;
+import steward.replay.RecordedMatch;
+import steward.replay.ReplayReader;
+import steward.replay.verify.Resimulation;
+
+/** {@code steward feed}: sends a bot what one player of a recorded match was sent. */
+@Command(name = "feed", description = "Sends a bot, without any deadline, what one player of a recorded match was "
+    + "sent, and compares its answers with the recorded ones; or lets it play on from some turn.",
+    footer = {"",
+        "The bot's stderr and terminal are left as they are. To look into it:",
+        "  gdb         'feed ... -- gdb ./a.out' gives gdb the terminal, and the bot that it runs the frames:",
+        "              set breakpoints, then 'run'. With arguments: gdb --args ./a.out x y. Ctrl-C stops",
+        "              the bot while it runs; at gdb's own prompt it ends everything.",
+        "  any other   with --pause or --until the bot waits while you attach to the process whose number",
+        "              is printed: lldb -p PID, gdb -p PID; most IDEs can do that too.",
+        "  Java        -- java -agentlib:jdwp=transport=dt_socket,server=y,suspend=y,quiet=y,address=5005 Bot",
+        "  Python      breakpoint() reads what the bot should read: use a debugger that listens on a port.",
+        "", "With --replace the others do not see that anything has changed: their recorded commands are applied",
+        "as they are, and who failed then fails again. The match ends when the rules say so, or where a player",
+        "who is in has nothing in the recording; then the new replay has no result, and verifies all the same.",
+        "A bot that is still there a second after the end is killed, unless there is a debugger or --pause.",
+        "", "Examples:",
+        "  steward feed match.jsonl --player 0 -- ./mybot",
+        "  steward feed match.jsonl --player 0 --pause=57 -- python3 bot.py",
+        "  steward feed match.jsonl --player 0 -- gdb ./a.out",
+        "  steward feed match.jsonl --player 0 --from-turn 57 --replace --out new.jsonl -- ./mybot",
+        "", "Exit status: 0 every answer that was compared is the same; 1 some differ; 2 wrong call or file."})
+final class FeedCommand implements Callable<Integer> {
+
+    private static final String BUILTIN = BotCommand.Prefix.BUILTIN.written();
+
+    private final Streams streams;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(index = "0", paramLabel = "REPLAY", description = "The recorded match.")
+    private String file;
+
+    @Parameters(index = "1..*", arity = "0..*", paramLabel = "COMMAND",
+        description = "The bot and its arguments, after --; builtin:NAME is one that comes with the program.")
+    private List<String> command = new ArrayList<>();
+
+    @Option(names = "--player", paramLabel = "P", required = true, description = "Which player, counted from 0.")
+    private int player;
+
+    @Option(names = "--protocol", paramLabel = "W",
+        description = "What the bot speaks: json or codingame (default: what the player spoke).")
+    private String protocol;
+
+    @Option(names = "--until", paramLabel = "N",
+        description = "Stop when turn N has been answered; the bot waits until you press Enter or it ends.")
+    private Integer until;
+
+    @Option(names = "--pause", paramLabel = "N", arity = "0..1", fallbackValue = "1",
+        description = "Wait for Enter before turn N is sent (default: before everything).")
+    private Integer pause;
+
+    @Option(names = "--from-turn", paramLabel = "N", description = "With --replace: the first turn that the bot plays.")
+    private Integer from;
+
+    @Option(names = "--replace",
+        description = "Let the bot play on in place of the player; with --from-turn and --out.")
+    private boolean replace;
+
+    @Option(names = "--out", paramLabel = "NEW", description = "With --replace: where the new replay goes.")
+    private String out;
+
+    @Option(names = "--overwrite", description = "Replace a replay that exists.")
+    private boolean overwrite;
+
+    @Option(names = "--quiet", description = "Print only what differs, and the summary.")
+    private boolean quiet;
+
+    FeedCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() throws InterruptedException {
+        checkCall();
+        Path path = OutputFiles.path(file);
+        RecordedMatch match;
+        try (ReplayReader replay = ReplayCommand.open(path)) {
+            match = RecordedMatch.read(replay);
+        }
+        checkMatch(match);
+        Path target = out == null ? null : OutputFiles.path(out);
+        if (OutputFiles.isSame(path, target)) {
+            throw new InputException("--out: found the replay itself, expected another file");
+        }
+        Protocol spoken = protocol == null ? match.header().protocols().get(player)
+            : Protocol.of(protocol).orElseThrow();
+        Resimulation again = new Resimulation(match.header(), Games.types(), match.source());
+        if (spoken == Protocol.CODINGAME && again.setup().textCodec(again.game()).isEmpty()) {
+            throw new InputException("--protocol: found codingame, expected json: the scene has no other");
+        }
+        List<String> words = words();
+        Feeding feeding = new Feeding(streams, match, player, spoken, words, quiet, pause);
+        return replace ? feeding.replace(from, target, overwrite)
+            : feeding.compare(until == null ? Integer.MAX_VALUE : until);
+    }
+
+    private void checkCall() {
+        check(!command.isEmpty(), "expected the command of a bot: steward feed REPLAY --player P -- COMMAND");
+        check(!replace || from != null && out != null, "--replace: expected --from-turn and --out with it");
+        check(replace || from == null, "--from-turn is for --replace, expected both");
+        check(replace || out == null, "--out is for --replace, expected both");
+        check(!overwrite || out != null, "--overwrite: expected --out with it");
+        check(!replace || until == null, "--until and --replace exclude each other");
+        check(protocol == null || Protocol.of(protocol).isPresent(),
+            "--protocol: found '" + protocol + "', expected json or codingame");
+        check(pause == null || !Debugger.is(command), "--pause is for attaching, expected none with a debugger");
+    }
+
+    private void check(boolean right, String problem) {
+        if (!right) {
+            throw new ParameterException(spec.commandLine(), problem);
+        }
+    }
+
+    private void checkMatch(RecordedMatch match) {
+        int players = match.header().names().size();
+        if (player < 0 || player >= players) {
+            throw new InputException("--player: found " + player + ", expected 0 to " + (players - 1) + " in "
+                + match.source());
+        }
+        int last = match.lastAsked(player);
+        checkTurn("--until", until, last, match);
+        checkTurn("--pause", pause, last, match);
+        checkTurn("--from-turn", from, last, match);
+    }
+
+    private void checkTurn(String option, Integer turn, int last, RecordedMatch match) {
+        if (turn != null && (turn < 1 || turn > last)) {
+            throw new InputException(option + ": found " + turn + ", expected " + (last == 0 ? "none: there is no turn"
+                : "1 to " + last + ", the last turn") + " in which player " + player + " was asked in "
+                + match.source());
+        }
+    }
+
+    private List<String> words() {
+        try {
+            return (command.get(0).startsWith(BUILTIN) ? BotCommand.parse(CommandLine.quote(command))
+                : new BotCommand(null, BotCommand.Prefix.JSON, command)).resolve();
+        } catch (IllegalArgumentException problem) {
+            throw new InputException(problem.getMessage());
+        }
+    }
+}

@@ -1,0 +1,54 @@
+package steward.cli.shared;
+
+import java.nio.file.Path;
+import java.util.function.Supplier;
+
+/**
+ * Says where the turns so far are when a match ends by Ctrl-C. There is nothing else to do then: each turn has been
+ * written when it was played, and no bot outlives this process.
+ */
+final class Interruption implements AutoCloseable {
+
+    private final Thread hook;
+    private volatile boolean over;
+
+    /** @param file the replay, or {@code null}: then there is nothing to say */
+    Interruption(Streams streams, Path file) {
+        this(streams, file == null ? null : "the turns so far are in " + file);
+    }
+
+    /** @param kept says where what was done so far is, or {@code null}: then there is nothing to say */
+    Interruption(Streams streams, String kept) {
+        this(streams, kept == null ? null : () -> kept);
+    }
+
+    /** @param kept is asked when it happens, in another thread; {@code null} if there is nothing to say */
+    Interruption(Streams streams, Supplier<String> kept) {
+        hook = kept == null ? null : new Thread(() -> {
+            if (!over) {
+                streams.err().println("steward: interrupted; " + kept.get());
+            }
+        }, "interruption");
+        if (hook != null) {
+            Runtime.getRuntime().addShutdownHook(hook);
+        }
+    }
+
+    /** The match has its result. */
+    void over() {
+        over = true;
+    }
+
+    @Override
+    public void close() {
+        over = true;
+        try {
+            if (hook != null) {
+                Runtime.getRuntime().removeShutdownHook(hook);
+            }
+        } catch (IllegalStateException shutdown) {
+            // It runs already, or has run.
+            return;
+        }
+    }
+}

@@ -1,0 +1,104 @@
+package steward.cli.shared;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import steward.game.JsonNumbers;
+import steward.text.Words;
+import tools.jackson.core.JsonParser;
+import tools.jackson.core.JsonToken;
+import tools.jackson.core.ObjectReadContext;
+
+/**
+ * Small JSON values read whole, without the weight of a data-binding library: objects are maps in their written order,
+ * arrays are lists, numbers are doubles, null is null.
+ */
+final class Json {
+
+    private Json() {
+    }
+
+    /** Reads one object. */
+    static Map<String, Object> object(byte[] json) {
+        try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), json, 0, json.length)) {
+            in.nextToken();
+            return object(in);
+        }
+    }
+
+    /** Reads one object. */
+    static Map<String, Object> object(String json) {
+        try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), json)) {
+            in.nextToken();
+            return object(in);
+        }
+    }
+
+    /** Reads one array. */
+    static List<Object> array(byte[] json) {
+        try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), json, 0, json.length)) {
+            in.nextToken();
+            return array(in);
+        }
+    }
+
+    private static Map<String, Object> object(JsonParser in) {
+        Map<String, Object> fields = new LinkedHashMap<>();
+        while (in.nextToken() == JsonToken.PROPERTY_NAME) {
+            String name = in.currentName();
+            in.nextToken();
+            fields.put(name, value(in));
+        }
+        return fields;
+    }
+
+    private static List<Object> array(JsonParser in) {
+        List<Object> values = new ArrayList<>();
+        while (in.nextToken() != JsonToken.END_ARRAY) {
+            values.add(value(in));
+        }
+        return values;
+    }
+
+    private static Object value(JsonParser in) {
+        return switch (in.currentToken()) {
+            case START_OBJECT -> object(in);
+            case START_ARRAY -> array(in);
+            case VALUE_NUMBER_INT, VALUE_NUMBER_FLOAT -> in.getDoubleValue();
+            case VALUE_TRUE -> Boolean.TRUE;
+            case VALUE_FALSE -> Boolean.FALSE;
+            case VALUE_NULL -> null;
+            default -> in.getString();
+        };
+    }
+
+    /** The objects of an array; empty if it is missing. */
+    static List<Map<?, ?>> objects(Object array) {
+        List<Map<?, ?>> objects = new ArrayList<>();
+        if (array instanceof List<?> list) {
+            for (Object each : list) {
+                if (each instanceof Map<?, ?> object) {
+                    objects.add(object);
+                }
+            }
+        }
+        return objects;
+    }
+
+    /** A number, or NaN if there is none. */
+    static double number(Object value) {
+        return value instanceof Double number ? number : Double.NaN;
+    }
+
+    /** A scalar as a word for people; {@code -} for nothing. */
+    static String word(Object value, int decimals) {
+        if (value instanceof Double number) {
+            return Words.number(number, decimals);
+        }
+        if (value instanceof Boolean flag) {
+            return flag ? "yes" : "no";
+        }
+        return value == null ? "-" : Words.plain(value.toString());
+    }
+}

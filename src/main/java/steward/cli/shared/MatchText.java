@@ -1,0 +1,72 @@
+package steward.cli.shared;
+
+import java.io.PrintStream;
+import java.nio.file.Path;
+import java.util.List;
+import steward.bot.command.CommandLine;
+import steward.match.MatchResult;
+import steward.match.MatchResult.PlayerResult;
+import steward.text.Words;
+
+/** The result of a match for people. */
+final class MatchText {
+
+    private MatchText() {
+    }
+
+    /** One line: who won, why, when. */
+    static String headline(String scene, long seed, MatchResult result) {
+        int winner = result.winner();
+        String who = winner >= 0 ? result.players().get(winner).name() + " wins" : "a draw";
+        return Words.plain(who + ": " + result.ending() + ", " + Words.count(result.turns(), "turn") + " ("
+            + scene + ", seed " + seed + ")");
+    }
+
+    /** Everything about the result. */
+    static void print(PrintStream out, String scene, long seed, MatchResult result) {
+        out.println(headline(scene, seed, result));
+        out.println();
+        table(out, result.players());
+        notes(out, result.players());
+    }
+
+    /** Where the replay is, and what to do with it. */
+    static void printReplay(PrintStream out, Path file) {
+        String command = "  steward replay " + CommandLine.quote(List.of(file.toString()));
+        out.println();
+        out.println("Replay: " + file);
+        out.println(command + "            turn by turn");
+        out.println(command + " --verify   plays it again and compares every turn");
+    }
+
+    private static void table(PrintStream out, List<PlayerResult> players) {
+        int width = players.stream().mapToInt(player -> player.name().length()).max().orElse(0);
+        int names = Math.min(40, Math.max(4, width));
+        out.println("player  " + Words.left("bot", names) + "  rank   score   average ms   worst ms   first ms");
+        for (int k = 0; k < players.size(); k++) {
+            PlayerResult player = players.get(k);
+            out.println(Words.right(Integer.toString(k), 6) + "  "
+                + Words.left(Words.plain(Words.shorten(player.name(), names)), names)
+                + Words.right(Integer.toString(player.rank() + 1), 6)
+                + Words.right(Words.number(player.score(), 2), 8)
+                + Words.right(Words.ms(player.averageNanos()), 13)
+                + Words.right(Words.ms(player.worstNanos()), 11)
+                + Words.right(Words.ms(player.firstNanos()), 11));
+        }
+    }
+
+    private static void notes(PrintStream out, List<PlayerResult> players) {
+        for (PlayerResult player : players) {
+            String name = Words.plain(player.name());
+            if (player.fault() != null) {
+                out.println(name + " failed: " + Words.plain(player.fault()));
+            } else if (player.out() != null) {
+                out.println(name + " is out: " + Words.plain(player.out()));
+            }
+            if (player.earlyTurns() > 0) {
+                out.println("warning: " + name + " wrote more lines than it was asked for, in "
+                    + Words.count(player.earlyTurns(), "turn") + "; they were taken for later answers");
+            }
+        }
+    }
+}

@@ -1,0 +1,70 @@
+package steward.cli.shared;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.UncheckedIOException;
+import java.net.URI;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import steward.files.InputException;
+import steward.live.Browser;
+import steward.replay.page.ReplayPage;
+import steward.text.Words;
+
+/** Pages that show a match: what is written above them, where they go, and how they are opened. */
+final class Pages {
+
+    private static final int TITLE = 80;
+
+    private Pages() {
+    }
+
+    /** A page's heading. */
+    static String title(List<String> players) {
+        return Words.shorten(Words.plain(String.join(" against ", players)), TITLE);
+    }
+
+    /** A place for a page that nobody gave a name. */
+    static Path unnamed() {
+        try {
+            return Files.createTempFile("steward-", ".html");
+        } catch (IOException problem) {
+            throw new InputException("--open: no temporary file for the page can be had: " + problem.getMessage());
+        }
+    }
+
+    /**
+     * The page of a recorded match.
+     *
+     * @throws steward.replay.ReplayException if it is damaged
+     */
+    static byte[] of(Path replay, String title) {
+        ByteArrayOutputStream html = new ByteArrayOutputStream();
+        try {
+            ReplayPage.write(replay, html, title);
+        } catch (IOException problem) {
+            throw new UncheckedIOException(replay + ": cannot be read: " + problem.getMessage(), problem);
+        }
+        return html.toByteArray();
+    }
+
+    /** Writes a page whole. */
+    static void write(OutputStream file, byte[] html, Path path) {
+        try {
+            file.write(html);
+            file.flush();
+        } catch (IOException problem) {
+            throw new FailedException(path + ": cannot be written: " + problem.getMessage());
+        }
+    }
+
+    /** Opens a page in the browser. That this fails is no failure: the page is there. */
+    static void open(Streams streams, URI page) throws InterruptedException {
+        String problem = Browser.ofSystem().open(page);
+        if (problem != null) {
+            streams.err().println("steward: no browser could be opened: " + problem + "; the page is at " + page);
+        }
+    }
+}

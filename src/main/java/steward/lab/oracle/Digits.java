@@ -1,0 +1,90 @@
+package steward.lab.oracle;
+
+import java.math.BigDecimal;
+import java.math.BigInteger;
+import java.math.MathContext;
+import java.math.RoundingMode;
+
+/**
+ * Decimal arithmetic of 64 digits for the oracle. A double is a decimal, so it is taken over exactly; sums and products
+ * ({@link #dot}, {@link #cross}) are exact, and only quotients, roots and what is stored as a new state are rounded.
+ */
+final class Digits {
+
+    /** How many decimal digits a state keeps. */
+    static final int COUNT = 64;
+    /** Rounds to that many. */
+    static final MathContext ROUND = new MathContext(COUNT);
+    /** Two numbers of a state nearer than this, relative to their size, differ by rounding only. */
+    static final BigDecimal SAME = BigDecimal.ONE.movePointLeft(COUNT - 16);
+
+    private Digits() {
+    }
+
+    /** @throws NumberFormatException if the number is not finite */
+    static BigDecimal of(double value) {
+        return new BigDecimal(value);
+    }
+
+    /** a.b, exact. */
+    static BigDecimal dot(BigDecimal ax, BigDecimal ay, BigDecimal bx, BigDecimal by) {
+        return ax.multiply(bx).add(ay.multiply(by));
+    }
+
+    /** a x b, exact. */
+    static BigDecimal cross(BigDecimal ax, BigDecimal ay, BigDecimal bx, BigDecimal by) {
+        return ax.multiply(by).subtract(ay.multiply(bx));
+    }
+
+    static BigDecimal square(BigDecimal value) {
+        return value.multiply(value);
+    }
+
+    /** To 64 digits; a zero loses the scale it has gathered, which would slow down everything after it. */
+    static BigDecimal round(BigDecimal value) {
+        return value.signum() == 0 ? BigDecimal.ZERO : value.round(ROUND);
+    }
+
+    static BigDecimal divide(BigDecimal a, BigDecimal b) {
+        return a.signum() == 0 ? BigDecimal.ZERO : a.divide(b, ROUND);
+    }
+
+    /** The root to 64 digits or a few more: that of the whole number which the digits make when there are enough. */
+    static BigDecimal root(BigDecimal value) {
+        if (value.signum() == 0) {
+            return BigDecimal.ZERO;
+        }
+        int more = 2 * COUNT + 2 - value.precision();
+        int scale = value.scale() + more;
+        BigInteger whole = value.setScale(scale + (scale & 1), RoundingMode.DOWN).unscaledValue();
+        return new BigDecimal(whole.sqrt(), (scale + (scale & 1)) / 2);
+    }
+
+    static BigDecimal length(BigDecimal x, BigDecimal y) {
+        return root(dot(x, y, x, y));
+    }
+
+    /** Whether a is at most b but for rounding; both at least 0. */
+    static boolean atMost(BigDecimal a, BigDecimal b) {
+        return a.compareTo(b) <= 0 || a.subtract(b).compareTo(b.multiply(SAME)) <= 0;
+    }
+
+    /** How far a double is from the true number, in units in the last place of the double nearest to the truth. */
+    static double ulps(double found, BigDecimal truth) {
+        double nearest = truth.doubleValue();
+        if (!Double.isFinite(found) || !Double.isFinite(nearest)) {
+            return found == nearest ? 0 : Double.POSITIVE_INFINITY;
+        }
+        return of(found).subtract(truth).abs().divide(of(Math.ulp(nearest)), MathContext.DECIMAL64).doubleValue();
+    }
+
+    /** |found - truth| / scale. */
+    static double relative(double found, BigDecimal truth, BigDecimal scale) {
+        if (!Double.isFinite(found)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        BigDecimal off = of(found).subtract(truth).abs();
+        return off.signum() == 0 ? 0 : scale.signum() == 0 ? Double.POSITIVE_INFINITY
+            : off.divide(scale.abs(), MathContext.DECIMAL64).doubleValue();
+    }
+}

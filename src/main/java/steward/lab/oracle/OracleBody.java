@@ -1,0 +1,74 @@
+package steward.lab.oracle;
+
+import java.math.BigDecimal;
+import java.util.ArrayList;
+import java.util.List;
+import steward.physics.Bodies;
+
+/** A body of the oracle: a circle with a place and a velocity of {@link Digits#COUNT} digits. */
+final class OracleBody {
+
+    BigDecimal x;
+    BigDecimal y;
+    BigDecimal vx;
+    BigDecimal vy;
+    final BigDecimal radius;
+    /** {@code null} for an infinite mass. */
+    final BigDecimal mass;
+    final BigDecimal restitution;
+
+    private OracleBody(Bodies from, int k) {
+        x = Digits.of(from.x[k]);
+        y = Digits.of(from.y[k]);
+        vx = Digits.of(from.vx[k]);
+        vy = Digits.of(from.vy[k]);
+        radius = Digits.of(from.radius[k]);
+        mass = from.mass[k] == Double.POSITIVE_INFINITY ? null : Digits.of(from.mass[k]);
+        restitution = Digits.of(from.restitution[k]);
+    }
+
+    /** All bodies, exactly as stored. */
+    static List<OracleBody> of(Bodies bodies) {
+        List<OracleBody> all = new ArrayList<>();
+        for (int k = 0; k < bodies.size(); k++) {
+            all.add(new OracleBody(bodies, k));
+        }
+        return all;
+    }
+
+    /** 1 / mass. */
+    BigDecimal inverseMass() {
+        return mass == null ? BigDecimal.ZERO : Digits.divide(BigDecimal.ONE, mass);
+    }
+
+    /** Flies straight. */
+    void fly(BigDecimal time) {
+        move(vx.multiply(time), vy.multiply(time));
+    }
+
+    void move(BigDecimal dx, BigDecimal dy) {
+        x = Digits.round(x.add(dx));
+        y = Digits.round(y.add(dy));
+    }
+
+    /** Takes an impulse along a unit vector; an infinite mass does not notice. */
+    void push(BigDecimal impulse, BigDecimal nx, BigDecimal ny) {
+        if (mass != null) {
+            BigDecimal change = Digits.divide(impulse, mass);
+            vx = Digits.round(vx.add(change.multiply(nx)));
+            vy = Digits.round(vy.add(change.multiply(ny)));
+        }
+    }
+
+    /** Turns the velocity round. */
+    void reverse() {
+        vx = vx.negate();
+        vy = vy.negate();
+    }
+
+    /** m v.v / 2, exact; 0 for an infinite mass. */
+    BigDecimal energy() {
+        return mass == null ? BigDecimal.ZERO
+            : Digits.dot(vx, vy, vx, vy).multiply(mass).divide(BigDecimal.valueOf(2));
+    }
+}

@@ -1,0 +1,55 @@
+package steward.lab.stability;
+
+import java.util.List;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
+import steward.lab.trial.Progress;
+import steward.lab.trial.Rung;
+import steward.lab.trial.Seen;
+import steward.lab.trial.Size;
+import steward.lab.trial.StabilityCase;
+
+/**
+ * A case on a rung, tried.
+ *
+ * @param name    of the case
+ * @param demand  what is demanded
+ * @param rung    name of the rung
+ * @param seen    what was seen
+ * @param seconds how long it took
+ */
+public record StabilityRow(String name, String demand, String rung, Seen seen, double seconds) {
+
+    private static final double NANOS = 1e9;
+
+    /**
+     * Tries cases on rungs, one after the other. An exception that a case did not expect is a failure.
+     *
+     * @param before   told of each case and rung that is about to be tried
+     * @param progress told how far that one is
+     * @param after    given each row as it comes
+     */
+    public static void tryAll(List<StabilityCase> cases, List<Rung> rungs, Size size,
+                              BiConsumer<StabilityCase, Rung> before, Progress progress,
+                              Consumer<StabilityRow> after) {
+        for (StabilityCase each : cases) {
+            for (Rung rung : rungs) {
+                before.accept(each, rung);
+                long start = System.nanoTime();
+                Seen seen;
+                try {
+                    seen = each.run(rung, size, progress);
+                } catch (RuntimeException problem) {
+                    seen = Seen.demanded(false, "threw " + problem);
+                }
+                after.accept(new StabilityRow(each.name(), each.demand(), rung.name(), seen,
+                    (System.nanoTime() - start) / NANOS));
+            }
+        }
+    }
+
+    /** Whether a demand was not met. */
+    public boolean failed() {
+        return seen.verdict() == Seen.Verdict.FAILS;
+    }
+}

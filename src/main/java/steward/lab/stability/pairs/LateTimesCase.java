@@ -1,0 +1,90 @@
+package steward.lab.stability.pairs;
+
+import java.math.BigDecimal;
+import java.util.Locale;
+import steward.lab.oracle.Digits;
+import steward.lab.trial.Probe;
+import steward.lab.trial.Progress;
+import steward.lab.trial.Rung;
+import steward.lab.trial.Seen;
+import steward.lab.trial.Size;
+import steward.lab.trial.StabilityCase;
+import steward.physics.Bodies;
+import steward.physics.ImpactLaw;
+
+/**
+ * Impacts 1e-9 turns after each other, late: a body runs into a row whose gaps it crosses in that time, at the very end
+ * of a turn. Between turns there is no clock at all ({@link steward.physics.Advance} is not told the turn), so a turn
+ * that is late in a match is a turn like any other; within one, a time rounded at 1 is worth 1e-16 of the speed.
+ */
+final class LateTimesCase implements StabilityCase {
+
+    private static final int ROW = 5;
+    private static final double RADIUS = 10;
+    private static final double BETWEEN = 1e-9;
+    /** Units in the last place of the position. */
+    private static final double MOST_ULPS = 4;
+
+    @Override
+    public String name() {
+        return "late times";
+    }
+
+    @Override
+    public String demand() {
+        return "impacts 1e-9 turns apart at the end of a turn, speeds 1..1e8: no overlap above 4 ulp of the position "
+            + "when they touch, on every event rung whose expressions are ours";
+    }
+
+    @Override
+    public Seen run(Rung rung, Size size, Progress progress) {
+        StringBuilder text = new StringBuilder("overlap in ulp at speed");
+        boolean met = true;
+        for (double speed = 1; speed <= 1e8; speed *= 100) {
+            double worst = 0;
+            boolean all = true;
+            for (int n = 0; n < size.pick(200, 2000, 20_000); n++) {
+                Bodies bodies = row(speed, n);
+                Deepest deepest = new Deepest();
+                rung.advance(ImpactLaw.PHYSICS).turn(bodies, deepest);
+                worst = Math.max(worst, deepest.ulps);
+                all &= deepest.impacts == ROW - 1;
+            }
+            met &= all && worst <= MOST_ULPS;
+            text.append(String.format(Locale.ROOT, " %.0e: %.3g%s;", speed, worst, all ? "" : " (impacts missing)"));
+        }
+        text.setLength(text.length() - 1);
+        return Seen.of(rung.isOurs(), met, text.toString());
+    }
+
+    /**
+     * So far from the origin that the whole way has coordinates of one size; the first impact comes 5 to 6 times 1e-9
+     * before the end of the turn.
+     */
+    private static Bodies row(double speed, int n) {
+        Bodies bodies = new Bodies(ROW);
+        double late = 1 - BETWEEN * (5 + n / 20_000.0);
+        double x = 1000 + n / 7.0 + 2 * speed;
+        bodies.add(x - speed * late - 2 * RADIUS, 0, RADIUS, 1);
+        bodies.setVelocity(0, speed, 0);
+        for (int k = 1; k < ROW; k++) {
+            bodies.add(x, 0, RADIUS, 1);
+            x += 2 * RADIUS + speed * BETWEEN;
+        }
+        return bodies;
+    }
+
+    /** Measures how far two that touch overlap. */
+    private static final class Deepest extends Probe {
+
+        private double ulps;
+
+        @Override
+        void touched(int a, int b, double ax, double ay, double bx, double by) {
+            BigDecimal distance = Digits.length(Digits.of(bx).subtract(Digits.of(ax)),
+                Digits.of(by).subtract(Digits.of(ay)));
+            double overlap = Digits.of(2 * RADIUS).subtract(distance).doubleValue();
+            ulps = Math.max(ulps, overlap / Math.ulp(Math.max(Math.abs(ax), Math.abs(bx))));
+        }
+    }
+}

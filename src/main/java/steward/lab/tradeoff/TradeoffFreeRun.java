@@ -1,0 +1,61 @@
+package steward.lab.tradeoff;
+
+import java.util.Arrays;
+import java.util.List;
+import steward.lab.oracle.Oracle;
+import steward.lab.oracle.OracleBody;
+import steward.physics.Advance;
+import steward.physics.Bodies;
+import steward.physics.PhysicsParts;
+import steward.physics.TurnSink;
+
+/** Bodies that fly on by themselves, turn after turn, on every rung and in truth: how long they stay together. */
+final class TradeoffFreeRun {
+
+    /** A body that is farther away than this, in u, is off. */
+    static final double OFF = 1;
+
+    private TradeoffFreeRun() {
+    }
+
+    /**
+     * After how many turns each rung is off; one more than the bound if it never is.
+     *
+     * @param bound how many turns at most; fewer if the truth comes to the law's bound on impacts
+     */
+    static int[] turns(Bodies start, PhysicsParts parts, List<Advance> rungs, int bound) {
+        List<OracleBody> truth = OracleBody.of(start);
+        Oracle oracle = new Oracle(parts.law(), parts.walls());
+        int[] turns = new int[rungs.size()];
+        Bodies[] bodies = new Bodies[turns.length];
+        Arrays.fill(turns, bound + 1);
+        for (int r = 0; r < turns.length; r++) {
+            bodies[r] = new Bodies(start.capacity());
+            bodies[r].copyFrom(start);
+        }
+        boolean some = true;
+        for (int turn = 1; turn <= bound && some && !oracle.limited(); turn++) {
+            oracle.turn(truth);
+            some = false;
+            for (int r = 0; r < turns.length && !oracle.limited(); r++) {
+                if (turns[r] > bound) {
+                    rungs.get(r).turn(bodies[r], TurnSink.NONE);
+                    turns[r] = isOff(bodies[r], truth) ? turn : turns[r];
+                    some |= turns[r] > bound;
+                }
+            }
+        }
+        return turns;
+    }
+
+    private static boolean isOff(Bodies bodies, List<OracleBody> truth) {
+        for (int k = 0; k < truth.size(); k++) {
+            double dx = bodies.x[k] - truth.get(k).x.doubleValue();
+            double dy = bodies.y[k] - truth.get(k).y.doubleValue();
+            if (!(dx * dx + dy * dy <= OFF * OFF)) {
+                return true;
+            }
+        }
+        return false;
+    }
+}

@@ -1,0 +1,23 @@
+package steward.lab.tradeoff;
+
+/** The Pareto front of cost and error: whoever is on it can be had cheaper or better, but not both at once. */
+final class TradeoffFront {
+
+    private TradeoffFront() {
+    }
+
+    /**
+     * Which points are on the front: none that is beaten by another in one respect without being better in the other.
+     * Equal points are on it together; NaN never is.
+     */
+    static boolean[] of(double[] cost, double[] error) {
+        boolean[] front = new boolean[cost.length];
+        for (int i = 0; i < front.length; i++) {
+            front[i] = cost[i] == cost[i] && error[i] == error[i];
+            for (int j = 0; j < front.length && front[i]; j++) {
+                front[i] = !(cost[j] <= cost[i] && error[j] <= error[i] && (cost[j] < cost[i] || error[j] < error[i]));
+            }
+        }
+        return front;
+    }
+}

@@ -1,0 +1,61 @@
+package steward.lab.trial;
+
+import java.math.BigDecimal;
+import steward.lab.oracle.OracleBody;
+import steward.physics.Bodies;
+import steward.physics.TurnSink;
+
+/** Watches turns without keeping them: counts impacts, notes whether the bound was named, measures overlaps. */
+class Probe implements TurnSink {
+
+    /** Impacts so far. */
+    long impacts;
+    /** How many turns ended at the bound on impacts, and said so. */
+    int limited;
+    /** The impulse of the last impact. */
+    double impulse;
+
+    @Override
+    public void impact(double time, int a, int b, double ax, double ay, double bx, double by, double nx, double ny,
+                       double j, double energy, double massA, double massB, double vax, double vay, double vaxAfter,
+                       double vayAfter, double vbx, double vby, double vbxAfter, double vbyAfter) {
+        impacts++;
+        impulse = j;
+        touched(a, b, ax, ay, bx, by);
+    }
+
+    /** Two have touched, with their centres there; for a wall b is negative. */
+    void touched(int a, int b, double ax, double ay, double bx, double by) {
+    }
+
+    @Override
+    public void impactLimit(double time, int[] bodyIds) {
+        limited++;
+    }
+
+    /** Whether all positions and velocities are finite. */
+    static boolean finite(Bodies bodies) {
+        for (int k = 0; k < bodies.size(); k++) {
+            if (!(Double.isFinite(bodies.x[k]) && Double.isFinite(bodies.y[k])
+                && Double.isFinite(bodies.vx[k]) && Double.isFinite(bodies.vy[k]))) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Kinetic energy of the stored numbers, exact. */
+    static BigDecimal energy(Bodies bodies) {
+        return OracleBody.of(bodies).stream().map(OracleBody::energy).reduce(BigDecimal.ZERO, BigDecimal::add);
+    }
+
+    /** Whether two worlds agree in every bit of every position and velocity. */
+    static boolean same(Bodies one, int i, Bodies other, int j) {
+        return bits(one.x[i]) == bits(other.x[j]) && bits(one.y[i]) == bits(other.y[j])
+            && bits(one.vx[i]) == bits(other.vx[j]) && bits(one.vy[i]) == bits(other.vy[j]);
+    }
+
+    private static long bits(double value) {
+        return Double.doubleToLongBits(value + 0.0);
+    }
+}

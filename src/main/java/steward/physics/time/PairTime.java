@@ -1,0 +1,91 @@
+package steward.physics.time;
+
+import steward.physics.Arithmetic;
+import steward.physics.Bodies;
+import steward.physics.ImpactLaw;
+
+/** When a pair of circles next has an impact under a law: touching pairs are the law's affair, the rest geometry. */
+abstract sealed class PairTime permits PairTime.TouchIsImpact, PairTime.ApproachIsImpact, PairTime.Overlap,
+    PairTime.ClosingOverlap, ExactPairs {
+
+    private static final double NEVER = Double.POSITIVE_INFINITY;
+
+    /** Time from now to the impact of two circles, given by their indices; 0 for one that happens at once. */
+    abstract double until(Bodies bodies, int i, int j);
+
+    static PairTime of(ImpactLaw law, Arithmetic arithmetic) {
+        return law.separatingPairsReact() ? new TouchIsImpact(arithmetic) : new ApproachIsImpact(arithmetic);
+    }
+
+    /** The official games: whoever touches reacts, even while separating. */
+    static final class TouchIsImpact extends PairTime {
+
+        private final CircleTime circles;
+
+        TouchIsImpact(Arithmetic arithmetic) {
+            circles = CircleTime.of(arithmetic);
+        }
+
+        @Override
+        double until(Bodies bodies, int i, int j) {
+            double dx = bodies.x[i] - bodies.x[j];
+            double dy = bodies.y[i] - bodies.y[j];
+            double touch = bodies.radius[i] + bodies.radius[j];
+            if (Math.sqrt(dx * dx + dy * dy) <= touch) {
+                return 0;
+            }
+            return circles.until(dx, dy, bodies.vx[i] - bodies.vx[j], bodies.vy[i] - bodies.vy[j], touch);
+        }
+    }
+
+    /** Physics: only an approach ends in an impact. */
+    static final class ApproachIsImpact extends PairTime {
+
+        private final CircleTime circles;
+
+        ApproachIsImpact(Arithmetic arithmetic) {
+            circles = CircleTime.of(arithmetic);
+        }
+
+        @Override
+        double until(Bodies bodies, int i, int j) {
+            double dx = bodies.x[i] - bodies.x[j];
+            double dy = bodies.y[i] - bodies.y[j];
+            double dvx = bodies.vx[i] - bodies.vx[j];
+            double dvy = bodies.vy[i] - bodies.vy[j];
+            if (!(dx * dvx + dy * dvy < 0)) {
+                return NEVER;
+            }
+            double touch = bodies.radius[i] + bodies.radius[j];
+            if (Math.sqrt(dx * dx + dy * dy) <= touch) {
+                return 0;
+            }
+            return circles.untilApproachingMeet(dx, dy, dvx, dvy, touch);
+        }
+    }
+
+    /** Only what is there: 0 for whoever touches, never for the others. */
+    static final class Overlap extends PairTime {
+
+        @Override
+        double until(Bodies bodies, int i, int j) {
+            double dx = bodies.x[i] - bodies.x[j];
+            double dy = bodies.y[i] - bodies.y[j];
+            double touch = bodies.radius[i] + bodies.radius[j];
+            return dx * dx + dy * dy <= touch * touch ? 0 : NEVER;
+        }
+    }
+
+    /** Only what is there and closes in. */
+    static final class ClosingOverlap extends PairTime {
+
+        @Override
+        double until(Bodies bodies, int i, int j) {
+            double dx = bodies.x[i] - bodies.x[j];
+            double dy = bodies.y[i] - bodies.y[j];
+            double touch = bodies.radius[i] + bodies.radius[j];
+            return dx * dx + dy * dy <= touch * touch
+                && dx * (bodies.vx[i] - bodies.vx[j]) + dy * (bodies.vy[i] - bodies.vy[j]) < 0 ? 0 : NEVER;
+        }
+    }
+}

@@ -1,0 +1,45 @@
+package steward.scene.json;
+
+import java.util.Collection;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import steward.text.Nearest;
+
+/** How errors and plans say numbers, ranges and choices. */
+final class Wording {
+
+    private Wording() {
+    }
+
+    /** The shortest usual way to write it: 120, 0.15, 1e-5. */
+    static String number(double value) {
+        if (value == Math.rint(value) && Math.abs(value) < 1e9) {
+            return Long.toString((long) value);
+        }
+        return Double.toString(value).replace(".0E", "E").toLowerCase(Locale.ROOT);
+    }
+
+    /** A range of finite numbers, its bounds included. */
+    static String range(double low, double high) {
+        boolean hasLow = low > Double.NEGATIVE_INFINITY;
+        boolean hasHigh = high < Double.POSITIVE_INFINITY;
+        if (hasLow && hasHigh) {
+            return "a number " + number(low) + ".." + number(high);
+        }
+        if (hasLow) {
+            return "a number of at least " + number(low);
+        }
+        return hasHigh ? "a number of at most " + number(high) : "a finite number";
+    }
+
+    /** What a text has to be one of, and the one it probably was meant to be. */
+    static String choice(String word, Collection<String> known) {
+        return oneOf(known) + Nearest.of(word, known).map(near -> "; did you mean \"" + near + "\"?").orElse("");
+    }
+
+    /** What a text has to be one of. */
+    static String oneOf(Collection<String> known) {
+        String list = known.stream().map(name -> '"' + name + '"').collect(Collectors.joining(", "));
+        return known.size() == 1 ? list : "one of " + list;
+    }
+}

@@ -1,0 +1,96 @@
+package steward.cli.play;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import steward.cli.Cli;
+import steward.cli.ShellBots;
+import steward.cli.TextShellBots;
+import tools.jackson.databind.JsonNode;
+
+/** {@code steward play} as rating tools call it. */
+class PlayCommandTest {
+
+    @TempDir
+    private Path folder;
+    private TextShellBots bots;
+
+    @BeforeEach
+    void makeBots() {
+        bots = new TextShellBots(folder);
+    }
+
+    private static JsonNode play(String one, String two, String... more) {
+        assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
+        List<String> arguments = new ArrayList<>(List.of("play", "--json-league", one, two, "--scene", "duel",
+            "--no-deadline"));
+        arguments.addAll(List.of(more));
+        Cli cli = Cli.run(arguments.toArray(String[]::new));
+        assertEquals("", cli.err());
+        assertEquals(0, cli.status());
+        return cli.json();
+    }
+
+    @Test
+    void printsOneObject() {
+        JsonNode json = play(bots.idler(0), bots.driver(), "--seed", "7");
+
+        assertEquals(List.of("ranks", "errors", "test_data", "player_data", "attributes"),
+            new ArrayList<>(json.propertyNames()));
+        assertEquals("[1,0]", json.get("ranks").toString());
+        assertEquals("[0,0]", json.get("errors").toString());
+        assertEquals("{\"seed\":7}", json.get("test_data").toString());
+        JsonNode data = json.get("player_data").get(1);
+        assertEquals("\"0.5\"", data.get("half").toString());
+        assertTrue(data.get("turns").isInt());
+        JsonNode last = json.get("attributes").get(json.get("attributes").size() - 1);
+        assertEquals(List.of("name", "player", "turn", "value"), new ArrayList<>(last.propertyNames()));
+        assertEquals("x", last.get("name").asString());
+        assertTrue(last.get("player").isNull());
+        assertEquals(1, last.get("turn").intValue());
+        assertTrue(last.get("value").isString());
+    }
+
+    @Test
+    void aBotThatFailsIsAResult() {
+        JsonNode json = play(bots.driver(), bots.idler(2));
+        assertEquals("[0,1]", json.get("ranks").toString());
+        assertEquals("[0,1]", json.get("errors").toString());
+        JsonNode tied = play(bots.idler(1), "true");
+        assertEquals("[0,0]", tied.get("ranks").toString());
+        assertEquals("[1,1]", tied.get("errors").toString());
+        assertTrue(tied.get("test_data").get("seed").isIntegralNumber());
+    }
+
+    @Test
+    void aDrawIsNoError() {
+        JsonNode json = play(bots.idler(0), bots.idler(0));
+        assertEquals("[0,0]", json.get("ranks").toString());
+        assertEquals("[0,0]", json.get("errors").toString());
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "cat cat | --json-league",
+        "--json-league cat | found 1 bot, expected 2 bots",
+        "--json-league cat cat cat | found 3 bots, expected 2 bots",
+        "--json-league cat /no/such/bot | there is no file '/no/such/bot'",
+        "--json-league cat cat --seed x | found 'x', expected a whole number of 64 bits",
+        "--json-league cat cat --scene nowhere | nowhere: found no such file",
+        "--json-league cat cat --time-factor nan | expected a number"})
+    void aWrongCallIsToldOnStderrAlone(String arguments, String problem) {
+        Cli cli = Cli.run(("play " + arguments).split(" "));
+        assertEquals(2, cli.status());
+        assertEquals("", cli.out());
+        assertTrue(cli.err().contains(problem), cli.err());
+    }
+}
