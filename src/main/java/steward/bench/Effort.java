@@ -20,12 +20,12 @@ public enum Effort {
     }
 
     /** How long each contender warms up, in milliseconds of CPU time. */
-    long warmUpMs() {
+    public long warmUpMs() {
         return warmUpMs;
     }
 
     /** How many figures the median is taken of. */
-    int rounds() {
+    public int rounds() {
         return rounds;
     }
 

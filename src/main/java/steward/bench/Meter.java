@@ -11,7 +11,7 @@ import java.util.function.Consumer;
  * Measures contenders in turns, so that what others do on the machine meets all of them: by CPU time, the median of
  * several rounds.
  */
-final class Meter {
+public final class Meter {
 
     private static final double NANOS = 1e9;
     private static final long NANOS_PER_MS = 1_000_000;
@@ -25,7 +25,7 @@ final class Meter {
     }
 
     /** CPU time of the calling thread, or of the whole JVM, in nanoseconds. */
-    long cpu(boolean all) {
+    public long cpu(boolean all) {
         return all ? system.getProcessCpuTime() : threads.getCurrentThreadCpuTime();
     }
 
@@ -35,7 +35,7 @@ final class Meter {
      * @throws Exception what a contender threw, or if this thread is interrupted: what the rounds before have shown is
      *     told then
      */
-    void compare(String section, String unit, List<Contender> contenders, Effort effort, Consumer<String> about,
+    public void compare(String section, String unit, List<Contender> contenders, Effort effort, Consumer<String> about,
                  Consumer<Row> rows) throws Exception {
         double[][] speeds = new double[contenders.size()][effort.rounds()];
         for (Contender each : contenders) {
@@ -91,7 +91,7 @@ final class Meter {
         return (double) (threads.getCurrentThreadAllocatedBytes() - before) / units;
     }
 
-    static double median(double[] values) {
+    public static double median(double[] values) {
         double[] sorted = values.clone();
         Arrays.sort(sorted);
         int middle = sorted.length / 2;

@@ -10,10 +10,10 @@ import java.io.InputStream;
  * <p>When a process exits, the JDK moves what is left in the pipe to memory. It does so holding the stream's monitor,
  * as reads do: nothing that was written is lost, and the end of the stream comes after it.
  */
-final class AnswerLines {
+public final class AnswerLines {
 
     /** The longest line, in bytes without its line end. */
-    static final int LINE_LIMIT = 64 * 1024;
+    public static final int LINE_LIMIT = 64 * 1024;
 
     /** How much is read at once, in bytes: what the JDK reads without a copy and without allocating. */
     private static final int READ = 8192;
@@ -21,7 +21,7 @@ final class AnswerLines {
     private static final byte[] NEWLINE = {'\n'};
 
     /** How waiting for an answer ended. */
-    enum Outcome {
+    public enum Outcome {
         /** The lines are there. */
         COMPLETE,
         /** The stream ended before. */
@@ -43,12 +43,12 @@ final class AnswerLines {
     /** How many lines had come when the last read began. */
     private volatile int lines;
 
-    AnswerLines(InputStream stream) {
+    public AnswerLines(InputStream stream) {
         this.stream = stream;
     }
 
     /** Waits until so many lines have come, of which {@link #take} can then be called. */
-    Outcome await(int wanted) {
+    public Outcome await(int wanted) {
         int found = 0;
         int scanned = start;
         afterLines = start;
@@ -148,7 +148,7 @@ final class AnswerLines {
     }
 
     /** Moves the lines that were waited for to the answer, without carriage returns at their ends. */
-    void take(int wanted, Answer answer) {
+    public void take(int wanted, Answer answer) {
         for (int from = start; from < afterLines;) {
             int to = wanted == 1 ? afterLines - 1 : newline(buffer, from, afterLines);
             if (from > start) {
@@ -165,23 +165,23 @@ final class AnswerLines {
     }
 
     /** Shows what came in place of an answer, shortened to at most so many bytes. */
-    void show(Answer answer, int most) {
+    public void show(Answer answer, int most) {
         int count = Math.min(most, end - start);
         answer.append(buffer, start, count < end - start ? Utf8.wholeCharacters(buffer, start, count) : count);
     }
 
     /** How many lines of an incomplete answer have come; may be asked by any thread. */
-    int come() {
+    public int come() {
         return lines;
     }
 
     /** How many bytes have come after the last complete line of the answer. */
-    int loose() {
+    public int loose() {
         return end - afterLines;
     }
 
     /** How many further complete lines have been read. */
-    int extra() {
+    public int extra() {
         int count = 0;
         for (int i = newline(buffer, start, end); i < end; i = newline(buffer, i + 1, end)) {
             count++;
@@ -190,7 +190,7 @@ final class AnswerLines {
     }
 
     /** Closes the stream. */
-    void close() {
+    public void close() {
         try {
             stream.close();
         } catch (IOException e) {

@@ -23,7 +23,7 @@ public final class Faults {
     }
 
     /** As {@link #late}, with what had come: {@code : 1 of 2 lines came}. */
-    static String late(long limitNanos, long waitedNanos, int lines, int expected, int looseBytes) {
+    public static String late(long limitNanos, long waitedNanos, int lines, int expected, int looseBytes) {
         String fault = late(limitNanos, waitedNanos);
         if (lines >= expected) {
             return fault;
@@ -35,17 +35,17 @@ public final class Faults {
     }
 
     /** {@code did not read its input within 75 ms (waited 76 ms)}. */
-    static String deaf(long limitNanos, long waitedNanos) {
+    public static String deaf(long limitNanos, long waitedNanos) {
         return "did not read its input within " + limit(limitNanos) + " (waited " + waited(waitedNanos) + ")";
     }
 
     /** {@code line longer than 65536 bytes}. */
-    static String tooLong(int limit) {
+    public static String tooLong(int limit) {
         return "line longer than " + limit + " bytes";
     }
 
     /** {@code exited with status 3 before answering}, or {@code killed by signal 11 (SIGSEGV) before answering}. */
-    static String exited(int status) {
+    public static String exited(int status) {
         int signal = status - SIGNALLED;
         if (signal > 0 && signal <= LAST_SIGNAL) {
             String name = signal <= SIGNALS.length ? " (SIG" + SIGNALS[signal - 1] + ")" : "";

@@ -53,7 +53,7 @@ public final class Main {
      *
      * @return the exit status
      */
-    static int run(Streams streams, String... arguments) {
+    public static int run(Streams streams, String... arguments) {
         List<String> words = List.of(arguments);
         if (words.size() == 2 && words.get(0).equals(WHOLE)) {
             try {

@@ -26,7 +26,7 @@ import steward.text.Words;
  * @param time       how long they may take
  * @param timeFactor by which the scene's limits are multiplied; {@code POSITIVE_INFINITY} for no deadlines
  */
-record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double timeFactor) {
+public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double timeFactor) {
 
     /**
      * A bot.
@@ -36,7 +36,7 @@ record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double
      * @param protocol the language it speaks
      * @param words    the program to start and its arguments
      */
-    record Entrant(String name, String bot, Protocol protocol, List<String> words) {
+    public record Entrant(String name, String bot, Protocol protocol, List<String> words) {
     }
 
     /**
@@ -46,7 +46,7 @@ record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double
      * @throws InputException if the bots are not as many as the players, one cannot be started, or the scene does not
      *                        have its protocol
      */
-    static Contest of(GameSetup setup, List<String> bots, Protocol usual, double timeFactor) {
+    public static Contest of(GameSetup setup, List<String> bots, Protocol usual, double timeFactor) {
         int players = setup.scene().players();
         if (bots.size() != players) {
             throw new InputException("found " + Words.count(bots.size(), "bot") + ", expected "
@@ -109,7 +109,7 @@ record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double
     }
 
     /** Refuses bots that speak what the scene's game does not. */
-    static void checkProtocols(GameSetup setup, List<Entrant> entrants) {
+    public static void checkProtocols(GameSetup setup, List<Entrant> entrants) {
         for (Entrant entrant : entrants) {
             if (entrant.protocol() == Protocol.CODINGAME && setup.textCodec(setup.create(0)).isEmpty()) {
                 throw new InputException("bot '" + entrant.bot() + "': the scene \"" + setup.scene().name()
@@ -118,12 +118,12 @@ record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double
         }
     }
 
-    String sceneName() {
+    public String sceneName() {
         return setup.scene().name();
     }
 
     /** Which bot plays as a player when the bots have moved up by {@code rotation} places. */
-    int entrantOf(int player, int rotation) {
+    public int entrantOf(int player, int rotation) {
         return (player + rotation) % entrants.size();
     }
 
@@ -135,7 +135,7 @@ record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double
      * @param follower  is told of every turn after it has been recorded
      * @throws RuntimeException if it could not be brought to a result
      */
-    MatchResult play(long seed, int rotation, OutputStream recording, MatchListener follower)
+    public MatchResult play(long seed, int rotation, OutputStream recording, MatchListener follower)
             throws InterruptedException {
         List<Seat> seats = new ArrayList<>();
         for (int player = 0; player < entrants.size(); player++) {

@@ -27,7 +27,7 @@ import steward.replay.WriteBehind;
  * @param swap    whether the bots change sides
  * @param folder  for the replays, or {@code null}
  */
-record Series(Contest contest, long first, int seeds, boolean swap, Path folder) {
+public record Series(Contest contest, long first, int seeds, boolean swap, Path folder) {
 
     private static final MatchListener NOBODY = new MatchListener() { };
     private static final int LEAST_DIGITS = 4;
@@ -41,11 +41,11 @@ record Series(Contest contest, long first, int seeds, boolean swap, Path folder)
      * @param result   or {@code null} if it could not be brought to one
      * @param failure  why it could not, or {@code null}
      */
-    record Played(int number, long seed, int rotation, MatchResult result, String failure) {
+    public record Played(int number, long seed, int rotation, MatchResult result, String failure) {
     }
 
     /** How many games there are in all. */
-    int games() {
+    public int games() {
         return seeds * sides();
     }
 
@@ -54,7 +54,7 @@ record Series(Contest contest, long first, int seeds, boolean swap, Path folder)
     }
 
     /** The replay of a game, counted from 1; or {@code null}. */
-    Path file(int number) {
+    public Path file(int number) {
         if (folder == null) {
             return null;
         }
@@ -64,7 +64,7 @@ record Series(Contest contest, long first, int seeds, boolean swap, Path folder)
     }
 
     /** Checks that all replays can be written. */
-    void prepare(boolean overwrite) {
+    public void prepare(boolean overwrite) {
         if (folder == null) {
             return;
         }
@@ -82,7 +82,7 @@ record Series(Contest contest, long first, int seeds, boolean swap, Path folder)
      * @param each called after each game, by any thread
      * @return in the order of their numbers
      */
-    List<Played> play(int threads, boolean overwrite, Runnable each) throws InterruptedException {
+    public List<Played> play(int threads, boolean overwrite, Runnable each) throws InterruptedException {
         ExecutorService workers = Executors.newFixedThreadPool(Math.min(threads, games()), Series::daemon);
         try {
             List<Future<Played>> coming = new ArrayList<>();

@@ -16,13 +16,13 @@ import steward.match.MatchResult;
  * @param faults games in which the bot failed as a program
  * @param points per game, 0..1; NaN without games
  */
-record Tally(int games, int wins, int draws, int losses, int faults, double points) {
+public record Tally(int games, int wins, int draws, int losses, int faults, double points) {
 
     /** The standard normal quantile of 0.975. */
     private static final double Z = 1.959963984540054;
 
     /** The tally of a bot, by its place in the call. */
-    static Tally of(Series series, List<Series.Played> played, int entrant) {
+    public static Tally of(Series series, List<Series.Played> played, int entrant) {
         int games = 0;
         int wins = 0;
         int draws = 0;
@@ -62,12 +62,12 @@ record Tally(int games, int wins, int draws, int losses, int faults, double poin
     }
 
     /** The lower end of the 95% interval of {@link #points}. */
-    double low() {
+    public double low() {
         return Math.max(0, centre() - halfWidth());
     }
 
     /** The upper end. */
-    double high() {
+    public double high() {
         return Math.min(1, centre() + halfWidth());
     }
 

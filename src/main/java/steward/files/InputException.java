@@ -3,11 +3,11 @@ package steward.files;
 /**
  * The call or an input cannot be used; the message says what was found and what was expected, for whoever typed it.
  */
-final class InputException extends RuntimeException {
+public final class InputException extends RuntimeException {
 
     private static final long serialVersionUID = 1L;
 
-    InputException(String message) {
+    public InputException(String message) {
         super(message);
     }
 }

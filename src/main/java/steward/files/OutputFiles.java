@@ -12,13 +12,13 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
 /** Opens the files that replays and pages are written to, before anything is played. */
-final class OutputFiles {
+public final class OutputFiles {
 
     private OutputFiles() {
     }
 
     /** A path as it was typed. */
-    static Path path(String typed) {
+    public static Path path(String typed) {
         try {
             return Path.of(typed);
         } catch (InvalidPathException problem) {
@@ -32,7 +32,7 @@ final class OutputFiles {
      *
      * @throws InputException if it cannot be written, or exists and is not to be overwritten
      */
-    static OutputStream open(Path file, boolean overwrite) {
+    public static OutputStream open(Path file, boolean overwrite) {
         check(file, overwrite);
         OpenOption[] options = overwrite
             ? new OpenOption[] {StandardOpenOption.WRITE, StandardOpenOption.CREATE,
@@ -52,7 +52,7 @@ final class OutputFiles {
      *
      * @throws InputException if it is a folder, or exists and is not to be overwritten
      */
-    static void check(Path file, boolean overwrite) {
+    public static void check(Path file, boolean overwrite) {
         if (Files.isDirectory(file)) {
             throw new InputException(file + ": found a folder, expected the name of a file");
         }
@@ -66,7 +66,7 @@ final class OutputFiles {
      *
      * @throws InputException if it cannot be made or written into
      */
-    static void prepareFolder(Path folder) {
+    public static void prepareFolder(Path folder) {
         try {
             if (!Files.isDirectory(folder)) {
                 Files.createDirectory(folder);
@@ -82,7 +82,7 @@ final class OutputFiles {
     }
 
     /** Whether both are the same file, there already or about to be; nothing is the same as no file. */
-    static boolean isSame(Path one, Path other) {
+    public static boolean isSame(Path one, Path other) {
         if (one == null || other == null) {
             return false;
         }
@@ -95,7 +95,7 @@ final class OutputFiles {
     }
 
     /** The refusal of a file that is there. */
-    static InputException exists(Path file) {
+    public static InputException exists(Path file) {
         return new InputException(file + ": exists already, and is kept; --overwrite would replace it");
     }
 

@@ -9,7 +9,7 @@ import steward.game.Game;
  * @param first  is told first
  * @param second is told only if the first could be
  */
-record Followers(MatchListener first, MatchListener second) implements MatchListener {
+public record Followers(MatchListener first, MatchListener second) implements MatchListener {
 
     @Override
     public void start(Game game, FrameCodec codec) {

@@ -32,7 +32,7 @@ public final class PassingPairs {
         return false;
     }
 
-    void add(int a, int b) {
+    public void add(int a, int b) {
         if (size == pairs.length) {
             pairs = Arrays.copyOf(pairs, 2 * size);
         }
@@ -50,7 +50,7 @@ public final class PassingPairs {
     }
 
     /** Removes the k-th pair; the last one takes its place. */
-    void remove(int k) {
+    public void remove(int k) {
         pairs[k] = pairs[--size];
     }
 

@@ -16,7 +16,7 @@ import tools.jackson.core.io.SerializedString;
  * Writes what follows from the commands: impacts, paths, events, the ending by the impact limit, the state and its
  * hash. What is empty is left out. The writer records it, the verifier writes it again and compares.
  */
-final class OutcomeJson {
+public final class OutcomeJson {
 
     /** A turn can have over ten thousand impacts; the first so many of them are kept, and so many corners of paths. */
     private static final int MOST = 2000;
@@ -50,7 +50,7 @@ final class OutcomeJson {
     private final RawJson text = new RawJson();
 
     /** One object: the outcome of the turn just played. */
-    void write(JsonGenerator out, Game game, FrameCodec codec) {
+    public void write(JsonGenerator out, Game game, FrameCodec codec) {
         out.writeStartObject();
         TurnLog log = game.log();
         writeImpacts(out, log);

@@ -4,7 +4,7 @@ import java.math.BigDecimal;
 import java.math.RoundingMode;
 
 /** How the commands spell numbers and texts, the same in every locale. */
-final class Words {
+public final class Words {
 
     private static final double NANOS_PER_MS = 1e6;
 
@@ -12,7 +12,7 @@ final class Words {
     }
 
     /** A number for a table: at most so many decimals, none that are zero, no negative zero. */
-    static String number(double value, int decimals) {
+    public static String number(double value, int decimals) {
         if (value == Math.rint(value) && Math.abs(value) < 1e15) {
             return Long.toString((long) value);
         }
@@ -25,33 +25,33 @@ final class Words {
     }
 
     /** A number with always so many decimals. */
-    static String fixed(double value, int decimals) {
+    public static String fixed(double value, int decimals) {
         return Double.isNaN(value) ? "-" : BigDecimal.valueOf(value).setScale(decimals, RoundingMode.HALF_EVEN)
             .toPlainString();
     }
 
     /** Nanoseconds as milliseconds with two decimals. */
-    static String ms(long nanos) {
+    public static String ms(long nanos) {
         return fixed(nanos / NANOS_PER_MS, 2);
     }
 
     /** {@code 1 turn}, {@code 2 turns}. */
-    static String count(long number, String what) {
+    public static String count(long number, String what) {
         return number + " " + what + (number == 1 ? "" : "s");
     }
 
     /** Filled up with blanks on the left. */
-    static String right(String text, int width) {
+    public static String right(String text, int width) {
         return " ".repeat(Math.max(0, width - text.length())) + text;
     }
 
     /** Filled up with blanks on the right. */
-    static String left(String text, int width) {
+    public static String left(String text, int width) {
         return text + " ".repeat(Math.max(0, width - text.length()));
     }
 
     /** At most so many characters. */
-    static String shorten(String text, int most) {
+    public static String shorten(String text, int most) {
         return text.length() <= most ? text : text.substring(0, most - 3) + "...";
     }
 
@@ -61,7 +61,7 @@ final class Words {
      * @param separator between items, two characters; what is not blank in it stays at a line's end
      * @param indent    begins every further line
      */
-    static String wrap(String items, String separator, int width, String indent) {
+    public static String wrap(String items, String separator, int width, String indent) {
         StringBuilder text = new StringBuilder();
         int used = 0;
         for (String item : items.split(separator)) {
@@ -77,7 +77,7 @@ final class Words {
     }
 
     /** What a bot or a file says, without what would steer a terminal: control characters become {@code ?}. */
-    static String plain(String text) {
+    public static String plain(String text) {
         StringBuilder plain = null;
         for (int k = 0; k < text.length(); k++) {
             char c = text.charAt(k);

@@ -23,7 +23,7 @@ import steward.replay.ReplayWriter;
  * @param sent   per player the lines it was sent, each with its line end
  * @param result how it ended
  */
-record Recorded(byte[] bytes, List<StringBuilder> sent, MatchResult result) {
+public record Recorded(byte[] bytes, List<StringBuilder> sent, MatchResult result) {
 
     private static final Pattern CHECKPOINT = Pattern.compile("\\{\"x\":(\\d+),\"y\":(\\d+)\\}");
 
@@ -79,7 +79,7 @@ record Recorded(byte[] bytes, List<StringBuilder> sent, MatchResult result) {
     }
 
     /** Two bots that both drive well. */
-    static Recorded duel(long seed) {
+    public static Recorded duel(long seed) {
         return play(Games.open("duel"), seed, "dd", 0);
     }
 
@@ -87,7 +87,7 @@ record Recorded(byte[] bytes, List<StringBuilder> sent, MatchResult result) {
      * @param ways    per player {@code d} to drive, {@code s} to stand, {@code f} to drive and fail
      * @param failing the turn of the failure
      */
-    static Recorded play(GameSetup setup, long seed, String ways, int failing) {
+    public static Recorded play(GameSetup setup, long seed, String ways, int failing) {
         ByteArrayOutputStream file = new ByteArrayOutputStream();
         List<StringBuilder> sent = new ArrayList<>();
         List<Player> players = new ArrayList<>();

@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** Finds programs the way the system does: by path when the name has a slash, otherwise along {@code PATH}. */
-final class Programs {
+public final class Programs {
 
     private static final String FALLBACK_PATH = "/usr/bin:/bin";
 
@@ -15,7 +15,7 @@ final class Programs {
     }
 
     /** The program's file, or {@code null} when the system would not find one that it may execute. */
-    static Path find(String program) {
+    public static Path find(String program) {
         return candidates(program).stream().filter(Programs::isExecutable).findFirst().orElse(null);
     }
 

@@ -32,7 +32,7 @@ import steward.text.Words;
         "", "Examples:", "  steward bench --quick", "  steward bench --only crowds --bodies 100 --bodies 1000",
         "  steward bench --long --out results",
         "", "Exit status: 0 done; 1 something could not be measured; 2 the call cannot be used; 130 Ctrl-C."})
-final class BenchCommand implements Callable<Integer> {
+public final class BenchCommand implements Callable<Integer> {
 
     private static final int MOST_THREADS = 256;
     private static final int MOST_GAMES = 1_000_000;
@@ -76,7 +76,7 @@ final class BenchCommand implements Callable<Integer> {
     @Option(names = "--overwrite", description = "Replaces the files if they exist.")
     private boolean overwrite;
 
-    BenchCommand(Streams streams) {
+    public BenchCommand(Streams streams) {
         this.streams = streams;
     }
 

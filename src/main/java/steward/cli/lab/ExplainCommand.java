@@ -25,7 +25,7 @@ import steward.text.Words;
 @Command(name = "explain", description = "Prints what a scene says, which parts of the engine it needs and why, and "
     + "what each adds to the time of a turn.",
     footer = {"", "Example:", "  steward explain walled-race"})
-final class ExplainCommand implements Callable<Integer> {
+public final class ExplainCommand implements Callable<Integer> {
 
     private static final int WIDTH = 100;
 
@@ -41,7 +41,7 @@ final class ExplainCommand implements Callable<Integer> {
     @Option(names = "--no-prices", description = "Do not measure what the parts cost, which takes two seconds.")
     private boolean noPrices;
 
-    ExplainCommand(Streams streams) {
+    public ExplainCommand(Streams streams) {
         this.streams = streams;
     }
 

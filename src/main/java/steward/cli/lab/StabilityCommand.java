@@ -32,7 +32,7 @@ import steward.text.Nearest;
         "  steward stability --long --out results",
         "  steward stability --case 'crowd of 1000, 10%%' --rung double --impacts 1000000000",
         "", "Exit status: 0 every demand is met; 1 one is not; 2 the call cannot be used; 130 Ctrl-C."})
-final class StabilityCommand implements Callable<Integer> {
+public final class StabilityCommand implements Callable<Integer> {
 
     private static final long MOST_IMPACTS = 1_000_000_000_000L;
 
@@ -65,7 +65,7 @@ final class StabilityCommand implements Callable<Integer> {
         + "every machine.")
     private boolean golden;
 
-    StabilityCommand(Streams streams) {
+    public StabilityCommand(Streams streams) {
         this.streams = streams;
     }
 

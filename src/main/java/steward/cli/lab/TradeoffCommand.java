@@ -32,7 +32,7 @@ import steward.lab.tradeoff.report.TradeoffFiles;
         "  steward tradeoff --quick --scene bullets --scene my-scene.json",
         "  steward tradeoff --calibrate my-scene.json",
         "", "Exit status: 0 done; 2 the call or a scene cannot be used; 130 Ctrl-C: what was measured is kept."})
-final class TradeoffCommand implements Callable<Integer> {
+public final class TradeoffCommand implements Callable<Integer> {
 
     private final Streams streams;
 
@@ -54,7 +54,7 @@ final class TradeoffCommand implements Callable<Integer> {
     @Mixin
     private final CalibrateOptions calibrate = new CalibrateOptions();
 
-    TradeoffCommand(Streams streams) {
+    public TradeoffCommand(Streams streams) {
         this.streams = streams;
     }
 

@@ -27,7 +27,7 @@ import steward.text.Words;
 /** {@code steward demo}: a match between the bots that come with the program, recorded, verified and drawn. */
 @Command(name = "demo", description = "Plays the two bots that come with the program against each other, verifies the "
     + "replay and draws a map of the race.", footer = {"", "Example:", "  steward demo --seed 7"})
-final class DemoCommand implements Callable<Integer> {
+public final class DemoCommand implements Callable<Integer> {
 
     private static final String SCENE = "mad-pod-racing";
     private static final List<String> BOTS = List.of("builtin:veteran", "builtin:racer");
@@ -46,7 +46,7 @@ final class DemoCommand implements Callable<Integer> {
     @Mixin
     private final AccuracyOption accuracy = new AccuracyOption();
 
-    DemoCommand(Streams streams) {
+    public DemoCommand(Streams streams) {
         this.streams = streams;
     }
 

@@ -39,7 +39,7 @@ import steward.match.Protocol;
         "browser has everything: open pages stay complete, and their Save works from then on without the",
         "program. To look again later, use --view or --out.",
         "", "Exit status: 0 there is a result; 1 there is none, or --strict and a bot failed; 2 wrong call."})
-final class MatchCommand implements Callable<Integer> {
+public final class MatchCommand implements Callable<Integer> {
 
     private static final int MOST_THREADS = 256;
     private static final int MOST_GAMES = 1_000_000;
@@ -108,7 +108,7 @@ final class MatchCommand implements Callable<Integer> {
             + "bots that share processors take longer to answer.")
     private Integer threads;
 
-    MatchCommand(Streams streams) {
+    public MatchCommand(Streams streams) {
         this.streams = streams;
     }
 

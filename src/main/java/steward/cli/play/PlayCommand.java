@@ -34,7 +34,7 @@ import steward.text.Words;
         "", "Example, in psyleague.cfg:",
         "  cmd_play_game = \"steward play --json-league %%DIR%%/%%P1%% %%DIR%%/%%P2%%\"",
         "", "Exit status: 0 there is a result, also if a bot failed; 1 there is none; 2 wrong call."})
-final class PlayCommand implements Callable<Integer> {
+public final class PlayCommand implements Callable<Integer> {
 
     private final Streams streams;
 
@@ -61,7 +61,7 @@ final class PlayCommand implements Callable<Integer> {
     @Mixin
     private Pace pace = new Pace();
 
-    PlayCommand(Streams streams) {
+    public PlayCommand(Streams streams) {
         this.streams = streams;
     }
 

@@ -35,7 +35,7 @@ import steward.match.TimeControl;
         "  java -jar cg-brutaltester.jar -r 'steward referee' -p1 ./mine -p2 ./other -n 100 -s",
         "  java -jar cg-brutaltester.jar -o -r 'steward referee --old' -p1 ./mine -p2 ./other -n 100",
         "", "Exit status: 0 there is a result; 1 there is none; 2 wrong call."})
-final class RefereeCommand implements Callable<Integer> {
+public final class RefereeCommand implements Callable<Integer> {
 
     private final Streams streams;
     private CommandSpec spec;
@@ -80,7 +80,7 @@ final class RefereeCommand implements Callable<Integer> {
     }
 
     /** The command with the options of its players, which have numbers in their names. */
-    static CommandSpec spec(Streams streams) {
+    public static CommandSpec spec(Streams streams) {
         RefereeCommand command = new RefereeCommand(streams);
         command.spec = CommandSpec.forAnnotatedObject(command);
         command.spec.parser().posixClusteredShortOptionsAllowed(false);

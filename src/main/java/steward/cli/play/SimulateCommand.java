@@ -28,13 +28,13 @@ import steward.game.podrace.protocol.SimulatorProtocol;
         "Output after each test: the 4 new states in the same form.",
         "", "Example:", "  steward simulate < tests.txt",
         "", "Exit status: 0 done; 2 a line is wrong or missing: the error names it."})
-final class SimulateCommand implements Callable<Integer> {
+public final class SimulateCommand implements Callable<Integer> {
 
     private static final String SCENE = "mad-pod-racing";
 
     private final Streams streams;
 
-    SimulateCommand(Streams streams) {
+    public SimulateCommand(Streams streams) {
         this.streams = streams;
     }
 

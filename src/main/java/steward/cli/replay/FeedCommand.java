@@ -44,7 +44,7 @@ import steward.replay.verify.Resimulation;
         "  steward feed match.jsonl --player 0 -- gdb ./a.out",
         "  steward feed match.jsonl --player 0 --from-turn 57 --replace --out new.jsonl -- ./mybot",
         "", "Exit status: 0 every answer that was compared is the same; 1 some differ; 2 wrong call or file."})
-final class FeedCommand implements Callable<Integer> {
+public final class FeedCommand implements Callable<Integer> {
 
     private static final String BUILTIN = BotCommand.Prefix.BUILTIN.written();
 
@@ -91,7 +91,7 @@ final class FeedCommand implements Callable<Integer> {
     @Option(names = "--quiet", description = "Print only what differs, and the summary.")
     private boolean quiet;
 
-    FeedCommand(Streams streams) {
+    public FeedCommand(Streams streams) {
         this.streams = streams;
     }
 

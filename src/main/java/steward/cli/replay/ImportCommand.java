@@ -26,7 +26,7 @@ import steward.text.Words;
     footer = {"", "Example:",
         "  steward import game.json --out game.jsonl && steward replay game.jsonl --verify",
         "", "Exit status: 0 imported; 2 the file or the call is wrong: the error names frame and line."})
-final class ImportCommand implements Callable<Integer> {
+public final class ImportCommand implements Callable<Integer> {
 
     private static final String BYTE_ORDER_MARK = "\uFEFF";
 
@@ -41,7 +41,7 @@ final class ImportCommand implements Callable<Integer> {
     @Option(names = "--overwrite", description = "Replace a replay that exists.")
     private boolean overwrite;
 
-    ImportCommand(Streams streams) {
+    public ImportCommand(Streams streams) {
         this.streams = streams;
     }
 

@@ -33,7 +33,7 @@ import steward.text.Words;
         "  steward replay match.jsonl --view match.html --open",
         "  steward replay match.jsonl --frames --player 1 | ./mybot",
         "", "Exit status: 0 done; 1 a turn differs from what the rules give; 2 the file or the call is wrong."})
-final class ReplayCommand implements Callable<Integer> {
+public final class ReplayCommand implements Callable<Integer> {
 
     private final Streams streams;
 
@@ -77,7 +77,7 @@ final class ReplayCommand implements Callable<Integer> {
     @Option(names = "--quiet", description = "Print only the summary; with --verify, only a difference.")
     private boolean quiet;
 
-    ReplayCommand(Streams streams) {
+    public ReplayCommand(Streams streams) {
         this.streams = streams;
     }
 
@@ -143,7 +143,7 @@ final class ReplayCommand implements Callable<Integer> {
     }
 
     /** Opens a replay. */
-    static ReplayReader open(Path path) {
+    public static ReplayReader open(Path path) {
         try {
             return ReplayReader.open(path);
         } catch (IOException problem) {

@@ -14,7 +14,7 @@ import steward.text.Words;
  * Draws the end of a recorded match with characters: the field, its zones with their labels, and where every body was
  * in the last turns, a letter per body. It draws what the game described and knows no game.
  */
-final class TextMap {
+public final class TextMap {
 
     private static final int WIDEST = 98;
     private static final int HIGHEST = 26;
@@ -46,7 +46,7 @@ final class TextMap {
     }
 
     /** @param replay just opened, with a header; read to its end */
-    static String of(ReplayReader replay) {
+    public static String of(ReplayReader replay) {
         Map<String, Object> drawing = Json.object(replay.drawing());
         if (!(drawing.get("field") instanceof Map<?, ?> field)) {
             return "";

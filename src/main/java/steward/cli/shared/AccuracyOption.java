@@ -7,7 +7,7 @@ import steward.game.GameSetup;
 import steward.scene.Accuracy;
 
 /** The option that takes another rung of accuracy than the scene's. */
-final class AccuracyOption {
+public final class AccuracyOption {
 
     @Option(names = "--accuracy", paramLabel = "RUNG", converter = Rung.class,
         description = "Compute the scene on this rung in place of its own: step/1 to step/1024, the cheapest first, or "
@@ -15,12 +15,12 @@ final class AccuracyOption {
     private Accuracy accuracy;
 
     /** Opens a scene by its path or shipped name, on this rung if one is called for. */
-    GameSetup open(String scene) {
+    public GameSetup open(String scene) {
         return Games.open(scene, accuracy);
     }
 
     /** As it would be typed, with a blank before it; nothing where there is no such option. */
-    String words() {
+    public String words() {
         return accuracy == null ? "" : " --accuracy " + accuracy.text();
     }
 

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 
 /** Writes everything to two places; closes neither. */
-final class Both extends OutputStream {
+public final class Both extends OutputStream {
 
     private final OutputStream first;
     private final OutputStream second;
@@ -13,7 +13,7 @@ final class Both extends OutputStream {
      * @param first  is written first
      * @param second is not written what the first could not be
      */
-    Both(OutputStream first, OutputStream second) {
+    public Both(OutputStream first, OutputStream second) {
         this.first = first;
         this.second = second;
     }

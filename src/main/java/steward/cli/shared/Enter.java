@@ -4,13 +4,13 @@ import java.io.IOException;
 import java.util.concurrent.CompletableFuture;
 
 /** Notices that a person presses Enter. */
-final class Enter {
+public final class Enter {
 
     private Enter() {
     }
 
     /** Completes with the next end of a line, or where the input ends. A thread waits for it, perhaps for ever. */
-    static CompletableFuture<Void> pressed(Streams streams) {
+    public static CompletableFuture<Void> pressed(Streams streams) {
         CompletableFuture<Void> pressed = new CompletableFuture<>();
         Thread reader = new Thread(() -> {
             try {

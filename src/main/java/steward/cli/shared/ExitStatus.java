@@ -1,14 +1,14 @@
 package steward.cli.shared;
 
 /** What the program's exit status says. */
-final class ExitStatus {
+public final class ExitStatus {
 
     /** Done: a match has its result, also if a bot failed; a replay is verified. */
-    static final int DONE = 0;
+    public static final int DONE = 0;
     /** A verification differs, a match could not be brought to a result, or it was strict and a bot failed. */
-    static final int FAILED = 1;
+    public static final int FAILED = 1;
     /** The call or an input cannot be used. */
-    static final int UNUSABLE = 2;
+    public static final int UNUSABLE = 2;
 
     private ExitStatus() {
     }

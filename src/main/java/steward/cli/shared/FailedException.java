@@ -1,11 +1,11 @@
 package steward.cli.shared;
 
 /** The call was right, but what it asked for could not be brought to its end; the message says why. */
-final class FailedException extends RuntimeException {
+public final class FailedException extends RuntimeException {
 
     private static final long serialVersionUID = 1L;
 
-    FailedException(String message) {
+    public FailedException(String message) {
         super(message);
     }
 }

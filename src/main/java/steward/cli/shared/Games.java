@@ -9,23 +9,23 @@ import steward.scene.SceneFiles;
 import steward.scene.SceneReader;
 
 /** The games that the program knows, and their scenes. */
-final class Games {
+public final class Games {
 
     private Games() {
     }
 
     /** All of them. */
-    static GameTypes types() {
+    public static GameTypes types() {
         return new GameTypes(List.of(new PodRaceType()));
     }
 
     /** Opens a scene by its path or shipped name. */
-    static GameSetup open(String scene) {
+    public static GameSetup open(String scene) {
         return open(scene, null);
     }
 
     /** @param accuracy the rung to compute it on, or {@code null} for the scene's own */
-    static GameSetup open(String scene, Accuracy accuracy) {
+    public static GameSetup open(String scene, Accuracy accuracy) {
         return types().open(SceneReader.read(SceneFiles.load(scene), accuracy));
     }
 }

@@ -7,23 +7,23 @@ import java.util.function.Supplier;
  * Says where the turns so far are when a match ends by Ctrl-C. There is nothing else to do then: each turn has been
  * written when it was played, and no bot outlives this process.
  */
-final class Interruption implements AutoCloseable {
+public final class Interruption implements AutoCloseable {
 
     private final Thread hook;
     private volatile boolean over;
 
     /** @param file the replay, or {@code null}: then there is nothing to say */
-    Interruption(Streams streams, Path file) {
+    public Interruption(Streams streams, Path file) {
         this(streams, file == null ? null : "the turns so far are in " + file);
     }
 
     /** @param kept says where what was done so far is, or {@code null}: then there is nothing to say */
-    Interruption(Streams streams, String kept) {
+    public Interruption(Streams streams, String kept) {
         this(streams, kept == null ? null : () -> kept);
     }
 
     /** @param kept is asked when it happens, in another thread; {@code null} if there is nothing to say */
-    Interruption(Streams streams, Supplier<String> kept) {
+    public Interruption(Streams streams, Supplier<String> kept) {
         hook = kept == null ? null : new Thread(() -> {
             if (!over) {
                 streams.err().println("steward: interrupted; " + kept.get());
@@ -35,7 +35,7 @@ final class Interruption implements AutoCloseable {
     }
 
     /** The match has its result. */
-    void over() {
+    public void over() {
         over = true;
     }
 

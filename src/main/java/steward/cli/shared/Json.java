@@ -14,13 +14,13 @@ import tools.jackson.core.ObjectReadContext;
  * Small JSON values read whole, without the weight of a data-binding library: objects are maps in their written order,
  * arrays are lists, numbers are doubles, null is null.
  */
-final class Json {
+public final class Json {
 
     private Json() {
     }
 
     /** Reads one object. */
-    static Map<String, Object> object(byte[] json) {
+    public static Map<String, Object> object(byte[] json) {
         try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), json, 0, json.length)) {
             in.nextToken();
             return object(in);
@@ -28,7 +28,7 @@ final class Json {
     }
 
     /** Reads one object. */
-    static Map<String, Object> object(String json) {
+    public static Map<String, Object> object(String json) {
         try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), json)) {
             in.nextToken();
             return object(in);
@@ -36,7 +36,7 @@ final class Json {
     }
 
     /** Reads one array. */
-    static List<Object> array(byte[] json) {
+    public static List<Object> array(byte[] json) {
         try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), json, 0, json.length)) {
             in.nextToken();
             return array(in);
@@ -74,7 +74,7 @@ final class Json {
     }
 
     /** The objects of an array; empty if it is missing. */
-    static List<Map<?, ?>> objects(Object array) {
+    public static List<Map<?, ?>> objects(Object array) {
         List<Map<?, ?>> objects = new ArrayList<>();
         if (array instanceof List<?> list) {
             for (Object each : list) {
@@ -87,12 +87,12 @@ final class Json {
     }
 
     /** A number, or NaN if there is none. */
-    static double number(Object value) {
+    public static double number(Object value) {
         return value instanceof Double number ? number : Double.NaN;
     }
 
     /** A scalar as a word for people; {@code -} for nothing. */
-    static String word(Object value, int decimals) {
+    public static String word(Object value, int decimals) {
         if (value instanceof Double number) {
             return Words.number(number, decimals);
         }

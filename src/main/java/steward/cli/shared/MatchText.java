@@ -9,13 +9,13 @@ import steward.match.MatchResult.PlayerResult;
 import steward.text.Words;
 
 /** The result of a match for people. */
-final class MatchText {
+public final class MatchText {
 
     private MatchText() {
     }
 
     /** One line: who won, why, when. */
-    static String headline(String scene, long seed, MatchResult result) {
+    public static String headline(String scene, long seed, MatchResult result) {
         int winner = result.winner();
         String who = winner >= 0 ? result.players().get(winner).name() + " wins" : "a draw";
         return Words.plain(who + ": " + result.ending() + ", " + Words.count(result.turns(), "turn") + " ("
@@ -23,7 +23,7 @@ final class MatchText {
     }
 
     /** Everything about the result. */
-    static void print(PrintStream out, String scene, long seed, MatchResult result) {
+    public static void print(PrintStream out, String scene, long seed, MatchResult result) {
         out.println(headline(scene, seed, result));
         out.println();
         table(out, result.players());
@@ -31,7 +31,7 @@ final class MatchText {
     }
 
     /** Where the replay is, and what to do with it. */
-    static void printReplay(PrintStream out, Path file) {
+    public static void printReplay(PrintStream out, Path file) {
         String command = "  steward replay " + CommandLine.quote(List.of(file.toString()));
         out.println();
         out.println("Replay: " + file);

@@ -5,7 +5,7 @@ import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
 /** Reads the numbers of a call; the library's own readers tell people about {@code int} and {@code long}. */
-enum Numbers implements ITypeConverter<Number> {
+public enum Numbers implements ITypeConverter<Number> {
 
     /** 32 bits. */
     INTEGER("a whole number below 2^31"),
@@ -34,7 +34,7 @@ enum Numbers implements ITypeConverter<Number> {
     }
 
     /** Uses these for all options of a program; call when its commands are there. */
-    static void register(CommandLine program) {
+    public static void register(CommandLine program) {
         register(program, Integer.class, INTEGER);
         register(program, Long.class, LONG);
         register(program, long.class, LONG);

@@ -5,7 +5,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 
 /** The options that change a scene's time limits. */
-final class Pace {
+public final class Pace {
 
     @Option(names = "--time-factor", paramLabel = "X", description = "Multiply the scene's time limits.")
     private Double timeFactor;
@@ -14,7 +14,7 @@ final class Pace {
     private boolean noDeadline;
 
     /** By what the limits are multiplied; {@code POSITIVE_INFINITY} for none. */
-    double factor(CommandSpec spec) {
+    public double factor(CommandSpec spec) {
         if (noDeadline && timeFactor != null) {
             throw new ParameterException(spec.commandLine(), "--no-deadline and --time-factor exclude each other");
         }

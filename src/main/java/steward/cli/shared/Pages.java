@@ -14,7 +14,7 @@ import steward.replay.page.ReplayPage;
 import steward.text.Words;
 
 /** Pages that show a match: what is written above them, where they go, and how they are opened. */
-final class Pages {
+public final class Pages {
 
     private static final int TITLE = 80;
 
@@ -22,12 +22,12 @@ final class Pages {
     }
 
     /** A page's heading. */
-    static String title(List<String> players) {
+    public static String title(List<String> players) {
         return Words.shorten(Words.plain(String.join(" against ", players)), TITLE);
     }
 
     /** A place for a page that nobody gave a name. */
-    static Path unnamed() {
+    public static Path unnamed() {
         try {
             return Files.createTempFile("steward-", ".html");
         } catch (IOException problem) {
@@ -40,7 +40,7 @@ final class Pages {
      *
      * @throws steward.replay.ReplayException if it is damaged
      */
-    static byte[] of(Path replay, String title) {
+    public static byte[] of(Path replay, String title) {
         ByteArrayOutputStream html = new ByteArrayOutputStream();
         try {
             ReplayPage.write(replay, html, title);
@@ -51,7 +51,7 @@ final class Pages {
     }
 
     /** Writes a page whole. */
-    static void write(OutputStream file, byte[] html, Path path) {
+    public static void write(OutputStream file, byte[] html, Path path) {
         try {
             file.write(html);
             file.flush();
@@ -61,7 +61,7 @@ final class Pages {
     }
 
     /** Opens a page in the browser. That this fails is no failure: the page is there. */
-    static void open(Streams streams, URI page) throws InterruptedException {
+    public static void open(Streams streams, URI page) throws InterruptedException {
         String problem = Browser.ofSystem().open(page);
         if (problem != null) {
             streams.err().println("steward: no browser could be opened: " + problem + "; the page is at " + page);

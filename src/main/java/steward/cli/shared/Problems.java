@@ -15,11 +15,11 @@ import steward.scene.json.SceneException;
 import steward.text.Words;
 
 /** Turns what went wrong into a message and an exit status. */
-final class Problems implements IParameterExceptionHandler, IExecutionExceptionHandler {
+public final class Problems implements IParameterExceptionHandler, IExecutionExceptionHandler {
 
     private final Streams streams;
 
-    Problems(Streams streams) {
+    public Problems(Streams streams) {
         this.streams = streams;
     }
 

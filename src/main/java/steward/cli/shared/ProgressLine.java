@@ -7,7 +7,7 @@ import me.tongfei.progressbar.ProgressBarBuilder;
 import me.tongfei.progressbar.ProgressBarStyle;
 
 /** How many games or other steps are done and how long the rest will take, on one line of a terminal; then gone. */
-final class ProgressLine implements AutoCloseable {
+public final class ProgressLine implements AutoCloseable {
 
     /** Given, because finding out the terminal's width would load a library of its own. */
     private static final int WIDTH = 79;
@@ -15,19 +15,19 @@ final class ProgressLine implements AutoCloseable {
 
     private final ProgressBar bar;
 
-    ProgressLine(PrintStream terminal, int games) {
+    public ProgressLine(PrintStream terminal, int games) {
         this(terminal, "games", games);
     }
 
     /** @param task what the steps are of */
-    ProgressLine(PrintStream terminal, String task, int steps) {
+    public ProgressLine(PrintStream terminal, String task, int steps) {
         bar = new ProgressBarBuilder().setTaskName(task).setInitialMax(steps).setStyle(ProgressBarStyle.ASCII)
             .setUpdateIntervalMillis(REFRESH_MS).clearDisplayOnFinish()
             .setConsumer(new ConsoleProgressBarConsumer(terminal, WIDTH)).build();
     }
 
     /** One more; by any thread. */
-    void step() {
+    public void step() {
         bar.step();
     }
 

@@ -1,7 +1,7 @@
 package steward.cli.shared;
 
 /** How much is said about matches. */
-enum Report {
+public enum Report {
     /** What happens while it is watched, and all about the result. */
     FULL,
     /** The line of the result. */

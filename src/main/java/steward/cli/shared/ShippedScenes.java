@@ -4,7 +4,7 @@ import java.util.Iterator;
 import steward.scene.SceneFiles;
 
 /** The names of the scenes that come with the program, for help and completion. */
-final class ShippedScenes implements Iterable<String> {
+public final class ShippedScenes implements Iterable<String> {
 
     @Override
     public Iterator<String> iterator() {

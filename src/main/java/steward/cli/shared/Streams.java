@@ -19,7 +19,7 @@ import steward.text.Words;
  * What a command reads, and where it writes: UTF-8 whatever the locale says, since frames are printed byte for byte.
  * The standard output is buffered; {@link PrintStream#flush} shows what has come so far.
  */
-final class Streams {
+public final class Streams {
 
     private static final String LINUX_DESCRIPTORS = "/proc/self/fd/";
 
@@ -32,7 +32,7 @@ final class Streams {
     private final boolean errTerminal;
 
     /** Without an input. */
-    Streams(OutputStream out, OutputStream err, boolean outTerminal, boolean errTerminal) {
+    public Streams(OutputStream out, OutputStream err, boolean outTerminal, boolean errTerminal) {
         this(InputStream.nullInputStream(), false, out, err, outTerminal, errTerminal);
     }
 
@@ -41,7 +41,7 @@ final class Streams {
      * @param outTerminal whether a person reads {@code out} as it comes
      * @param errTerminal likewise for {@code err}
      */
-    Streams(InputStream in, boolean inTerminal, OutputStream out, OutputStream err, boolean outTerminal,
+    public Streams(InputStream in, boolean inTerminal, OutputStream out, OutputStream err, boolean outTerminal,
             boolean errTerminal) {
         this.in = in;
         this.inTerminal = inTerminal;
@@ -53,7 +53,7 @@ final class Streams {
     }
 
     /** Those of the process. */
-    static Streams standard() {
+    public static Streams standard() {
         return new Streams(new FileInputStream(FileDescriptor.in), isTerminal(0),
             new FileOutputStream(FileDescriptor.out), new FileOutputStream(FileDescriptor.err), isTerminal(1),
             isTerminal(2));
@@ -87,41 +87,41 @@ final class Streams {
         return in;
     }
 
-    boolean inTerminal() {
+    public boolean inTerminal() {
         return inTerminal;
     }
 
     /** For results. */
-    PrintStream out() {
+    public PrintStream out() {
         return out;
     }
 
     /** For errors, warnings and progress. */
-    PrintStream err() {
+    public PrintStream err() {
         return err;
     }
 
-    boolean outTerminal() {
+    public boolean outTerminal() {
         return outTerminal;
     }
 
-    boolean errTerminal() {
+    public boolean errTerminal() {
         return errTerminal;
     }
 
     /** Whether nobody takes the output any more ({@code | head}), so that there is no need to go on. */
-    boolean outEnded() {
+    public boolean outEnded() {
         return watched.problem != null;
     }
 
     /** Why the output could not be written, or {@code null}; a reader that has gone is no problem. */
-    String outProblem() {
+    public String outProblem() {
         out.flush();
         return watched.problem == null || watched.problem.contains("Broken pipe") ? null : watched.problem;
     }
 
     /** A warning: the program goes on. */
-    void warn(String message) {
+    public void warn(String message) {
         err.println("steward: warning: " + Words.plain(message));
     }
 

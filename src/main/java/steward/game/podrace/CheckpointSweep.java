@@ -3,7 +3,7 @@ package steward.game.podrace;
 import steward.physics.TurnLog;
 
 /** Whether a pod's path inside a turn, a polyline, comes near enough to a checkpoint. Allocates nothing. */
-final class CheckpointSweep {
+public final class CheckpointSweep {
 
     private CheckpointSweep() {
     }
@@ -32,7 +32,7 @@ final class CheckpointSweep {
     }
 
     /** Distance of a point from the segment a-b, which may be a single point. */
-    static double distance(double x, double y, double ax, double ay, double bx, double by) {
+    public static double distance(double x, double y, double ax, double ay, double bx, double by) {
         double dx = bx - ax;
         double dy = by - ay;
         double square = dx * dx + dy * dy;

@@ -11,10 +11,10 @@ import steward.numerics.StrictAngles;
  *
  * <p>It owns no headings: they lie in an array, five numbers per pod from an offset on.
  */
-final class Headings {
+public final class Headings {
 
     /** How far a heading can turn in a turn, in radians: 18 degrees. */
-    static final double MAXIMUM_TURN = Math.PI / 10;
+    public static final double MAXIMUM_TURN = Math.PI / 10;
     static final double FULL_TURN = 2 * Math.PI;
 
     /*
@@ -34,7 +34,7 @@ final class Headings {
      */
 
     /** The length of the difference between a vector and what the game computes from the exact angle is below this. */
-    static final double VECTOR_ERROR = 0x1p-37;
+    public static final double VECTOR_ERROR = 0x1p-37;
 
     /*
      * The decision whether to turn by 18 degrees, and to which side, is left to the vectors where the cosine differs
@@ -42,9 +42,9 @@ final class Headings {
      * carries the rounding of a difference of angles below 2^10 + 4 and of multiples of the double 2 pi: less than
      * 2^-40; so both ways agree on r to less than 2^-36, which moves cosine and sine by no more.
      */
-    static final double DOUBT = 0x1p-30;
+    public static final double DOUBT = 0x1p-30;
     static final double COSINE = 0x1.e6f0e134454ffp-1;
-    static final double SINE = 0x1.3c6ef372fe94fp-2;
+    public static final double SINE = 0x1.3c6ef372fe94fp-2;
     /**
      * The same for squares of cosines, which are compared before any square root is taken: with C the cosine of 18
      * degrees, (C + DOUBT)^2 - C^2 and C^2 - (C - DOUBT)^2 are below 2 DOUBT; the rest is for rounding.
@@ -60,27 +60,27 @@ final class Headings {
     static final double LONGEST = 0x1p40;
 
     /** The vector; NaN while unset, or when the angle is too large. */
-    static final int X = 0;
-    static final int Y = 1;
+    public static final int X = 0;
+    public static final int Y = 1;
     /**
      * Where the recipe begins: atan2(BASE_Y, BASE_X), or, with NaN for BASE_Y, the angle BASE_X itself (NaN: unset).
      */
-    static final int BASE_X = 2;
-    static final int BASE_Y = 3;
+    public static final int BASE_X = 2;
+    public static final int BASE_Y = 3;
     /**
      * The turns by 18 degrees since the base, as the bits of a whole number: a leading 1, then one for each, 1 if it
      * was a positive one.
      */
-    static final int CHAIN = 4;
+    public static final int CHAIN = 4;
     /** How many numbers a heading takes. */
-    static final int NUMBERS = 5;
+    public static final int NUMBERS = 5;
 
     private final StrictAngles angles = new StrictAngles();
     private double directionX;
     private double directionY;
 
     /** @param angle in radians, NaN for unset */
-    void set(double[] to, int at, double angle) {
+    public void set(double[] to, int at, double angle) {
         to[at + BASE_X] = angle;
         to[at + BASE_Y] = Double.NaN;
         to[at + CHAIN] = 1;
@@ -105,7 +105,7 @@ final class Headings {
     }
 
     /** Works out the very direction that the game computes: see {@link #directionX()}, {@link #directionY()}. */
-    void direct(double[] headings, int at) {
+    public void direct(double[] headings, int at) {
         double angle = angle(headings, at);
         point(angle);
         headings[at + BASE_X] = angle;
@@ -117,16 +117,16 @@ final class Headings {
         }
     }
 
-    double directionX() {
+    public double directionX() {
         return directionX;
     }
 
-    double directionY() {
+    public double directionY() {
         return directionY;
     }
 
     /** The exact angle in radians; NaN while unset. */
-    static double angle(double[] headings, int at) {
+    public static double angle(double[] headings, int at) {
         double angle = headings[at + BASE_X];
         double baseY = headings[at + BASE_Y];
         if (!Double.isNaN(baseY)) {
@@ -145,7 +145,7 @@ final class Headings {
     }
 
     /** Turns a pod towards a target at (dx, dy) from it, not both 0, by at most 18 degrees. */
-    void turnTo(double[] headings, int at, double dx, double dy) {
+    public void turnTo(double[] headings, int at, double dx, double dy) {
         if (!turnQuickly(headings, at, dx, dy)) {
             set(headings, at, turned(angle(headings, at), StrictAngles.atan2(dy, dx)));
         }
@@ -157,7 +157,7 @@ final class Headings {
      *
      * @return whether it is done; if not, the heading is as before
      */
-    static boolean turnQuickly(double[] headings, int at, double dx, double dy) {
+    public static boolean turnQuickly(double[] headings, int at, double dx, double dy) {
         double hx = headings[at + X];
         double hy = headings[at + Y];
         double square = dx * dx + dy * dy;
@@ -190,7 +190,7 @@ final class Headings {
     }
 
     /** The heading after a turn from one angle towards another. */
-    static double turned(double angle, double wanted) {
+    public static double turned(double angle, double wanted) {
         double delta = remainder(wanted - angle);
         double shortest = remainder(2 * delta) - delta;
         if (Math.abs(shortest) >= MAXIMUM_TURN) {

@@ -30,11 +30,11 @@ public final class PodRace implements Game {
     private static final int NOT_OUT = Integer.MAX_VALUE;
 
     /** Pseudo-thrust of a pod whose player gave no command. */
-    static final int NO_COMMAND = -1;
+    public static final int NO_COMMAND = -1;
     /** Pseudo-thrust of a SHIELD command. */
-    static final int SHIELD = -2;
+    public static final int SHIELD = -2;
     /** Pseudo-thrust of a BOOST command. */
-    static final int BOOST = -3;
+    public static final int BOOST = -3;
 
     private final PodRaceSettings settings;
     private final double[][] checkpoints;
@@ -67,17 +67,17 @@ public final class PodRace implements Game {
      * A race before its first turn. Draws, in this order: the map, 0..maps-1; if the scene shifts, the first
      * checkpoint, 0..n-1; if it jitters, for each checkpoint in the shifted order x, then y, -jitter..jitter.
      */
-    PodRace(PodRaceSettings settings, Scene scene, Plan plan, long seed) {
+    public PodRace(PodRaceSettings settings, Scene scene, Plan plan, long seed) {
         this(settings, scene, plan, settings.drawMap(new SplitMix64(seed)));
     }
 
     /** A race on a given map, {@code [n][x, y]}. */
-    PodRace(PodRaceSettings settings, Scene scene, Plan plan, double[][] checkpoints) {
+    public PodRace(PodRaceSettings settings, Scene scene, Plan plan, double[][] checkpoints) {
         this(settings, scene, plan, checkpoints, plan.advance(null));
     }
 
     /** The same with a given way to advance. */
-    PodRace(PodRaceSettings settings, Scene scene, Plan plan, double[][] checkpoints, Advance advance) {
+    public PodRace(PodRaceSettings settings, Scene scene, Plan plan, double[][] checkpoints, Advance advance) {
         this.settings = settings;
         this.checkpoints = checkpoints;
         List<Bumper> bumpers = scene.field().map(field -> field.bumpers()).orElse(List.of());
@@ -122,7 +122,7 @@ public final class PodRace implements Game {
      *
      * @param podThrust 0 to the scene's maximum, {@link #SHIELD} or {@link #BOOST}
      */
-    void command(int pod, double x, double y, int podThrust) {
+    public void command(int pod, double x, double y, int podThrust) {
         targetX[pod] = x;
         targetY[pod] = y;
         thrust[pod] = podThrust;
@@ -275,7 +275,7 @@ public final class PodRace implements Game {
         return standing.scores();
     }
 
-    Advance advance() {
+    public Advance advance() {
         return advance;
     }
 
@@ -342,47 +342,47 @@ public final class PodRace implements Game {
         passed[pod] = state.passed();
     }
 
-    int playerOf(int pod) {
+    public int playerOf(int pod) {
         return pod / settings.podsPerPlayer();
     }
 
     /** Index of the checkpoint that a pod must pass next. */
-    int nextCheckpoint(int pod) {
+    public int nextCheckpoint(int pod) {
         return (passed[pod] + 1) % checkpoints.length;
     }
 
     /** Laps done. */
-    int lap(int pod) {
+    public int lap(int pod) {
         return passed[pod] / checkpoints.length;
     }
 
-    double targetX(int pod) {
+    public double targetX(int pod) {
         return targetX[pod];
     }
 
-    double targetY(int pod) {
+    public double targetY(int pod) {
         return targetY[pod];
     }
 
-    int thrust(int pod) {
+    public int thrust(int pod) {
         return thrust[pod];
     }
 
     /** In radians, NaN while unset. */
-    double heading(int pod) {
+    public double heading(int pod) {
         return heading[pod];
     }
 
-    int shieldTimer(int pod) {
+    public int shieldTimer(int pod) {
         return shieldTimer[pod];
     }
 
-    boolean boostLeft(int pod) {
+    public boolean boostLeft(int pod) {
         return boostLeft[pod];
     }
 
     /** Checkpoints that a pod has passed. */
-    int passed(int pod) {
+    public int passed(int pod) {
         return passed[pod];
     }
 
@@ -397,7 +397,7 @@ public final class PodRace implements Game {
     }
 
     /** The distance of a pod from its next checkpoint, in u. */
-    double toNext(int pod) {
+    public double toNext(int pod) {
         double dx = checkpoints[nextCheckpoint(pod)][0] - bodies.x[pod];
         double dy = checkpoints[nextCheckpoint(pod)][1] - bodies.y[pod];
         return Math.sqrt(dx * dx + dy * dy);

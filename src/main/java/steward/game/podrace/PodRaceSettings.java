@@ -61,7 +61,7 @@ public record PodRaceSettings(int players, int podsPerPlayer, double radius, dou
     }
 
     /** Reads the blocks {@code pods} and {@code race}. */
-    static PodRaceSettings read(Scene scene) {
+    public static PodRaceSettings read(Scene scene) {
         Block pods = scene.root().block("pods");
         int perPlayer = pods.integer("perPlayer", 1, 8);
         double radius = pods.positive("radius");

@@ -1,7 +1,7 @@
 package steward.game.podrace;
 
 /** Where pods stand at first. */
-final class StartPlaces {
+public final class StartPlaces {
 
     /** Distance of the inner start places from checkpoint 0, in u, and of each further pair from the last. */
     private static final double START_OFFSET = 500;
@@ -13,7 +13,7 @@ final class StartPlaces {
     /**
      * Side by side across checkpoint 0, facing checkpoint 1: offsets -500, +500, -1500, +1500, ...; {@code [n][x, y]}.
      */
-    static double[][] of(double[][] checkpoints, int pods) {
+    public static double[][] of(double[][] checkpoints, int pods) {
         double dx = checkpoints[1][0] - checkpoints[0][0];
         double dy = checkpoints[1][1] - checkpoints[0][1];
         double length = Math.sqrt(dx * dx + dy * dy);

@@ -9,7 +9,7 @@ import java.math.RoundingMode;
  * Decimal arithmetic of 64 digits for the oracle. A double is a decimal, so it is taken over exactly; sums and products
  * ({@link #dot}, {@link #cross}) are exact, and only quotients, roots and what is stored as a new state are rounded.
  */
-final class Digits {
+public final class Digits {
 
     /** How many decimal digits a state keeps. */
     static final int COUNT = 64;
@@ -22,7 +22,7 @@ final class Digits {
     }
 
     /** @throws NumberFormatException if the number is not finite */
-    static BigDecimal of(double value) {
+    public static BigDecimal of(double value) {
         return new BigDecimal(value);
     }
 
@@ -60,7 +60,7 @@ final class Digits {
         return new BigDecimal(whole.sqrt(), (scale + (scale & 1)) / 2);
     }
 
-    static BigDecimal length(BigDecimal x, BigDecimal y) {
+    public static BigDecimal length(BigDecimal x, BigDecimal y) {
         return root(dot(x, y, x, y));
     }
 
@@ -70,7 +70,7 @@ final class Digits {
     }
 
     /** How far a double is from the true number, in units in the last place of the double nearest to the truth. */
-    static double ulps(double found, BigDecimal truth) {
+    public static double ulps(double found, BigDecimal truth) {
         double nearest = truth.doubleValue();
         if (!Double.isFinite(found) || !Double.isFinite(nearest)) {
             return found == nearest ? 0 : Double.POSITIVE_INFINITY;
@@ -79,7 +79,7 @@ final class Digits {
     }
 
     /** |found - truth| / scale. */
-    static double relative(double found, BigDecimal truth, BigDecimal scale) {
+    public static double relative(double found, BigDecimal truth, BigDecimal scale) {
         if (!Double.isFinite(found)) {
             return Double.POSITIVE_INFINITY;
         }

@@ -17,14 +17,14 @@ import steward.physics.Wall;
  *
  * <p>Caveat: all contacts bounce (no {@code ASK}), and a turn that reaches the bound on impacts stops there.
  */
-final class Oracle {
+public final class Oracle {
 
     private final ImpactLaw law;
     private final List<Wall> walls;
     private final OracleReaction reaction;
     private boolean limited;
 
-    Oracle(ImpactLaw law, List<Wall> walls) {
+    public Oracle(ImpactLaw law, List<Wall> walls) {
         this.law = law;
         this.walls = List.copyOf(walls);
         reaction = new OracleReaction(law, this.walls);
@@ -45,7 +45,7 @@ final class Oracle {
     }
 
     /** Whether the last turn came to the bound on impacts: then it stopped there, in the middle. */
-    boolean limited() {
+    public boolean limited() {
         return limited;
     }
 
@@ -78,7 +78,7 @@ final class Oracle {
     }
 
     /** One turn. */
-    List<OracleImpact> turn(List<OracleBody> bodies) {
+    public List<OracleImpact> turn(List<OracleBody> bodies) {
         return play(bodies, BigDecimal.ONE);
     }
 

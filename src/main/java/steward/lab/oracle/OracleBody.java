@@ -6,13 +6,13 @@ import java.util.List;
 import steward.physics.Bodies;
 
 /** A body of the oracle: a circle with a place and a velocity of {@link Digits#COUNT} digits. */
-final class OracleBody {
+public final class OracleBody {
 
-    BigDecimal x;
-    BigDecimal y;
-    BigDecimal vx;
-    BigDecimal vy;
-    final BigDecimal radius;
+    public BigDecimal x;
+    public BigDecimal y;
+    public BigDecimal vx;
+    public BigDecimal vy;
+    public final BigDecimal radius;
     /** {@code null} for an infinite mass. */
     final BigDecimal mass;
     final BigDecimal restitution;
@@ -28,7 +28,7 @@ final class OracleBody {
     }
 
     /** All bodies, exactly as stored. */
-    static List<OracleBody> of(Bodies bodies) {
+    public static List<OracleBody> of(Bodies bodies) {
         List<OracleBody> all = new ArrayList<>();
         for (int k = 0; k < bodies.size(); k++) {
             all.add(new OracleBody(bodies, k));
@@ -67,7 +67,7 @@ final class OracleBody {
     }
 
     /** m v.v / 2, exact; 0 for an infinite mass. */
-    BigDecimal energy() {
+    public BigDecimal energy() {
         return mass == null ? BigDecimal.ZERO
             : Digits.dot(vx, vy, vx, vy).multiply(mass).divide(BigDecimal.valueOf(2));
     }

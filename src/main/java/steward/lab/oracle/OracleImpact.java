@@ -14,6 +14,6 @@ import java.math.BigDecimal;
  * @param vax     velocity of a afterwards
  * @param vbx     velocity of b afterwards; 0 for a wall
  */
-record OracleImpact(BigDecimal time, int a, int b, BigDecimal impulse, BigDecimal ax, BigDecimal ay,
+public record OracleImpact(BigDecimal time, int a, int b, BigDecimal impulse, BigDecimal ax, BigDecimal ay,
                     BigDecimal bx, BigDecimal by, BigDecimal vax, BigDecimal vay, BigDecimal vbx, BigDecimal vby) {
 }

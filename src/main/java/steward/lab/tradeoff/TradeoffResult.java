@@ -19,17 +19,17 @@ public record TradeoffResult(String machine, String date, List<TradeoffRow> rows
     }
 
     /** The names of the scenes, in their order. */
-    List<String> scenes() {
+    public List<String> scenes() {
         return rows.stream().map(TradeoffRow::scene).distinct().toList();
     }
 
     /** The rows of a scene, in the order of the ladder. */
-    List<TradeoffRow> of(String scene) {
+    public List<TradeoffRow> of(String scene) {
         return rows.stream().filter(row -> row.scene().equals(scene)).toList();
     }
 
     /** The row of a rung on a scene, or {@code null}. */
-    TradeoffRow row(String scene, String rung) {
+    public TradeoffRow row(String scene, String rung) {
         return rows.stream().filter(row -> row.scene().equals(scene) && row.rung().equals(rung)).findFirst()
             .orElse(null);
     }

@@ -11,14 +11,14 @@ import steward.physics.Bodies;
  * The books of momentum: m (v after - v before) of every impact, from the stored velocities, summed in double-double
  * numbers; the walls' share is what the bodies got from them.
  */
-final class Ledger extends Probe {
+public final class Ledger extends Probe {
 
     private final double[] masses;
     private final Sum[] booked = {new Sum(), new Sum()};
     private final Sum[] start = {new Sum(), new Sum()};
     private double exchanged;
 
-    Ledger(Bodies bodies) {
+    public Ledger(Bodies bodies) {
         masses = java.util.Arrays.copyOf(bodies.mass, bodies.size());
         total(bodies, start);
     }
@@ -51,7 +51,7 @@ final class Ledger extends Probe {
     }
 
     /** What the bodies have, less what they had, less what is booked: of all momentum that was exchanged. */
-    double gap(Bodies bodies) {
+    public double gap(Bodies bodies) {
         Sum[] now = {new Sum(), new Sum()};
         total(bodies, now);
         double worst = 0;

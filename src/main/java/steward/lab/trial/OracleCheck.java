@@ -15,7 +15,7 @@ import steward.physics.Wall;
  * tolerance relative to the largest number of its kind in the world, the same end; or, where that is allowed, refuse by
  * an exception that names what it cannot do. NaN, infinity and another answer are failures.
  */
-final class OracleCheck {
+public final class OracleCheck {
 
     /** So many failures are told in full. */
     private static final int NAMED = 3;
@@ -28,18 +28,18 @@ final class OracleCheck {
     private double worst;
     private String failures = "";
 
-    OracleCheck(Rung rung, double tolerance) {
+    public OracleCheck(Rung rung, double tolerance) {
         this.rung = rung;
         this.tolerance = tolerance;
     }
 
     /** It must be right. @param what names the world if it fails */
-    void add(String what, ImpactLaw law, Bodies bodies, Wall... walls) {
+    public void add(String what, ImpactLaw law, Bodies bodies, Wall... walls) {
         add(false, what, law, bodies, walls);
     }
 
     /** It must be right, or refused by naming the body, what was found and what was expected. */
-    void addOrRefused(String what, ImpactLaw law, Bodies bodies, Wall... walls) {
+    public void addOrRefused(String what, ImpactLaw law, Bodies bodies, Wall... walls) {
         add(true, what, law, bodies, walls);
     }
 
@@ -95,11 +95,11 @@ final class OracleCheck {
         return worst;
     }
 
-    boolean met() {
+    public boolean met() {
         return right + refused == worlds;
     }
 
-    String text() {
+    public String text() {
         return String.format(Locale.ROOT, "%d worlds, %d right to %.1e, %d refused, %d wrong", worlds, right, worst,
             refused, worlds - right - refused) + (met() ? "" : ": " + failures);
     }

@@ -17,7 +17,7 @@ import steward.physics.TurnLog;
  * Plays the first impact of many pairs on a rung and counts what is not as {@link PairTruth} and {@link Oracle} say:
  * wrong decisions, and the worst errors in units in the last place.
  */
-final class PairTally {
+public final class PairTally {
 
     private final Rung rung;
     private final Advance advance;
@@ -35,13 +35,13 @@ final class PairTally {
     private double velocityUlps;
     private String firstWrong = "";
 
-    PairTally(Rung rung) {
+    public PairTally(Rung rung) {
         this.rung = rung;
         advance = rung.advance(ImpactLaw.PHYSICS);
     }
 
     /** Decision and time of impact. @param whole whether positions, impulse and velocities are compared as well */
-    void add(Bodies bodies, boolean whole) {
+    public void add(Bodies bodies, boolean whole) {
         PairTruth truth = new PairTruth(bodies);
         List<OracleBody> state = whole && truth.hit() ? OracleBody.of(bodies) : null;
         before.copyFrom(bodies);
@@ -86,26 +86,26 @@ final class PairTally {
     }
 
     /** On the exact rung no decision may be wrong and nothing off by more than {@link Rung#EXACT_ULPS}. */
-    Seen seen() {
+    public Seen seen() {
         boolean met = isRight()
             && Math.max(Math.max(timeUlps, positionUlps), Math.max(impulseUlps, velocityUlps)) <= Rung.EXACT_ULPS;
         return Seen.of(rung.isExact(), met, text());
     }
 
     /** Whether all decisions were made, and none was wrong. */
-    boolean isRight() {
+    public boolean isRight() {
         return wrong + refused == 0;
     }
 
-    long wrong() {
+    public long wrong() {
         return wrong;
     }
 
-    double timeUlps() {
+    public double timeUlps() {
         return timeUlps;
     }
 
-    String text() {
+    public String text() {
         String whole = positionUlps + impulseUlps + velocityUlps == 0 ? "" : String.format(Locale.ROOT,
             ", position %.3g, impulse %.3g, velocity %.3g", positionUlps, impulseUlps, velocityUlps);
         return String.format(Locale.ROOT, "%d pairs, %d hits, wrong %d%s%s%s", pairs, hits, wrong,

@@ -4,7 +4,7 @@ import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 
 /** Makes two bodies that meet, or nearly. */
-final class Pairs {
+public final class Pairs {
 
     private Pairs() {
     }
@@ -18,7 +18,7 @@ final class Pairs {
      * @param time   about when they meet
      * @param baseX  where b is
      */
-    static Bodies passing(SplitMix64 random, double touch, double share, double gap, double time, double baseX,
+    public static Bodies passing(SplitMix64 random, double touch, double share, double gap, double time, double baseX,
                           double baseY) {
         double ux = 2 * random.nextDouble() - 1;
         double uy = 2 * random.nextDouble() - 1;
@@ -38,7 +38,7 @@ final class Pairs {
     }
 
     /** A number between 1 and 10 times 10 to a power. */
-    static double around(SplitMix64 random, int exponent) {
+    public static double around(SplitMix64 random, int exponent) {
         return (1 + 9 * random.nextDouble()) * StrictMath.pow(10, exponent);
     }
 }

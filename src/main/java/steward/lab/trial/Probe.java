@@ -6,14 +6,14 @@ import steward.physics.Bodies;
 import steward.physics.TurnSink;
 
 /** Watches turns without keeping them: counts impacts, notes whether the bound was named, measures overlaps. */
-class Probe implements TurnSink {
+public class Probe implements TurnSink {
 
     /** Impacts so far. */
-    long impacts;
+    public long impacts;
     /** How many turns ended at the bound on impacts, and said so. */
-    int limited;
+    public int limited;
     /** The impulse of the last impact. */
-    double impulse;
+    public double impulse;
 
     @Override
     public void impact(double time, int a, int b, double ax, double ay, double bx, double by, double nx, double ny,
@@ -25,7 +25,7 @@ class Probe implements TurnSink {
     }
 
     /** Two have touched, with their centres there; for a wall b is negative. */
-    void touched(int a, int b, double ax, double ay, double bx, double by) {
+    public void touched(int a, int b, double ax, double ay, double bx, double by) {
     }
 
     @Override
@@ -34,7 +34,7 @@ class Probe implements TurnSink {
     }
 
     /** Whether all positions and velocities are finite. */
-    static boolean finite(Bodies bodies) {
+    public static boolean finite(Bodies bodies) {
         for (int k = 0; k < bodies.size(); k++) {
             if (!(Double.isFinite(bodies.x[k]) && Double.isFinite(bodies.y[k])
                 && Double.isFinite(bodies.vx[k]) && Double.isFinite(bodies.vy[k]))) {
@@ -45,12 +45,12 @@ class Probe implements TurnSink {
     }
 
     /** Kinetic energy of the stored numbers, exact. */
-    static BigDecimal energy(Bodies bodies) {
+    public static BigDecimal energy(Bodies bodies) {
         return OracleBody.of(bodies).stream().map(OracleBody::energy).reduce(BigDecimal.ZERO, BigDecimal::add);
     }
 
     /** Whether two worlds agree in every bit of every position and velocity. */
-    static boolean same(Bodies one, int i, Bodies other, int j) {
+    public static boolean same(Bodies one, int i, Bodies other, int j) {
         return bits(one.x[i]) == bits(other.x[j]) && bits(one.y[i]) == bits(other.y[j])
             && bits(one.vx[i]) == bits(other.vx[j]) && bits(one.vy[i]) == bits(other.vy[j]);
     }

@@ -27,7 +27,7 @@ public record Rung(String name, boolean isEvent, boolean isExact, Arithmetic ari
                    Function<PhysicsParts, Advance> maker, Function<PhysicsParts, Advance> crowdMaker) {
 
     /** Of the exact rung: half a unit in the last place for rounding once, and a little for the arithmetic before. */
-    static final double EXACT_ULPS = 0.51;
+    public static final double EXACT_ULPS = 0.51;
 
     /** Of the rungs that advance in steps, two for comparison. */
     private static final List<Integer> STEPS = List.of(1, 64);
@@ -47,27 +47,27 @@ public record Rung(String name, boolean isEvent, boolean isExact, Arithmetic ari
     }
 
     /** The same advance for few bodies and for many. */
-    Rung(String name, boolean isEvent, boolean isExact, Arithmetic arithmetic, Function<PhysicsParts, Advance> maker) {
+    public Rung(String name, boolean isEvent, boolean isExact, Arithmetic arithmetic, Function<PhysicsParts, Advance> maker) {
         this(name, isEvent, isExact, arithmetic, maker, maker);
     }
 
     /** Whether its expressions are ours to choose; the official ones are the server's, cancellation and all. */
-    boolean isOurs() {
+    public boolean isOurs() {
         return isEvent && arithmetic != Arithmetic.OFFICIAL;
     }
 
     /** Bodies of one kind and finite masses among walls. */
-    Advance advance(ImpactLaw law, Wall... walls) {
+    public Advance advance(ImpactLaw law, Wall... walls) {
         return maker.apply(new PhysicsParts(law, arithmetic, new Contacts(1), List.of(walls), null, false));
     }
 
     /** The same where there are many bodies: event rungs by {@link QueueAdvance}. */
-    Advance crowdAdvance(ImpactLaw law, Wall... walls) {
+    public Advance crowdAdvance(ImpactLaw law, Wall... walls) {
         return crowdMaker.apply(new PhysicsParts(law, arithmetic, new Contacts(1), List.of(walls), null, false));
     }
 
     /** Bodies of one kind and any masses among walls. */
-    Advance advanceOfAnyMass(ImpactLaw law, Wall... walls) {
+    public Advance advanceOfAnyMass(ImpactLaw law, Wall... walls) {
         return maker.apply(new PhysicsParts(law, arithmetic, new Contacts(1), List.of(walls), null, true));
     }
 }

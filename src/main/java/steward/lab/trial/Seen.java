@@ -19,16 +19,16 @@ public record Seen(Verdict verdict, String text) {
     }
 
     /** Something is demanded of this rung, and it is met or not. */
-    static Seen demanded(boolean met, String text) {
+    public static Seen demanded(boolean met, String text) {
         return new Seen(met ? Verdict.HOLDS : Verdict.FAILS, text);
     }
 
-    static Seen reported(String text) {
+    public static Seen reported(String text) {
         return new Seen(Verdict.REPORTED, text);
     }
 
     /** @param demanded whether anything is demanded of this rung */
-    static Seen of(boolean demanded, boolean met, String text) {
+    public static Seen of(boolean demanded, boolean met, String text) {
         return demanded ? demanded(met, text) : reported(text);
     }
 }

@@ -10,7 +10,7 @@ public enum Size {
     LONG;
 
     /** One of three counts. */
-    int pick(int small, int normal, int all) {
+    public int pick(int small, int normal, int all) {
         return this == SMALL ? small : this == NORMAL ? normal : all;
     }
 }

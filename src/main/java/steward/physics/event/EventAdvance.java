@@ -102,7 +102,7 @@ public final class EventAdvance implements Advance {
     }
 
     /** An advance of the same scene for numbers that are not {@link Magnitudes ordinary}. */
-    static EventAdvance scaling(PhysicsParts parts) {
+    public static EventAdvance scaling(PhysicsParts parts) {
         return new EventAdvance(new PhysicsParts(parts.law(), Arithmetic.EXACT, parts.contacts(), parts.walls(),
             parts.reaction(), parts.infiniteMasses()));
     }

@@ -3,7 +3,7 @@ package steward.physics.event;
 import steward.physics.Bodies;
 
 /** How the bodies fly from one impact to the next and to the end of the turn. */
-abstract sealed class Flight permits Flight.Plain, ExactFlight {
+public abstract sealed class Flight permits Flight.Plain, ExactFlight {
 
     /** A turn begins. @return its time, 0 */
     abstract double begin(Bodies bodies);

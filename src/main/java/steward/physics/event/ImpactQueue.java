@@ -4,7 +4,7 @@ import java.util.Arrays;
 import steward.physics.ImpactLaw;
 
 /** Collects the impacts found by a scan and says which of them happen next. */
-abstract sealed class ImpactQueue permits ImpactQueue.OneAtATime, ImpactQueue.WithinWindow, RefiningQueue {
+public abstract sealed class ImpactQueue permits ImpactQueue.OneAtATime, ImpactQueue.WithinWindow, RefiningQueue {
 
     /** Offers an impact at an absolute time within the turn; b is an index, or {@code ~wall}. */
     abstract void offer(double time, int a, int b);
@@ -26,7 +26,7 @@ abstract sealed class ImpactQueue permits ImpactQueue.OneAtATime, ImpactQueue.Wi
     }
 
     /** Keeps the earliest impact; ties go to the lowest pair, bodies before walls. */
-    static final class OneAtATime extends ImpactQueue {
+    public static final class OneAtATime extends ImpactQueue {
 
         private double time;
         private int a;
@@ -46,7 +46,7 @@ abstract sealed class ImpactQueue permits ImpactQueue.OneAtATime, ImpactQueue.Wi
         }
 
         /** Orders pairs by their lower body, then by the other; walls come behind all bodies, in their own order. */
-        static long rank(int a, int b) {
+        public static long rank(int a, int b) {
             int low = b < 0 ? a : Math.min(a, b);
             long other = b < 0 ? (1L << 31) + ~b : Math.max(a, b);
             return (long) low << 32 | other;

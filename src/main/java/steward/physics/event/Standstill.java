@@ -11,7 +11,7 @@ import steward.physics.time.PairTime;
  * The end of a turn whose impacts have reached their bound: no impulses any more. Whoever runs into something stops
  * there for the rest of the turn, and so does what it ran into; every step stops at least one more body, so it ends.
  */
-final class Standstill {
+public final class Standstill {
 
     private final Scan[] scans;
     private final ImpactQueue queue = new ImpactQueue.OneAtATime();

@@ -11,7 +11,7 @@ import steward.physics.time.TimeOfImpact;
  * Lets a pair, or a body and a wall, react under a law: impulse, push-out, record. As it is, with the expressions of
  * the published official referee in their order.
  */
-sealed class Collision permits CarefulCollision {
+public sealed class Collision permits CarefulCollision {
 
     /** A body so far behind a wall, relative to its coordinates, is there by rounding: some units in the last place. */
     private static final double ROUNDING = 0x1p-46;
@@ -24,7 +24,7 @@ sealed class Collision permits CarefulCollision {
     final double pushOut;
     final Wall[] walls;
 
-    Collision(ImpactLaw law, Wall[] walls) {
+    public Collision(ImpactLaw law, Wall[] walls) {
         pairImpulse = Impulse.of(law, true);
         wallImpulse = Impulse.of(law, law.minimumImpulseAtWalls());
         CollisionParts parts = CollisionParts.of(law);
@@ -36,13 +36,13 @@ sealed class Collision permits CarefulCollision {
     }
 
     /** The reactions of an arithmetic other than {@code EXACT}, which needs to know more. */
-    static Collision of(ImpactLaw law, Arithmetic arithmetic, Wall[] walls) {
+    public static Collision of(ImpactLaw law, Arithmetic arithmetic, Wall[] walls) {
         return arithmetic == Arithmetic.OFFICIAL || law.minimumImpulse() > 0
             ? new Collision(law, walls) : new CarefulCollision(law, walls);
     }
 
     /** @param b an index, or {@code ~wall} */
-    void react(Bodies bodies, int a, int b, double time, TurnSink sink) {
+    public void react(Bodies bodies, int a, int b, double time, TurnSink sink) {
         if (b < 0) {
             reactWall(bodies, a, ~b, time, sink);
         } else {
@@ -51,7 +51,7 @@ sealed class Collision permits CarefulCollision {
     }
 
     /** Centres that coincide have no direction: they part along x. */
-    void reactPair(Bodies bodies, int a, int b, double time, TurnSink sink) {
+    public void reactPair(Bodies bodies, int a, int b, double time, TurnSink sink) {
         double ax = bodies.x[a];
         double ay = bodies.y[a];
         double bx = bodies.x[b];
@@ -99,7 +99,7 @@ sealed class Collision permits CarefulCollision {
         bodies.vy[a] -= ny * impulse / mass;
     }
 
-    void reactWall(Bodies bodies, int a, int w, double time, TurnSink sink) {
+    public void reactWall(Bodies bodies, int a, int w, double time, TurnSink sink) {
         Wall wall = walls[w];
         double ax = bodies.x[a];
         double ay = bodies.y[a];

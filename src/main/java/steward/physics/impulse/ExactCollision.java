@@ -21,7 +21,7 @@ import steward.physics.time.LowParts;
  * rounded, relative to the touching distance. Then, and after an impact without restitution, what is left of the
  * approach is taken away as in {@link Collision}; exact signs say whether there is any.
  */
-sealed class ExactCollision extends CarefulCollision permits ExactAtLeast {
+public sealed class ExactCollision extends CarefulCollision permits ExactAtLeast {
 
     private static final double TOUCH = 0x1p-60;
     private static final double WALL_TOUCH = 0x1p-46;
@@ -50,7 +50,7 @@ sealed class ExactCollision extends CarefulCollision permits ExactAtLeast {
     double energy;
 
     /** What the law needs, and no more. */
-    static ExactCollision of(ImpactLaw law, Wall[] walls, ExactPairs pairs, ExactWalls wallTimes, LowParts lows) {
+    public static ExactCollision of(ImpactLaw law, Wall[] walls, ExactPairs pairs, ExactWalls wallTimes, LowParts lows) {
         return !(law.minimumImpulse() > 0) ? new ExactCollision(law, walls, pairs, wallTimes, lows)
             : law.minimumImpulseAtWalls() ? new ExactAtLeast.AtWallsToo(law, walls, pairs, wallTimes, lows)
             : new ExactAtLeast(law, walls, pairs, wallTimes, lows);
@@ -64,7 +64,7 @@ sealed class ExactCollision extends CarefulCollision permits ExactAtLeast {
     }
 
     @Override
-    void reactPair(Bodies bodies, int a, int b, double time, TurnSink sink) {
+    public void reactPair(Bodies bodies, int a, int b, double time, TurnSink sink) {
         double ax = bodies.x[a];
         double ay = bodies.y[a];
         double bx = bodies.x[b];
@@ -141,7 +141,7 @@ sealed class ExactCollision extends CarefulCollision permits ExactAtLeast {
     }
 
     @Override
-    void reactWall(Bodies bodies, int a, int w, double time, TurnSink sink) {
+    public void reactWall(Bodies bodies, int a, int w, double time, TurnSink sink) {
         Wall wall = walls[w];
         double ax = bodies.x[a];
         double ay = bodies.y[a];

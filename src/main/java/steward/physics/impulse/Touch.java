@@ -9,15 +9,15 @@ import steward.physics.TurnSink;
 import steward.physics.Wall;
 
 /** What happens at a touch: an impact, or first a question. */
-abstract sealed class Touch {
+public abstract sealed class Touch {
 
     /** Lets the two react. @return false if the bodies were altered and everything must be looked at anew */
-    abstract boolean happens(Bodies bodies, int a, int b, double time, TurnSink sink);
+    public abstract boolean happens(Bodies bodies, int a, int b, double time, TurnSink sink);
 
     /** The bodies have flown to a new time. */
-    abstract void flown(Bodies bodies);
+    public abstract void flown(Bodies bodies);
 
-    static Touch of(PhysicsParts parts, Collision collision, Wall[] walls) {
+    public static Touch of(PhysicsParts parts, Collision collision, Wall[] walls) {
         return parts.reaction() == null ? new Bounce(collision) : new Ask(collision, parts, walls);
     }
 
@@ -31,13 +31,13 @@ abstract sealed class Touch {
         }
 
         @Override
-        boolean happens(Bodies bodies, int a, int b, double time, TurnSink sink) {
+        public boolean happens(Bodies bodies, int a, int b, double time, TurnSink sink) {
             collision.react(bodies, a, b, time, sink);
             return true;
         }
 
         @Override
-        void flown(Bodies bodies) {
+        public void flown(Bodies bodies) {
         }
     }
 
@@ -57,7 +57,7 @@ abstract sealed class Touch {
         }
 
         @Override
-        boolean happens(Bodies bodies, int a, int b, double time, TurnSink sink) {
+        public boolean happens(Bodies bodies, int a, int b, double time, TurnSink sink) {
             Contacts.Meaning meaning = b < 0
                 ? contacts.withWall(bodies.kind[a]) : contacts.between(bodies.kind[a], bodies.kind[b]);
             if (meaning == Contacts.Meaning.BOUNCE) {
@@ -91,7 +91,7 @@ abstract sealed class Touch {
 
         /** Pairs that have come apart, or of which one is gone, pass no longer. */
         @Override
-        void flown(Bodies bodies) {
+        public void flown(Bodies bodies) {
             PassingPairs passing = bodies.passing();
             for (int k = passing.size() - 1; k >= 0; k--) {
                 int a = bodies.indexOf(passing.first(k));

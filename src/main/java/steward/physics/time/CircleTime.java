@@ -4,13 +4,13 @@ import steward.numerics.DoubleDouble;
 import steward.physics.Arithmetic;
 
 /** The time of impact of two circles, in one arithmetic. */
-abstract sealed class CircleTime {
+public abstract sealed class CircleTime {
 
     /** Of the square of a distance: 32 roundings, against which the official root is known to about three. */
     private static final double ROUNDING = 0x1p-48;
 
     /** @return one that may be used by one thread at a time */
-    static CircleTime of(Arithmetic arithmetic) {
+    public static CircleTime of(Arithmetic arithmetic) {
         return switch (arithmetic) {
             case OFFICIAL -> new Official();
             case DOUBLE -> new Stable();
@@ -23,7 +23,7 @@ abstract sealed class CircleTime {
     abstract double until(double dx, double dy, double dvx, double dvy, double touch);
 
     /** The same where only approach reacts: two that approach and touch but for a rounding must not be missed. */
-    double untilApproachingMeet(double dx, double dy, double dvx, double dvy, double touch) {
+    public double untilApproachingMeet(double dx, double dy, double dvx, double dvy, double touch) {
         return until(dx, dy, dvx, dvy, touch);
     }
 
@@ -37,7 +37,7 @@ abstract sealed class CircleTime {
 
         /** Next to the touch the official roots are all rounding, and one that is not above 0 counts as a miss. */
         @Override
-        double untilApproachingMeet(double dx, double dy, double dvx, double dvy, double touch) {
+        public double untilApproachingMeet(double dx, double dy, double dvx, double dvy, double touch) {
             return dx * dx + dy * dy - touch * touch <= ROUNDING * touch * touch
                 ? 0 : TimeOfImpact.circlesOfficial(dx, dy, dvx, dvy, touch);
         }

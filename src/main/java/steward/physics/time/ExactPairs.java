@@ -32,26 +32,26 @@ import steward.physics.ImpactLaw;
  * time itself in double-double for those that {@code RefiningQueue} asks about. Whether two touch, whether they
  * approach and whether they meet is decided by exact signs; a tangent path is a miss.
  */
-final class ExactPairs extends PairTime {
+public final class ExactPairs extends PairTime {
 
     private static final double NEVER = Double.POSITIVE_INFINITY;
     private static final double U = 0x1p-53;
     private static final double TINY = 0x1p-1000;
     private static final double LEAST = 0x1p-450;
     /** What the sum of two times within a turn can lose. */
-    static final double ROUNDING = 0x1p-52;
+    public static final double ROUNDING = 0x1p-52;
 
     private final boolean separatingReact;
     private final ExactCircles circles = new ExactCircles();
     private final DoubleDouble time = new DoubleDouble();
 
-    ExactPairs(ImpactLaw law) {
+    public ExactPairs(ImpactLaw law) {
         separatingReact = law.separatingPairsReact();
     }
 
     /** @return at most the time; 0 or above; infinite only if they do not meet within a turn's length */
     @Override
-    double until(Bodies bodies, int i, int j) {
+    public double until(Bodies bodies, int i, int j) {
         double dx = bodies.x[i] - bodies.x[j];
         double dy = bodies.y[i] - bodies.y[j];
         double dvx = bodies.vx[i] - bodies.vx[j];
@@ -118,7 +118,7 @@ final class ExactPairs extends PairTime {
      *
      * @return false if there is none
      */
-    boolean exact(Bodies bodies, int i, int j, DoubleDouble until) {
+    public boolean exact(Bodies bodies, int i, int j, DoubleDouble until) {
         return exact(bodies, i, j, FastCircles.FINE, until);
     }
 
@@ -136,7 +136,7 @@ final class ExactPairs extends PairTime {
     }
 
     /** The same of two circles, under a law in which only approach reacts. */
-    boolean exact(double x1, double x2, double y1, double y2, double vx1, double vx2, double vy1, double vy2,
+    public boolean exact(double x1, double x2, double y1, double y2, double vx1, double vx2, double vy1, double vy2,
                   double r1, double r2, DoubleDouble until) {
         int quick = FastCircles.first(x1, x2, y1, y2, vx1, vx2, vy1, vy2, r1, r2, false,
             FastCircles.FINE, until);
@@ -145,7 +145,7 @@ final class ExactPairs extends PairTime {
     }
 
     /** Whether two come nearer to each other: the exact sign. */
-    boolean approach(Bodies bodies, int i, int j) {
+    public boolean approach(Bodies bodies, int i, int j) {
         double xvx = (bodies.x[i] - bodies.x[j]) * (bodies.vx[i] - bodies.vx[j]);
         double yvy = (bodies.y[i] - bodies.y[j]) * (bodies.vy[i] - bodies.vy[j]);
         double bError = 6 * U * (Math.abs(xvx) + Math.abs(yvy)) + TINY;

@@ -9,11 +9,11 @@ import steward.physics.Wall;
  * double-double for those that {@code RefiningQueue} asks about. What is exact is said at each kind of
  * {@link ExactWall}.
  */
-final class ExactWalls extends WallTime {
+public final class ExactWalls extends WallTime {
 
     private final ExactWall[] walls;
 
-    ExactWalls(Wall[] of) {
+    public ExactWalls(Wall[] of) {
         walls = new ExactWall[of.length];
         for (int w = 0; w < of.length; w++) {
             walls[w] = ExactWall.of(of[w]);
@@ -22,27 +22,27 @@ final class ExactWalls extends WallTime {
 
     /** @return at most the time; 0 or above; infinite only if there is no impact */
     @Override
-    double until(Bodies bodies, int i, int w) {
+    public double until(Bodies bodies, int i, int w) {
         return walls[w].lowerBound(bodies.x[i], bodies.y[i], bodies.vx[i], bodies.vy[i], bodies.radius[i]);
     }
 
     /** The time of impact from now. @return false if there is none */
-    boolean exact(Bodies bodies, int i, int w, DoubleDouble until) {
+    public boolean exact(Bodies bodies, int i, int w, DoubleDouble until) {
         return walls[w].time(bodies.x[i], bodies.y[i], bodies.vx[i], bodies.vy[i], bodies.radius[i], until);
     }
 
     /** The lower bound of a circle's time. */
-    double until(int w, double x, double y, double vx, double vy, double radius) {
+    public double until(int w, double x, double y, double vx, double vy, double radius) {
         return walls[w].lowerBound(x, y, vx, vy, radius);
     }
 
     /** The time of a circle. @return false if there is none */
-    boolean exact(int w, double x, double y, double vx, double vy, double radius, DoubleDouble until) {
+    public boolean exact(int w, double x, double y, double vx, double vy, double radius, DoubleDouble until) {
         return walls[w].time(x, y, vx, vy, radius, until);
     }
 
     /** The unit vector from a place straight to a wall. */
-    void normal(int w, DoubleDouble x, DoubleDouble y, DoubleDouble normalX, DoubleDouble normalY) {
+    public void normal(int w, DoubleDouble x, DoubleDouble y, DoubleDouble normalX, DoubleDouble normalY) {
         walls[w].normal(x, y, normalX, normalY);
     }
 }

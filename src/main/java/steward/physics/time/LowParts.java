@@ -8,15 +8,15 @@ import steward.physics.Bodies;
  * stand in {@link Bodies}. They are kept until the bodies fly on, so that an impact can be computed from where the
  * bodies really are.
  */
-final class LowParts {
+public final class LowParts {
 
     /** By index of a body. */
-    double[] x = new double[0];
+    public double[] x = new double[0];
     /** By index of a body. */
-    double[] y = new double[0];
+    public double[] y = new double[0];
 
     /** Room for so many bodies. */
-    void room(int capacity) {
+    public void room(int capacity) {
         if (x.length < capacity) {
             x = new double[capacity];
             y = new double[capacity];
@@ -24,19 +24,19 @@ final class LowParts {
     }
 
     /** What the stored place of a body lacks. */
-    void set(int body, double ofX, double ofY) {
+    public void set(int body, double ofX, double ofY) {
         x[body] = ofX;
         y[body] = ofY;
     }
 
     /** The body has been moved: where it is stored is where it is. */
-    void clear(int body) {
+    public void clear(int body) {
         x[body] = 0;
         y[body] = 0;
     }
 
     /** All bodies below a count are where they are stored. */
-    void clearFirst(int count) {
+    public void clearFirst(int count) {
         Arrays.fill(x, 0, count, 0);
         Arrays.fill(y, 0, count, 0);
     }

@@ -19,7 +19,7 @@ import steward.physics.Wall;
  * rung, which scales by powers of two; what that cannot compute either is refused by name. The check is made once, at
  * the start of a turn.
  */
-final class Magnitudes {
+public final class Magnitudes {
 
     private static final double SHORTEST = 0x1p-200;
     private static final double LONGEST = 0x1p200;
@@ -35,7 +35,7 @@ final class Magnitudes {
     }
 
     /** Whether all are lengths 0 or 6.3e-61..1.6e60, speeds 0 or 2e-211..1.6e60, masses 5e-91..2e90 or infinite. */
-    static boolean areOrdinary(Bodies bodies) {
+    public static boolean areOrdinary(Bodies bodies) {
         for (int i = 0; i < bodies.size(); i++) {
             if (!(isLength(bodies.x[i]) && isLength(bodies.y[i]) && isSpeed(bodies.vx[i]) && isSpeed(bodies.vy[i])
                 && isLength(bodies.radius[i]) && isMass(bodies.mass[i]))) {
@@ -64,7 +64,7 @@ final class Magnitudes {
      *
      * @throws IllegalArgumentException naming body, quantity, what was found and what was expected
      */
-    static void requireComputable(Bodies bodies, List<Wall> walls) {
+    public static void requireComputable(Bodies bodies, List<Wall> walls) {
         boolean segments = walls.stream().anyMatch(Segment.class::isInstance);
         for (int i = 0; i < bodies.size(); i++) {
             requireLength(bodies, i, "x", bodies.x[i], segments);

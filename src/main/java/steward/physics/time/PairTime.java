@@ -5,15 +5,15 @@ import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 
 /** When a pair of circles next has an impact under a law: touching pairs are the law's affair, the rest geometry. */
-abstract sealed class PairTime permits PairTime.TouchIsImpact, PairTime.ApproachIsImpact, PairTime.Overlap,
+public abstract sealed class PairTime permits PairTime.TouchIsImpact, PairTime.ApproachIsImpact, PairTime.Overlap,
     PairTime.ClosingOverlap, ExactPairs {
 
     private static final double NEVER = Double.POSITIVE_INFINITY;
 
     /** Time from now to the impact of two circles, given by their indices; 0 for one that happens at once. */
-    abstract double until(Bodies bodies, int i, int j);
+    public abstract double until(Bodies bodies, int i, int j);
 
-    static PairTime of(ImpactLaw law, Arithmetic arithmetic) {
+    public static PairTime of(ImpactLaw law, Arithmetic arithmetic) {
         return law.separatingPairsReact() ? new TouchIsImpact(arithmetic) : new ApproachIsImpact(arithmetic);
     }
 
@@ -27,7 +27,7 @@ abstract sealed class PairTime permits PairTime.TouchIsImpact, PairTime.Approach
         }
 
         @Override
-        double until(Bodies bodies, int i, int j) {
+        public double until(Bodies bodies, int i, int j) {
             double dx = bodies.x[i] - bodies.x[j];
             double dy = bodies.y[i] - bodies.y[j];
             double touch = bodies.radius[i] + bodies.radius[j];
@@ -39,16 +39,16 @@ abstract sealed class PairTime permits PairTime.TouchIsImpact, PairTime.Approach
     }
 
     /** Physics: only an approach ends in an impact. */
-    static final class ApproachIsImpact extends PairTime {
+    public static final class ApproachIsImpact extends PairTime {
 
         private final CircleTime circles;
 
-        ApproachIsImpact(Arithmetic arithmetic) {
+        public ApproachIsImpact(Arithmetic arithmetic) {
             circles = CircleTime.of(arithmetic);
         }
 
         @Override
-        double until(Bodies bodies, int i, int j) {
+        public double until(Bodies bodies, int i, int j) {
             double dx = bodies.x[i] - bodies.x[j];
             double dy = bodies.y[i] - bodies.y[j];
             double dvx = bodies.vx[i] - bodies.vx[j];
@@ -65,10 +65,10 @@ abstract sealed class PairTime permits PairTime.TouchIsImpact, PairTime.Approach
     }
 
     /** Only what is there: 0 for whoever touches, never for the others. */
-    static final class Overlap extends PairTime {
+    public static final class Overlap extends PairTime {
 
         @Override
-        double until(Bodies bodies, int i, int j) {
+        public double until(Bodies bodies, int i, int j) {
             double dx = bodies.x[i] - bodies.x[j];
             double dy = bodies.y[i] - bodies.y[j];
             double touch = bodies.radius[i] + bodies.radius[j];
@@ -77,10 +77,10 @@ abstract sealed class PairTime permits PairTime.TouchIsImpact, PairTime.Approach
     }
 
     /** Only what is there and closes in. */
-    static final class ClosingOverlap extends PairTime {
+    public static final class ClosingOverlap extends PairTime {
 
         @Override
-        double until(Bodies bodies, int i, int j) {
+        public double until(Bodies bodies, int i, int j) {
             double dx = bodies.x[i] - bodies.x[j];
             double dy = bodies.y[i] - bodies.y[j];
             double touch = bodies.radius[i] + bodies.radius[j];

@@ -4,22 +4,22 @@ import steward.physics.Bodies;
 import steward.physics.Wall;
 
 /** When a body next has an impact with a wall. */
-abstract sealed class WallTime permits WallTime.Plain, ExactWalls {
+public abstract sealed class WallTime permits WallTime.Plain, ExactWalls {
 
     /** Time from now, 0 for an impact that happens at once, infinite for none. */
-    abstract double until(Bodies bodies, int i, int w);
+    public abstract double until(Bodies bodies, int i, int w);
 
     /** What {@link TimeOfImpact#wall} says. */
-    static final class Plain extends WallTime {
+    public static final class Plain extends WallTime {
 
         private final Wall[] walls;
 
-        Plain(Wall[] walls) {
+        public Plain(Wall[] walls) {
             this.walls = walls;
         }
 
         @Override
-        double until(Bodies bodies, int i, int w) {
+        public double until(Bodies bodies, int i, int w) {
             return TimeOfImpact.wall(walls[w], bodies.x[i], bodies.y[i], bodies.vx[i], bodies.vy[i],
                 bodies.radius[i]);
         }

@@ -53,7 +53,7 @@ public record Difference(int turn, String field, String recorded, String found) 
     }
 
     /** All differences between two JSON values, whose path begins with {@code name}. */
-    static List<Difference> all(int turn, String name, byte[] recorded, byte[] found) {
+    public static List<Difference> all(int turn, String name, byte[] recorded, byte[] found) {
         List<Difference> differences = new ArrayList<>();
         new Comparer(turn, false, Integer.MAX_VALUE, differences).compare(name, read(recorded), read(found));
         return differences;

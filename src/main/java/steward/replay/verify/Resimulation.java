@@ -72,7 +72,7 @@ public final class Resimulation {
     }
 
     /** All of a turn but playing it: commands are read, and who failed is out. */
-    Difference prepare(RecordedTurn turn) {
+    public Difference prepare(RecordedTurn turn) {
         int expected = game.turn() + 1;
         if (game.isOver()) {
             return new Difference(turn.number(), "turn", Integer.toString(turn.number()),

@@ -27,7 +27,7 @@ import steward.text.Nearest;
 public final class Block {
 
     /** The largest length, mass, speed or impulse that a scene may state; see {@link #positive}. */
-    static final double MOST = 1e12;
+    public static final double MOST = 1e12;
 
     private final String source;
     private final String path;
@@ -35,7 +35,7 @@ public final class Block {
     private final Set<String> asked = new LinkedHashSet<>();
     private final Map<String, Block> children = new LinkedHashMap<>();
 
-    Block(String source, String path, JsonObject object) {
+    public Block(String source, String path, JsonObject object) {
         this.source = source;
         this.path = path;
         this.object = object;
@@ -245,27 +245,27 @@ public final class Block {
     }
 
     /** This object on one line, as it was read. */
-    String json() {
+    public String json() {
         return JsonTree.write(object);
     }
 
     /** Whether the field is there, without asking for it: {@link #done()} may still refuse it. */
-    boolean isThere(String name) {
+    public boolean isThere(String name) {
         return object.entries().containsKey(name);
     }
 
     /** How errors name the file. */
-    String source() {
+    public String source() {
         return source;
     }
 
     /** The fields as they were read. */
-    Map<String, Entry> entries() {
+    public Map<String, Entry> entries() {
         return object.entries();
     }
 
     /** The same with another object in a field that has been read to its end; what was asked for stays so. */
-    Block with(String name, JsonObject value) {
+    public Block with(String name, JsonObject value) {
         Map<String, Entry> entries = new LinkedHashMap<>(object.entries());
         entries.put(name, new Entry(entries.get(name).place(), value));
         Block changed = new Block(source, path, new JsonObject(object.place(), entries));
@@ -304,7 +304,7 @@ public final class Block {
     }
 
     /** How an error names what is there. */
-    String shown(String name) {
+    public String shown(String name) {
         Entry entry = object.entries().get(name);
         return entry == null ? "nothing" : entry.value().shown();
     }

@@ -20,7 +20,7 @@ import tools.jackson.core.json.JsonFactory;
 import tools.jackson.core.json.JsonWriteFeature;
 
 /** Between a JSON text and its values with their places. */
-final class JsonTree {
+public final class JsonTree {
 
     /** Names and texts are written in ASCII: a scene then survives any encoding. */
     private static final JsonFactory JSON = JsonFactory.builder().enable(JsonWriteFeature.ESCAPE_NON_ASCII).build();
@@ -41,7 +41,7 @@ final class JsonTree {
      * @param what   says there what the text should be, as in {@code a scene}
      * @throws SceneException if it is not JSON, not one object, or an object names a field twice
      */
-    static JsonObject read(String text, String source, String what) {
+    public static JsonObject read(String text, String source, String what) {
         try (JsonParser json = JSON.createParser(ObjectReadContext.empty(), text)) {
             return new JsonTree(source, what, json).file();
         }

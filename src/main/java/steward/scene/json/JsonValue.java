@@ -5,7 +5,7 @@ import java.util.Map;
 import tools.jackson.core.JsonGenerator;
 
 /** A value of a scene file as it was written, with its place. Numbers keep their text. */
-sealed interface JsonValue {
+public sealed interface JsonValue {
 
     /** Where it begins. */
     Place place();

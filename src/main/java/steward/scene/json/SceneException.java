@@ -8,7 +8,7 @@ public final class SceneException extends RuntimeException {
 
     private static final long serialVersionUID = 1;
 
-    SceneException(String message) {
+    public SceneException(String message) {
         super(message);
     }
 

@@ -6,13 +6,13 @@ import java.util.stream.Collectors;
 import steward.text.Nearest;
 
 /** How errors and plans say numbers, ranges and choices. */
-final class Wording {
+public final class Wording {
 
     private Wording() {
     }
 
     /** The shortest usual way to write it: 120, 0.15, 1e-5. */
-    static String number(double value) {
+    public static String number(double value) {
         if (value == Math.rint(value) && Math.abs(value) < 1e9) {
             return Long.toString((long) value);
         }
@@ -33,12 +33,12 @@ final class Wording {
     }
 
     /** What a text has to be one of, and the one it probably was meant to be. */
-    static String choice(String word, Collection<String> known) {
+    public static String choice(String word, Collection<String> known) {
         return oneOf(known) + Nearest.of(word, known).map(near -> "; did you mean \"" + near + "\"?").orElse("");
     }
 
     /** What a text has to be one of. */
-    static String oneOf(Collection<String> known) {
+    public static String oneOf(Collection<String> known) {
         String list = known.stream().map(name -> '"' + name + '"').collect(Collectors.joining(", "));
         return known.size() == 1 ? list : "one of " + list;
     }

@@ -15,10 +15,10 @@ import steward.bot.Player;
 import steward.bot.command.Programs;
 
 /** Bots for tests, written as shell scripts, and how tests talk to them and look whether they are still there. */
-final class ScriptedBots {
+public final class ScriptedBots {
 
     /** No deadline. */
-    static final long FOREVER = Long.MAX_VALUE;
+    public static final long FOREVER = Long.MAX_VALUE;
 
     /** What a loaded machine may need for something that takes milliseconds. */
     private static final long PATIENCE_NANOS = 30_000_000_000L;
@@ -26,7 +26,7 @@ final class ScriptedBots {
     private ScriptedBots() {
     }
 
-    static void assumeShell() {
+    public static void assumeShell() {
         assumeTrue(Programs.find("sh") != null, "there is no sh on the PATH");
     }
 
@@ -40,18 +40,18 @@ final class ScriptedBots {
         return new BotProcess("bot", List.of("sh", "-c", script));
     }
 
-    static void tell(Player player, String text) {
+    public static void tell(Player player, String text) {
         byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
         player.tell(bytes, bytes.length);
     }
 
-    static Player.Ending ask(Player player, String frame, int lines, long limitNanos, Answer answer) {
+    public static Player.Ending ask(Player player, String frame, int lines, long limitNanos, Answer answer) {
         byte[] bytes = frame.getBytes(StandardCharsets.UTF_8);
         return player.ask(bytes, bytes.length, lines, limitNanos, answer);
     }
 
     /** Asks without a deadline for lines that have to come. */
-    static Answer answer(Player player, String frame, int lines) {
+    public static Answer answer(Player player, String frame, int lines) {
         Answer answer = new Answer();
         Player.Ending ending = ask(player, frame, lines, FOREVER, answer);
         assertEquals(Player.Ending.ANSWERED, ending, () -> answer.fault() + " " + answer.stderr());
@@ -59,18 +59,18 @@ final class ScriptedBots {
     }
 
     /** Asks for one line that has to come. */
-    static String reply(Player player, String frame) {
+    public static String reply(Player player, String frame) {
         return answer(player, frame, 1).text();
     }
 
     /** Asks for one line; the player has to fail. */
-    static Answer fault(Player player, String frame, long limitNanos) {
+    public static Answer fault(Player player, String frame, long limitNanos) {
         Answer answer = new Answer();
         assertEquals(Player.Ending.FAULT, ask(player, frame, 1, limitNanos, answer), answer::text);
         return answer;
     }
 
-    static void finish(Player player, String frame) {
+    public static void finish(Player player, String frame) {
         byte[] bytes = frame.getBytes(StandardCharsets.UTF_8);
         player.finish(bytes, bytes.length);
     }

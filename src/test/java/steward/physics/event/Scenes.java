@@ -10,10 +10,10 @@ import steward.physics.PhysicsParts;
 import steward.physics.Wall;
 
 /** Small worlds that several tests of the physics share, and sums over them. */
-final class Scenes {
+public final class Scenes {
 
     /** Physics with the lower of two restitutions. */
-    static final ImpactLaw WITH_RESTITUTION = ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM);
+    public static final ImpactLaw WITH_RESTITUTION = ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM);
 
     private Scenes() {
     }
@@ -24,7 +24,7 @@ final class Scenes {
     }
 
     /** Adds a body of radius 10 with a velocity. */
-    static int add(Bodies bodies, double x, double y, double vx, double vy, double mass) {
+    public static int add(Bodies bodies, double x, double y, double vx, double vy, double mass) {
         int body = bodies.add(x, y, 10, mass);
         bodies.setVelocity(body, vx, vy);
         return body;
@@ -66,7 +66,7 @@ final class Scenes {
     }
 
     /** Bodies on a grid in a field of side x side, each with a random offset, mass 1..4 and velocity. */
-    static Bodies grid(SplitMix64 random, int perRow, double side, double radius, double speed) {
+    public static Bodies grid(SplitMix64 random, int perRow, double side, double radius, double speed) {
         Bodies bodies = new Bodies(perRow * perRow);
         double cell = side / perRow;
         double play = cell / 2 - radius;
@@ -79,7 +79,7 @@ final class Scenes {
     }
 
     /** The bits of all positions and velocities, in order. */
-    static long[] bits(Bodies bodies) {
+    public static long[] bits(Bodies bodies) {
         long[] bits = new long[4 * bodies.size()];
         for (int k = 0; k < bodies.size(); k++) {
             bits[4 * k] = Double.doubleToLongBits(bodies.x[k]);

@@ -8,12 +8,12 @@ import java.math.MathContext;
  * p + v t against a circle of radius s around the origin, by way of the point of closest approach. Nothing of the
  * engine's formulas is used.
  */
-final class Exact {
+public final class Exact {
 
     static final MathContext DIGITS = new MathContext(60);
 
     /** 2^-53: the largest relative error of one operation on doubles, the unit of all error bounds in these tests. */
-    static final double ULP = 0x1p-53;
+    public static final double ULP = 0x1p-53;
 
     private Exact() {
     }

@@ -22,7 +22,7 @@ import tools.jackson.core.ObjectReadContext;
  * token by token. What is wrong comes back as a sentence, because a wrong answer is an everyday event, not an
  * exception.
  */
-final class PodAnswer {
+public final class PodAnswer {
 
     private static final Set<String> POD_FIELDS = new TreeSet<>(Set.of("x", "y", "thrust", "shield", "boost"));
     private static final Set<String> FIELDS = new TreeSet<>(Set.of("pods", "message"));
@@ -48,7 +48,7 @@ final class PodAnswer {
      * @param pods          how many pods an answer must command
      * @param maximumThrust the greatest ordinary thrust
      */
-    PodAnswer(int pods, int maximumThrust) {
+    public PodAnswer(int pods, int maximumThrust) {
         this.maximumThrust = maximumThrust;
         x = new double[pods];
         y = new double[pods];
@@ -69,12 +69,12 @@ final class PodAnswer {
     }
 
     /** The message of the last good answer, or {@code null}. */
-    String message() {
+    public String message() {
         return message;
     }
 
     /** @return {@code null} if the line is a good answer, otherwise what is wrong with it */
-    String read(byte[] line, int length) {
+    public String read(byte[] line, int length) {
         return isPlain(line, length) || isGood(line, length) ? null : readCarefully(line, length);
     }
 

@@ -20,7 +20,7 @@ import steward.game.podrace.PodState;
  * need it: any number of blanks, a carriage return, decimals in X and Y, lower-case words, and no third word, which
  * means full thrust.
  */
-final class PodRaceText implements TextCodec {
+public final class PodRaceText implements TextCodec {
 
     private static final int FULL_TURN = 360;
 
@@ -31,7 +31,7 @@ final class PodRaceText implements TextCodec {
     private final PodRaceSettings settings;
     private final String[] messages;
 
-    PodRaceText(PodRace race) {
+    public PodRaceText(PodRace race) {
         this.race = race;
         settings = race.settings();
         messages = new String[race.players()];

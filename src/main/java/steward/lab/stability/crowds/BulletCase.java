@@ -14,7 +14,7 @@ import steward.physics.ImpactLaw;
  * A body of mass 1e30 flies at 1e8 u per turn past a row of 1,000, whose centres stand 15 u above and below its
  * path in turn: it touches each (10 + 10 u) and kicks it out of the row, away from the next.
  */
-final class BulletCase implements StabilityCase {
+public final class BulletCase implements StabilityCase {
 
     private static final double MASS = 1e30;
     private static final double SPACING = 9e4;
@@ -41,7 +41,7 @@ final class BulletCase implements StabilityCase {
         int[] hits = new int[row + 1];
         Probe probe = new Probe() {
             @Override
-            void touched(int a, int b, double ax, double ay, double bx, double by) {
+            public void touched(int a, int b, double ax, double ay, double bx, double by) {
                 hits[Math.max(a, b)] += Math.min(a, b) == 0 ? 1 : 1000;
             }
         };

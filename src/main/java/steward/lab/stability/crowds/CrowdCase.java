@@ -11,7 +11,7 @@ import steward.lab.trial.StabilityCase;
 import steward.physics.Arithmetic;
 
 /** A crowd in a box, played on and on: whether anything is missed. */
-final class CrowdCase implements StabilityCase {
+public final class CrowdCase implements StabilityCase {
 
     private static final long SEED = 9;
     private static final int LONG_IMPACTS = 10_000_000;
@@ -28,7 +28,7 @@ final class CrowdCase implements StabilityCase {
      * @param longest  how many impacts the long version has in {@code double}, which most scenes use
      * @param impacts  on each event rung, or 0 for what the size says
      */
-    CrowdCase(int bodies, double coverage, long longest, long impacts) {
+    public CrowdCase(int bodies, double coverage, long longest, long impacts) {
         this.bodies = bodies;
         this.coverage = coverage;
         this.longest = longest;

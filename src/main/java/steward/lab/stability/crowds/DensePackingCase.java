@@ -27,7 +27,7 @@ import steward.physics.Wall;
  * to gaps of some units in the last place. Speeds are in proportion to the gap, so that a turn has some impacts per
  * disc; and once they are not, so that no turn can have them all.
  */
-final class DensePackingCase implements StabilityCase {
+public final class DensePackingCase implements StabilityCase {
 
     private static final long SEED = 18;
     private static final double DENSEST = Math.PI / (2 * Math.sqrt(3));
@@ -128,7 +128,7 @@ final class DensePackingCase implements StabilityCase {
         List<Integer> pairs = new ArrayList<>();
         rung.advance(law, box).turn(discs, new Probe() {
             @Override
-            void touched(int a, int b, double ax, double ay, double bx, double by) {
+            public void touched(int a, int b, double ax, double ay, double bx, double by) {
                 if (pairs.size() < 2 * COMPARED) {
                     pairs.add(a);
                     pairs.add(b);

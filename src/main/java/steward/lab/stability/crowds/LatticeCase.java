@@ -17,7 +17,7 @@ import steward.physics.ImpactLaw;
  * ends in the same place. Under the official law they react in one batch; one at a time means a scan of all bodies for
  * each, so that all 10,000 are asked of the advance for crowds, and some hundred of the other.
  */
-final class LatticeCase implements StabilityCase {
+public final class LatticeCase implements StabilityCase {
 
     private static final long SEED = 13;
     private static final double CELL = 4000;

@@ -16,7 +16,7 @@ import steward.physics.ImpactLaw;
 import steward.physics.Wall;
 
 /** Many elastic impacts in a box: what becomes of the energy, and whether the books of momentum are whole. */
-final class LongRunCase implements StabilityCase {
+public final class LongRunCase implements StabilityCase {
 
     private static final long SEED = 16;
     private static final double BOOKS = 1e-28;
@@ -30,7 +30,7 @@ final class LongRunCase implements StabilityCase {
     private final double drift;
 
     /** @param drift the most that the energy may change, relative to itself, after a million impacts */
-    LongRunCase(int bodies, double drift) {
+    public LongRunCase(int bodies, double drift) {
         this.bodies = bodies;
         this.drift = drift;
     }

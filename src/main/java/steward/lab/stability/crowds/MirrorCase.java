@@ -13,7 +13,7 @@ import steward.physics.ImpactLaw;
 import steward.physics.Wall;
 
 /** One body hits two touching ones symmetrically, and small worlds among walls, each beside its mirror image. */
-final class MirrorCase implements StabilityCase {
+public final class MirrorCase implements StabilityCase {
 
     private static final long SEED = 11;
     private static final double SIDE = 700;

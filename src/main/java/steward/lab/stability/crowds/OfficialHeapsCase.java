@@ -14,7 +14,7 @@ import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 
 /** Four pods in the space of one to four, under the official law: the minimum impulse drives them apart. */
-final class OfficialHeapsCase implements StabilityCase {
+public final class OfficialHeapsCase implements StabilityCase {
 
     private static final long SEED = 14;
     private static final int PAUSE = 10_000;

@@ -13,7 +13,7 @@ import steward.physics.ImpactLaw;
 import steward.physics.Wall;
 
 /** Five discs in a box fly n turns; then all velocities are turned round and they fly back. */
-final class TimeReversalCase implements StabilityCase {
+public final class TimeReversalCase implements StabilityCase {
 
     private static final long SEED = 15;
     private static final double OFF = 1e-6;

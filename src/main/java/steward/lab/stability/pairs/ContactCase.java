@@ -10,7 +10,7 @@ import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 
 /** States that leave nothing to divide by: coincident centres, deep overlap, no relative speed in contact. */
-final class ContactCase implements StabilityCase {
+public final class ContactCase implements StabilityCase {
 
     private static final double TOLERANCE = 1e-12;
 

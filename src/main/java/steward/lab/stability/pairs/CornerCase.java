@@ -15,7 +15,7 @@ import steward.physics.Segment;
 import steward.physics.Wall;
 
 /** A hit into a corner at exactly 45 degrees, which meets two walls at once, and hits on the end of a segment. */
-final class CornerCase implements StabilityCase {
+public final class CornerCase implements StabilityCase {
 
     private static final double TOLERANCE = 1e-12;
 

@@ -13,7 +13,7 @@ import steward.physics.ImpactLaw;
 import steward.physics.Segment;
 
 /** Speeds that vanish or explode when squared, and lengths that do, between bodies and at walls. */
-final class ExtremeSpeedsCase implements StabilityCase {
+public final class ExtremeSpeedsCase implements StabilityCase {
 
     private static final double TOLERANCE = 1e-12;
 

@@ -11,7 +11,7 @@ import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 
 /** Passes that nearly touch: at R (1 - 10^-k), R (1 + 10^-k), and exactly tangent, one unit in the last place aside. */
-final class GrazingCase implements StabilityCase {
+public final class GrazingCase implements StabilityCase {
 
     private static final long SEED = 2;
 

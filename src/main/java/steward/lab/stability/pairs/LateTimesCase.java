@@ -17,7 +17,7 @@ import steward.physics.ImpactLaw;
  * of a turn. Between turns there is no clock at all ({@link steward.physics.Advance} is not told the turn), so a turn
  * that is late in a match is a turn like any other; within one, a time rounded at 1 is worth 1e-16 of the speed.
  */
-final class LateTimesCase implements StabilityCase {
+public final class LateTimesCase implements StabilityCase {
 
     private static final int ROW = 5;
     private static final double RADIUS = 10;
@@ -80,7 +80,7 @@ final class LateTimesCase implements StabilityCase {
         private double ulps;
 
         @Override
-        void touched(int a, int b, double ax, double ay, double bx, double by) {
+        public void touched(int a, int b, double ax, double ay, double bx, double by) {
             BigDecimal distance = Digits.length(Digits.of(bx).subtract(Digits.of(ax)),
                 Digits.of(by).subtract(Digits.of(ay)));
             double overlap = Digits.of(2 * RADIUS).subtract(distance).doubleValue();

@@ -10,7 +10,7 @@ import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 
 /** Masses from 1e-300 to 1e300 and infinite ones, at ratios up to 1e600. */
-final class MassesCase implements StabilityCase {
+public final class MassesCase implements StabilityCase {
 
     private static final double TOLERANCE = 1e-12;
     private static final int[] EXPONENTS = {-300, -200, -100, -30, -15, -1, 0, 1, 15, 30, 100, 200, 300};

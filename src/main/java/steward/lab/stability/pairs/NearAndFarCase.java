@@ -12,7 +12,7 @@ import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 
 /** Times of impact where the terms of the quadratic cancel: a hair apart, very far apart, far from the origin. */
-final class NearAndFarCase implements StabilityCase {
+public final class NearAndFarCase implements StabilityCase {
 
     private static final long SEED = 3;
 

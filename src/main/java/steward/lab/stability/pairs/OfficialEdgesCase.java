@@ -13,7 +13,7 @@ import steward.physics.HalfPlane;
 import steward.physics.ImpactLaw;
 
 /** The official law at its edges: a row that just touches, the force at the minimum, a pod squeezed against a wall. */
-final class OfficialEdgesCase implements StabilityCase {
+public final class OfficialEdgesCase implements StabilityCase {
 
     @Override
     public String name() {

@@ -18,7 +18,7 @@ import steward.physics.ImpactLaw;
  * Two blocks and a wall: with masses 1 and 100^k the impacts are the first k + 1 digits of pi (G. Galperin, "Playing
  * pool with pi", 2003).
  */
-final class PiBlocksCase implements StabilityCase {
+public final class PiBlocksCase implements StabilityCase {
 
     private static final List<Integer> DIGITS =
         List.of(3, 31, 314, 3141, 31415, 314159, 3141592, 31415926, 314159265);

@@ -11,7 +11,7 @@ import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 
 /** A campaign: pairs of all sizes, speeds, masses and offsets, a third of them grazing. */
-final class RandomPairsCase implements StabilityCase {
+public final class RandomPairsCase implements StabilityCase {
 
     private static final long SEED = 20_000;
     /** So many share a seed. */
@@ -20,7 +20,7 @@ final class RandomPairsCase implements StabilityCase {
     private final int exponents;
 
     /** @param exponents lengths lie around 2^-exponents to 2^exponents */
-    RandomPairsCase(int exponents) {
+    public RandomPairsCase(int exponents) {
         this.exponents = exponents;
     }
 

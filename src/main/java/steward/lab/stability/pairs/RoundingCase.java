@@ -9,7 +9,7 @@ import steward.physics.Bodies;
 import steward.physics.Motion;
 
 /** The official end of a turn at the numbers where rounding could go either way. */
-final class RoundingCase implements StabilityCase {
+public final class RoundingCase implements StabilityCase {
 
     /** Position and what floor(x + 0.5) makes of it, the sum being a double: so 0.49999999999999994 becomes 1. */
     private static final double[][] POSITIONS = {

@@ -8,7 +8,7 @@ import steward.lab.tradeoff.TradeoffResult;
 import steward.lab.tradeoff.TradeoffRow;
 
 /** The page that shows the plot, says in five sentences how to choose, and has the table: all numbers are measured. */
-final class TradeoffPage {
+public final class TradeoffPage {
 
     /** The scenes that the sentences speak of. */
     static final String RACE = "official-race";
@@ -37,7 +37,7 @@ final class TradeoffPage {
     }
 
     /** In Markdown; sentences for which something was not measured are left out. */
-    static String text(TradeoffResult result) {
+    public static String text(TradeoffResult result) {
         TradeoffPage page = new TradeoffPage(result);
         StringBuilder out = new StringBuilder();
         out.append("# Speed against accuracy\n\nWritten by `steward tradeoff` on ").append(result.date())
