@@ -1,2 +1,7 @@
-/** Whole matches and crowds, measured; with plain ways of doing the same to measure against. */
+/**
+ * Measuring whole things: sections of contenders, rows of figures, meters, and the files and page they are kept in.
+ */
+@Internal
 package steward.bench;
+
+import steward.Internal;

@@ -2,6 +2,7 @@ package steward.bot;
 
 import java.io.IOException;
 import java.io.InputStream;
+import steward.Internal;
 
 /**
  * Reads a bot's answers, line by line, with blocking reads into one buffer. What comes beyond an answer stays here,
@@ -10,6 +11,7 @@ import java.io.InputStream;
  * <p>When a process exits, the JDK moves what is left in the pipe to memory. It does so holding the stream's monitor,
  * as reads do: nothing that was written is lost, and the end of the stream comes after it.
  */
+@Internal
 public final class AnswerLines {
 
     /** The longest line, in bytes without its line end. */

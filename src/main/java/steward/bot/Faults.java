@@ -1,6 +1,9 @@
 package steward.bot;
 
+import steward.Internal;
+
 /** The words for the ways in which a player fails. */
+@Internal
 public final class Faults {
 
     /** Statuses above this are 128 + the number of the signal that ended the process. */

@@ -1,6 +1,9 @@
 package steward.bot;
 
+import steward.Internal;
+
 /** Where characters end in UTF-8 bytes that were cut at an arbitrary place. */
+@Internal
 public final class Utf8 {
 
     private Utf8() {

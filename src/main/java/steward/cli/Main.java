@@ -18,9 +18,9 @@ import steward.cli.play.SimulateCommand;
 import steward.cli.replay.FeedCommand;
 import steward.cli.replay.ImportCommand;
 import steward.cli.replay.ReplayCommand;
+import steward.cli.shared.ErrorHandler;
 import steward.cli.shared.ExitStatus;
-import steward.cli.shared.Numbers;
-import steward.cli.shared.Problems;
+import steward.cli.shared.NumberConverter;
 import steward.cli.shared.Streams;
 
 /** The program. See {@link ExitStatus} for how it ends. */
@@ -41,6 +41,11 @@ public final class Main {
         "import", "referee", "play", "stability", "tradeoff", "bench", CompletionCommand.NAME);
 
     private Main() {
+    }
+
+    /** The names of all commands, as they are listed. */
+    public static List<String> commands() {
+        return COMMANDS;
     }
 
     /** Runs the program and exits with its status. */
@@ -88,8 +93,8 @@ public final class Main {
             dress(line);
             program.addSubcommand(name, line);
         }
-        Numbers.register(program);
-        Problems problems = new Problems(streams);
+        NumberConverter.register(program);
+        ErrorHandler problems = new ErrorHandler(streams);
         program.setExpandAtFiles(false);
         program.setUsageHelpWidth(WIDTH);
         program.setOut(new PrintWriter(streams.out(), true, StandardCharsets.UTF_8));

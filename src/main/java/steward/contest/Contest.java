@@ -7,16 +7,16 @@ import steward.bot.command.BotCommand;
 import steward.bot.process.BotProcess;
 import steward.files.InputException;
 import steward.game.GameSetup;
-import steward.match.Followers;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
 import steward.match.Protocol;
 import steward.match.Referee;
 import steward.match.Seat;
+import steward.match.TeeListener;
 import steward.match.TimeControl;
 import steward.replay.ReplayHeader;
 import steward.replay.ReplayWriter;
-import steward.text.Words;
+import steward.text.TextFormat;
 
 /**
  * A scene and the bots that are to play in it, checked: any number of matches can be played, also at the same time.
@@ -49,8 +49,9 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
     public static Contest of(GameSetup setup, List<String> bots, Protocol usual, double timeFactor) {
         int players = setup.scene().players();
         if (bots.size() != players) {
-            throw new InputException("found " + Words.count(bots.size(), "bot") + ", expected "
-                + Words.count(players, "bot") + ", one --bot for each player of the scene \"" + setup.scene().name()
+            throw new InputException("found " + TextFormat.count(bots.size(), "bot") + ", expected "
+                + TextFormat.count(players, "bot") + ", one --bot for each player of the scene \""
+                + setup.scene().name()
                 + "\"");
         }
         List<Entrant> entrants = entrants(bots, usual);
@@ -143,7 +144,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
             seats.add(new Seat(new BotProcess(entrant.name(), entrant.words()), entrant.protocol()));
         }
         MatchListener listener = recording == null ? follower
-            : new Followers(new ReplayWriter(recording, header(seed, rotation)), follower);
+            : new TeeListener(new ReplayWriter(recording, header(seed, rotation)), follower);
         return Referee.of(setup, seed, seats, time, listener).play();
     }
 

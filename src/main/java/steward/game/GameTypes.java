@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import steward.scene.Scene;
 import steward.scene.SceneReader;
-import steward.text.Nearest;
+import steward.text.NearestName;
 
 /**
  * The games that are known; made by the command line, which alone lists them.
@@ -42,7 +42,7 @@ public record GameTypes(List<GameType> types) {
             }
             known.add(type.id());
         }
-        String hint = Nearest.of(scene.gameId(), known).map(near -> "; did you mean \"" + near + "\"?").orElse("");
+        String hint = NearestName.of(scene.gameId(), known).map(near -> "; did you mean \"" + near + "\"?").orElse("");
         throw scene.root().error("game", "unknown game \"" + scene.gameId() + "\"",
             "one of " + String.join(", ", known) + hint);
     }

@@ -1,5 +1,6 @@
 package steward.game;
 
+import steward.Internal;
 import steward.numerics.ShortestDecimal;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.SerializableString;
@@ -11,6 +12,7 @@ import tools.jackson.core.json.JsonFactory;
  * fraction. The text must not depend on the JDK (whose own conversion changed in 19): it is Jackson's, and our own of
  * the same spelling where that need not allocate.
  */
+@Internal
 public final class JsonNumbers {
 
     /** Doubles up to this are exact integers, and so is their conversion to long: 2^53. */

@@ -1,10 +1,13 @@
 package steward.game;
 
+import steward.Internal;
+
 /**
  * Reads the plain lines that nearly all bots write, in the order in which the caller expects them: names, brackets and
  * short decimal numbers, blanks between them. It says no to anything else, also to much that is good JSON, and a real
  * parser must then read the line from its beginning.
  */
+@Internal
 public final class LineScan {
 
     /** So many digits fit into the 53 bits of a double. */

@@ -5,6 +5,7 @@ import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import steward.Internal;
 import steward.numerics.ShortestDecimal;
 import tools.jackson.core.SerializableString;
 import tools.jackson.core.io.NumberOutput;
@@ -17,6 +18,7 @@ import tools.jackson.core.io.NumberOutput;
  *
  * <p>Caveat: asked for quoted text, as only a field name is, this refuses.
  */
+@Internal
 public final class RawJson implements SerializableString {
 
     /** The most characters of a long, with its sign. */

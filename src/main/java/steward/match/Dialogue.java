@@ -1,5 +1,6 @@
 package steward.match;
 
+import steward.Internal;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
@@ -9,6 +10,7 @@ import steward.game.TextCodec;
  * What is said to one kind of bot and how its answers are understood: a protocol bound to one game. The referee speaks
  * it, and a replay can say it again, because it follows from the game.
  */
+@Internal
 public interface Dialogue {
 
     /** The lines before the first turn, perhaps none; valid until the next call of any method that makes lines. */

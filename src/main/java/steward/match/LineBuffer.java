@@ -2,8 +2,10 @@ package steward.match;
 
 import java.io.OutputStream;
 import java.util.Arrays;
+import steward.Internal;
 
 /** Bytes of lines that can be read in place; reused from line to line. Not thread-safe. */
+@Internal
 public final class LineBuffer extends OutputStream {
 
     private byte[] bytes = new byte[4096];

@@ -215,19 +215,19 @@ public final class Referee {
         turn.asked[player] = true;
         turn.answers[player] = answer;
         turn.nanos[player] = answer.nanos();
-        turn.stderr[player] = Quote.wellFormed(answer.stderr());
+        turn.stderr[player] = SafeText.wellFormed(answer.stderr());
         data.read(player, turn.stderr[player]);
         String fault = answer.fault();
         if (ending == Player.Ending.ANSWERED && directs[player] == null) {
             String wrong = dialogues[player].readAnswer(player, answer.bytes(), answer.length());
-            fault = wrong == null ? null : wrong + "; received: " + Quote.line(answer.bytes(), answer.length());
+            fault = wrong == null ? null : wrong + "; received: " + SafeText.line(answer.bytes(), answer.length());
         }
         if (fault == null) {
             turn.answered[player] = true;
-            turn.messages[player] = Quote.wellFormed(directs[player] == null ? dialogues[player].message(player)
+            turn.messages[player] = SafeText.wellFormed(directs[player] == null ? dialogues[player].message(player)
                 : directs[player].message());
         } else {
-            faults[player] = Quote.wellFormed(fault);
+            faults[player] = SafeText.wellFormed(fault);
             turn.faults[player] = faults[player];
             players.get(player).close();
         }

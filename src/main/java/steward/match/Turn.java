@@ -37,16 +37,16 @@ public final class Turn {
     public void answer(int player, String message, String error, long answerNanos) {
         asked[player] = true;
         answered[player] = true;
-        messages[player] = Quote.wellFormed(message);
-        stderr[player] = Quote.wellFormed(error);
+        messages[player] = SafeText.wellFormed(message);
+        stderr[player] = SafeText.wellFormed(error);
         nanos[player] = answerNanos;
     }
 
     /** The player failed; stderr may be {@code null}. */
     public void fail(int player, String fault, String error, long answerNanos) {
         asked[player] = true;
-        faults[player] = Quote.wellFormed(fault);
-        stderr[player] = Quote.wellFormed(error);
+        faults[player] = SafeText.wellFormed(fault);
+        stderr[player] = SafeText.wellFormed(error);
         nanos[player] = answerNanos;
     }
 

@@ -21,7 +21,7 @@ public final class ErrorFree {
     /** Products from here on have no error below the smallest double. */
     private static final double SMALLEST_PRODUCT = 0x1p-968;
 
-    private static final boolean FAST_FMA = Machine.hasFastFma();
+    private static final boolean FAST_FMA = FusedMultiplyAdd.hasFastFma();
 
     private ErrorFree() {
     }

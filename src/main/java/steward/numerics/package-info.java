@@ -3,4 +3,7 @@
  * arithmetic beyond doubles (errors of sums and products, double-doubles, exact sums). This room knows nothing else
  * of Steward.
  */
+@Internal
 package steward.numerics;
+
+import steward.Internal;

@@ -3,6 +3,7 @@ package steward.replay;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 import java.nio.ByteOrder;
+import steward.Internal;
 import steward.numerics.StateHash;
 
 /**
@@ -13,6 +14,7 @@ import steward.numerics.StateHash;
  * <p>Bytes of JSON enter it eight at a time, the first as the lowest, the last ones filled up with zeros, and then
  * their number. In format 1 of a replay they entered it one by one, signed, without their number.
  */
+@Internal
 public final class InputHash {
 
     private static final VarHandle EIGHT_BYTES =

@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import steward.Internal;
 import steward.game.JsonNumbers;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonParser;
@@ -16,6 +17,7 @@ import tools.jackson.core.ObjectReadContext;
  * One line of a replay: a JSON object of which only the top level is taken apart. Objects and arrays are kept as the
  * bytes they were written with, so that they can be compared with other bytes and parsed only when needed.
  */
+@Internal
 public final class JsonLine {
 
     /**

@@ -2,6 +2,7 @@ package steward.replay;
 
 import java.util.List;
 import java.util.Locale;
+import steward.Internal;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.JsonNumbers;
@@ -16,6 +17,7 @@ import tools.jackson.core.io.SerializedString;
  * Writes what follows from the commands: impacts, paths, events, the ending by the impact limit, the state and its
  * hash. What is empty is left out. The writer records it, the verifier writes it again and compares.
  */
+@Internal
 public final class OutcomeJson {
 
     /** A turn can have over ten thousand impacts; the first so many of them are kept, and so many corners of paths. */

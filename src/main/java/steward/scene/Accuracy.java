@@ -18,9 +18,9 @@ import steward.scene.json.JsonValue.Entry;
 import steward.scene.json.JsonValue.JsonNumber;
 import steward.scene.json.JsonValue.JsonObject;
 import steward.scene.json.JsonValue.JsonText;
-import steward.scene.json.Place;
+import steward.scene.json.SourcePosition;
 import steward.scene.json.Wording;
-import steward.text.Nearest;
+import steward.text.NearestName;
 
 /**
  * With how much care a scene is computed: a rung of the ladder from {@code step/1}, the cheapest, to
@@ -120,7 +120,7 @@ public record Accuracy(Way way, int steps, Arithmetic arithmetic) {
         known.addAll(arithmetics.keySet());
         throw refusal(text, "event/ARITHMETIC, step/K or "
             + Wording.oneOf(arithmetics.keySet())
-            + Nearest.of(way, known).map(near -> "; did you mean \"" + near + "\"?").orElse(""));
+            + NearestName.of(way, known).map(near -> "; did you mean \"" + near + "\"?").orElse(""));
     }
 
     private static int parseSteps(String text, String steps) {
@@ -151,7 +151,7 @@ public record Accuracy(Way way, int steps, Arithmetic arithmetic) {
 
     /** The block of a scene that says so. */
     JsonObject json() {
-        Place nowhere = new Place(1, 1);
+        SourcePosition nowhere = new SourcePosition(1, 1);
         Map<String, Entry> entries = new LinkedHashMap<>();
         entries.put("advance", new Entry(nowhere, new JsonText(nowhere, way.text())));
         if (way == Way.STEP) {

@@ -1,5 +1,7 @@
 package steward.scene;
 
+import steward.Internal;
+
 /**
  * The rung that a scene is computed on, and how it came to be that one.
  *
@@ -7,6 +9,7 @@ package steward.scene;
  * @param stated whether the scene file itself names it
  * @param why    for people, a clause to follow the rung's name
  */
+@Internal
 public record AccuracyChoice(Accuracy rung, boolean stated, String why) {
 
     /** Named by the scene file. */

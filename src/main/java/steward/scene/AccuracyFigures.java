@@ -9,6 +9,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import steward.Internal;
 import steward.scene.json.Block;
 import steward.scene.json.JsonTree;
 import steward.scene.json.SceneException;
@@ -29,6 +30,7 @@ import steward.scene.json.Wording;
  * @param states  how many states were seen
  * @param rungs   the figures, cheapest rung first
  */
+@Internal
 public record AccuracyFigures(String source, String physics, String key, String sample, int states,
                               List<OfRung> rungs) {
 

@@ -3,6 +3,7 @@ package steward.scene;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
+import steward.Internal;
 import steward.numerics.SplitMix64;
 import steward.numerics.StateHash;
 import steward.physics.Advance;
@@ -20,6 +21,7 @@ import steward.physics.Wall;
  * kinds of laws and among walls. It changes when the bits of a result change, and with nothing else; what was measured
  * with another one is out of date.
  */
+@Internal
 public final class PhysicsFingerprint {
 
     private static final long SEED = 4;

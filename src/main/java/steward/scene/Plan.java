@@ -90,7 +90,7 @@ public final class Plan {
      */
     public Advance advance(Reaction reaction) {
         PhysicsParts physics = physics(reaction);
-        return scene.onlooker().look(physics, scene.accuracy().advance(physics, bodies));
+        return scene.observer().observe(physics, scene.accuracy().advance(physics, bodies));
     }
 
     /** The rung that the scene is computed on, and why that one. */

@@ -2,8 +2,10 @@ package steward.scene;
 
 import java.util.function.BiFunction;
 import java.util.function.Function;
+import steward.Internal;
 
 /** A plan as text: one line per part with in or out, perhaps its price, its name and why. */
+@Internal
 public final class PlanTable {
 
     private PlanTable() {

@@ -18,13 +18,13 @@ import steward.scene.json.Block;
  * @param roundPosition    whether positions are rounded at the end of a turn
  * @param time             how long a player may take
  * @param choice           with how much care it is computed, and why so
- * @param onlooker         sees the ways to advance that games of this scene take from their plan
+ * @param observer         sees the ways to advance that games of this scene take from their plan
  * @param root             the whole file, for the game to read its own blocks from and then to call
  *                         {@link Block#done()} on
  */
 public record Scene(String name, String gameId, int players, Optional<Field> field, ImpactLaw law, double drag,
                     boolean truncateVelocity, boolean roundPosition, Time time, AccuracyChoice choice,
-                    Onlooker onlooker, Block root) {
+                    PhysicsObserver observer, Block root) {
 
     /** With how much care it is computed. */
     public Accuracy accuracy() {
@@ -32,7 +32,7 @@ public record Scene(String name, String gameId, int players, Optional<Field> fie
     }
 
     /** The same scene, its games watched: for measuring turns from within. */
-    public Scene withOnlooker(Onlooker other) {
+    public Scene withObserver(PhysicsObserver other) {
         return new Scene(name, gameId, players, field, law, drag, truncateVelocity, roundPosition, time, choice, other,
             root);
     }

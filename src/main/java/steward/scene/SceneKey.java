@@ -2,6 +2,7 @@ package steward.scene;
 
 import java.util.List;
 import java.util.TreeMap;
+import steward.Internal;
 import steward.numerics.StateHash;
 import steward.scene.json.Block;
 import steward.scene.json.JsonValue;
@@ -14,6 +15,7 @@ import steward.scene.json.JsonValue.JsonText;
  * A key of everything in a scene that decides what happens in its games: all but its name, the times players have, and
  * its accuracy. Neither the order of fields nor the spelling of numbers matters (1, 1.0, 1e0).
  */
+@Internal
 public final class SceneKey {
 
     private static final List<String> LEFT_OUT = List.of("name", "time", "accuracy");

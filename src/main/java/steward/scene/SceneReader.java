@@ -55,7 +55,7 @@ public final class SceneReader {
             motion.map(block -> block.choice("velocity", Map.of("truncate", true), false)).orElse(false),
             motion.map(block -> block.choice("position", Map.of("round", true), false)).orElse(false),
             new Time(time.integer("firstAnswerMs", 1, MOST_MS), time.integer("answerMs", 1, MOST_MS)),
-            choice, Onlooker.NOBODY, choice.stated() ? root : root.with("accuracy", choice.rung().json()));
+            choice, PhysicsObserver.NOBODY, choice.stated() ? root : root.with("accuracy", choice.rung().json()));
     }
 
     /** What the block does not name stays as in {@link ImpactLaw#PHYSICS}. */

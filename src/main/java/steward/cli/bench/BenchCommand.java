@@ -22,8 +22,8 @@ import steward.cli.shared.Streams;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.lab.tradeoff.TradeoffMachine;
-import steward.text.Nearest;
-import steward.text.Words;
+import steward.text.NearestName;
+import steward.text.TextFormat;
 
 /** {@code steward bench}: how fast pod turns, matches, frames, replays, bot processes and crowds are. */
 @Command(name = "bench", description = "Measures how fast pod turns, matches, frames, replays, bot processes and "
@@ -132,7 +132,7 @@ public final class BenchCommand implements Callable<Integer> {
         List<String> known = all.stream().map(Section::name).toList();
         for (String name : only) {
             check(known.contains(name), "--only: found '" + name + "', expected one of " + String.join(", ", known)
-                + Nearest.of(name, known).map(near -> "; did you mean '" + near + "'?").orElse(""));
+                + NearestName.of(name, known).map(near -> "; did you mean '" + near + "'?").orElse(""));
         }
         return only.isEmpty() ? all : all.stream().filter(each -> only.contains(each.name())).toList();
     }
@@ -198,7 +198,7 @@ public final class BenchCommand implements Callable<Integer> {
                     return ExitStatus.FAILED;
                 }
                 streams.err().println("steward: " + section.name() + ": could not be measured: "
-                    + Words.plain(String.valueOf(problem.getMessage())));
+                    + TextFormat.plain(String.valueOf(problem.getMessage())));
                 status = ExitStatus.FAILED;
             }
             table.release();

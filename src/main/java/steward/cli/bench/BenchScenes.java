@@ -9,7 +9,6 @@ import steward.bench.Section;
 import steward.bench.section.MatchKit;
 import steward.bench.section.Responder;
 import steward.bench.section.Sections;
-import steward.cli.Main;
 import steward.cli.shared.Games;
 import steward.game.GameSetup;
 import steward.game.podrace.protocol.PodRaceType;
@@ -22,6 +21,8 @@ final class BenchScenes {
     /** The launcher tells where it stands. */
     static final String LAUNCHER = "steward.launcher";
 
+    /** What the launcher starts; a class above this room, so it is named and not imported. */
+    private static final String MAIN_CLASS = "steward.cli.Main";
     private static final String SCENE = "mad-pod-racing";
     /** A good answer for two pods, which never arrive. */
     private static final String ANSWER = "{\"pods\":[{\"x\":8000,\"y\":4500,\"thrust\":50},"
@@ -66,7 +67,7 @@ final class BenchScenes {
         for (String option : List.of("picocli")) {
             plain.addAll(boot(option));
         }
-        plain.addAll(List.of("-cp", classes, Main.class.getName()));
+        plain.addAll(List.of("-cp", classes, MAIN_CLASS));
         String launcher = System.getProperty(LAUNCHER);
         return new MatchKit(Games.types(), Games.open(SCENE), BenchDirect::new, BenchLines::new, responder,
             launcher == null ? null : List.of(launcher), plain);

@@ -6,7 +6,7 @@ import java.util.Locale;
 import steward.bench.Row;
 import steward.bench.Section;
 import steward.cli.shared.Streams;
-import steward.text.Words;
+import steward.text.TextFormat;
 
 /** Prints the benchmarks' table row by row as it comes. */
 final class BenchTable {
@@ -25,9 +25,9 @@ final class BenchTable {
     }
 
     void begin(Section section) {
-        streams.out().println("\n" + section.name() + ": " + Words.wrap(section.about(), " ", WIDTH, ""));
-        streams.out().println("  " + Words.left("", NAME) + Words.right("a second", FIGURE)
-            + Words.right("each", TIME) + Words.right("ratio", RATIO) + Words.right("bytes", RATIO));
+        streams.out().println("\n" + section.name() + ": " + TextFormat.wrap(section.about(), " ", WIDTH, ""));
+        streams.out().println("  " + TextFormat.left("", NAME) + TextFormat.right("a second", FIGURE)
+            + TextFormat.right("each", TIME) + TextFormat.right("ratio", RATIO) + TextFormat.right("bytes", RATIO));
         streams.out().flush();
     }
 
@@ -43,16 +43,16 @@ final class BenchTable {
     }
 
     void add(Row row) {
-        String line = "  " + Words.left(row.name(), NAME)
-            + Words.right(String.format(Locale.ROOT, "%,.0f", row.perSecond()), FIGURE)
-            + Words.right(time(row.nanos()), TIME) + Words.right(Words.fixed(row.ratio(), 2), RATIO)
-            + Words.right(Words.fixed(row.bytes(), 0), RATIO);
+        String line = "  " + TextFormat.left(row.name(), NAME)
+            + TextFormat.right(String.format(Locale.ROOT, "%,.0f", row.perSecond()), FIGURE)
+            + TextFormat.right(time(row.nanos()), TIME) + TextFormat.right(TextFormat.fixed(row.ratio(), 2), RATIO)
+            + TextFormat.right(TextFormat.fixed(row.bytes(), 0), RATIO);
         streams.out().println(row.note().isEmpty() ? line : line + "  " + row.note());
         streams.out().flush();
     }
 
     private static String time(double nanos) {
-        return nanos < 1e3 ? Words.fixed(nanos, 0) + " ns" : nanos < 1e6 ? Words.fixed(nanos / 1e3, 2) + " us"
-            : Words.fixed(nanos / 1e6, 2) + " ms";
+        return nanos < 1e3 ? TextFormat.fixed(nanos, 0) + " ns" : nanos < 1e6 ? TextFormat.fixed(nanos / 1e3, 2) + " us"
+            : TextFormat.fixed(nanos / 1e6, 2) + " ms";
     }
 }

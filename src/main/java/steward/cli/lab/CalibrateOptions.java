@@ -45,7 +45,7 @@ final class CalibrateOptions {
         if (states != null && (states < 1 || states > MOST_STATES)) {
             throw new InputException("--states: found " + states + ", expected 1 to " + MOST_STATES);
         }
-        List<Calibrating> all = new ArrayList<>();
+        List<CalibrationRun> all = new ArrayList<>();
         List<Path> files = new ArrayList<>();
         for (String scene : scenes) {
             // On any rung: the scene may state a demand that only this calibration can meet.
@@ -56,15 +56,15 @@ final class CalibrateOptions {
             }
             files.add(file.toAbsolutePath().normalize());
             OutputFiles.check(file, overwrite);
-            all.add(Calibrating.of(streams, setup, file, states == null ? Calibration.STATES : states));
+            all.add(CalibrationRun.of(streams, setup, file, states == null ? Calibration.STATES : states));
         }
         if (out != null) {
             OutputFiles.prepareFolder(OutputFiles.path(out));
         }
-        for (Calibrating each : all) {
+        for (CalibrationRun each : all) {
             each.begin();
         }
-        for (Calibrating each : all) {
+        for (CalibrationRun each : all) {
             each.run();
         }
         return ExitStatus.DONE;

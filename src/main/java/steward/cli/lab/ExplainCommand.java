@@ -19,7 +19,7 @@ import steward.game.GameSetup;
 import steward.scene.AccuracyChoice;
 import steward.scene.PlanTable;
 import steward.scene.Scene;
-import steward.text.Words;
+import steward.text.TextFormat;
 
 /** {@code steward explain}: what a scene says, and which parts of the engine it needs. */
 @Command(name = "explain", description = "Prints what a scene says, which parts of the engine it needs and why, and "
@@ -54,16 +54,16 @@ public final class ExplainCommand implements Callable<Integer> {
         out.println();
         boolean colours = streams.outTerminal() && Ansi.AUTO.enabled();
         out.print(PlanTable.of(setup.plan(), part -> noPrices ? "" : prices.of(part), (part, line) -> {
-            String wrapped = Words.wrap(line, ", ", WIDTH, " ".repeat(line.length() - part.why().length()));
+            String wrapped = TextFormat.wrap(line, ", ", WIDTH, " ".repeat(line.length() - part.why().length()));
             return colours && !part.in() ? Ansi.ON.string("@|faint " + wrapped + "|@") : wrapped;
         }));
         out.println();
         if (!noPrices) {
-            out.println(Words.wrap(prices.legend(), " ", WIDTH, ""));
+            out.println(TextFormat.wrap(prices.legend(), " ", WIDTH, ""));
             out.println();
         }
         AccuracyChoice choice = setup.plan().accuracy();
-        out.println(Words.wrap("Accuracy: " + choice.rung() + ", " + choice.why(), " ", WIDTH, "  "));
+        out.println(TextFormat.wrap("Accuracy: " + choice.rung() + ", " + choice.why(), " ", WIDTH, "  "));
         out.println();
         settings(out, setup.scene());
         return ExitStatus.DONE;
@@ -72,14 +72,15 @@ public final class ExplainCommand implements Callable<Integer> {
     private static void settings(PrintStream out, Scene read) {
         out.println("What the scene says:");
         out.println();
-        out.println("  game " + read.gameId() + " for " + Words.count(read.players(), "player"));
+        out.println("  game " + read.gameId() + " for " + TextFormat.count(read.players(), "player"));
         out.println("  first answer within " + read.time().firstAnswerMs() + " ms, the others within "
             + read.time().answerMs() + " ms");
         for (Map.Entry<String, Object> block : Json.object(read.json()).entrySet()) {
             if (block.getValue() instanceof Map<?, ?> fields && !block.getKey().equals("time")) {
                 List<String> items = new ArrayList<>();
                 fields.forEach((name, value) -> items.add(name + " " + word(value)));
-                out.println(Words.wrap("  " + block.getKey() + ": " + String.join(", ", items), ", ", WIDTH, "    "));
+                out.println(TextFormat.wrap("  " + block.getKey() + ": " + String.join(", ", items), ", ", WIDTH,
+                    "    "));
             }
         }
     }

@@ -8,7 +8,7 @@ import steward.cli.shared.Games;
 import steward.game.GameSetup;
 import steward.game.podrace.protocol.PodRaceType;
 import steward.lab.stability.Golden;
-import steward.lab.trial.Size;
+import steward.lab.trial.RunLength;
 import steward.numerics.SplitMix64;
 import steward.physics.Arithmetic;
 import steward.scene.SceneFiles;
@@ -21,9 +21,9 @@ final class GoldenSuite {
     private GoldenSuite() {
     }
 
-    static List<Golden.Part> parts(Size size) {
+    static List<Golden.Part> parts(RunLength size) {
         List<Golden.Part> parts = new ArrayList<>(Golden.worlds(size));
-        int turns = size == Size.SMALL ? 30 : 500;
+        int turns = size == RunLength.SMALL ? 30 : 500;
         for (String scene : SceneFiles.shipped()) {
             for (Arithmetic arithmetic : Arithmetic.values()) {
                 parts.add(play(scene, "\"accuracy\": {\"advance\": \"event\", \"arithmetic\": \"" + arithmetic.text()

@@ -42,8 +42,8 @@ final class PriceList {
     /** With two clocks in nanoseconds: one for the prices, and one for who waits. */
     static PriceList measure(Streams streams, GameSetup setup, LongSupplier work, LongSupplier wall) {
         int[] told = {-1};
-        PartPrices.Prices prices = PartPrices.measure(setup.scene(), Games.types(), Pilots.race(setup, SEED),
-            Pilots.racing(), work, wall, BUDGET_NANOS, share -> {
+        PartPrices.Prices prices = PartPrices.measure(setup.scene(), Games.types(), SeededPilots.race(setup, SEED),
+            SeededPilots.racing(), work, wall, BUDGET_NANOS, share -> {
                 int percent = (int) (100 * share);
                 if (streams.errTerminal() && percent > told[0]) {
                     streams.err().print("\rmeasuring prices: " + percent + "%");

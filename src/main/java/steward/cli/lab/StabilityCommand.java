@@ -18,11 +18,11 @@ import steward.lab.stability.Golden;
 import steward.lab.stability.StabilityCases;
 import steward.lab.stability.StabilityFiles;
 import steward.lab.stability.StabilityRow;
+import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
-import steward.lab.trial.Size;
 import steward.lab.trial.StabilityCase;
 import steward.numerics.StateHash;
-import steward.text.Nearest;
+import steward.text.NearestName;
 
 /** {@code steward stability}: what the physics does at the numerical extremes, held against what is demanded. */
 @Command(name = "stability", description = "Tries the physics at the numerical extremes, on every rung of accuracy, "
@@ -80,7 +80,7 @@ public final class StabilityCommand implements Callable<Integer> {
         if (impacts != null && !(impacts >= 1 && impacts <= MOST_IMPACTS)) {
             throw new InputException("--impacts: found " + impacts + ", expected 1 to " + MOST_IMPACTS);
         }
-        Size size = full ? Size.LONG : quick ? Size.SMALL : Size.NORMAL;
+        RunLength size = full ? RunLength.LONG : quick ? RunLength.SMALL : RunLength.NORMAL;
         if (golden) {
             if (out != null || !names.isEmpty() || !rungNames.isEmpty() || impacts != null) {
                 throw new InputException("--golden goes with --quick or --long only");
@@ -100,7 +100,7 @@ public final class StabilityCommand implements Callable<Integer> {
         }
     }
 
-    private int golden(Size size) {
+    private int golden(RunLength size) {
         List<Golden.Part> parts = GoldenSuite.parts(size);
         for (Golden.Part part : parts) {
             streams.out().println(StateHash.toHex(part.hash()) + "  " + part.name());
@@ -114,13 +114,13 @@ public final class StabilityCommand implements Callable<Integer> {
         for (String name : names) {
             if (!known.contains(name)) {
                 throw new InputException(option + ": found '" + name + "', expected one of " + String.join("; ", known)
-                    + Nearest.of(name, known).map(near -> "; did you mean '" + near + "'?").orElse(""));
+                    + NearestName.of(name, known).map(near -> "; did you mean '" + near + "'?").orElse(""));
             }
         }
         return names.isEmpty() ? all : all.stream().filter(each -> names.contains(nameOf.apply(each))).toList();
     }
 
-    private StabilityFiles files(Path folder, Size size) {
+    private StabilityFiles files(Path folder, RunLength size) {
         OutputFiles.prepareFolder(folder);
         for (String name : List.of(StabilityFiles.CSV, StabilityFiles.JSON)) {
             Path file = folder.resolve(name);
@@ -135,7 +135,7 @@ public final class StabilityCommand implements Callable<Integer> {
         }
     }
 
-    private int table(List<StabilityCase> cases, List<Rung> rungs, Size size, StabilityTable table,
+    private int table(List<StabilityCase> cases, List<Rung> rungs, RunLength size, StabilityTable table,
                       StabilityFiles files, String kept) {
         try (Interruption interruption = new Interruption(streams,
             () -> kept + (table.unfinished().isEmpty() ? "" : "; unfinished: " + table.unfinished()))) {

@@ -4,8 +4,8 @@ import java.util.Locale;
 import java.util.function.Supplier;
 import steward.cli.shared.Streams;
 import steward.lab.stability.StabilityRow;
-import steward.lab.trial.Seen;
-import steward.text.Words;
+import steward.lab.trial.Finding;
+import steward.text.TextFormat;
 
 /** Prints the stability table as it comes: per case what is demanded, and a line per rung with what was seen. */
 final class StabilityTable {
@@ -34,7 +34,7 @@ final class StabilityTable {
     /** What is tried now, for a terminal. */
     void about(String name, String rung) {
         begun++;
-        present = Words.shorten(name, 40) + ", " + rung;
+        present = TextFormat.shorten(name, 40) + ", " + rung;
         show("");
     }
 
@@ -69,17 +69,17 @@ final class StabilityTable {
             line("demanded", "", row.demand());
             lastCase = row.name();
         }
-        Seen seen = row.seen();
-        held += seen.verdict() == Seen.Verdict.HOLDS ? 1 : 0;
+        Finding seen = row.seen();
+        held += seen.verdict() == Finding.Verdict.HOLDS ? 1 : 0;
         failed += row.failed() ? 1 : 0;
         line(row.rung(), seen.verdict().name().toLowerCase(Locale.ROOT), seen.text());
         streams.out().flush();
     }
 
     private void line(String rung, String verdict, String text) {
-        String start = "  " + Words.left(rung, RUNG) + Words.left(verdict, VERDICT);
+        String start = "  " + TextFormat.left(rung, RUNG) + TextFormat.left(verdict, VERDICT);
         String next = "\n" + " ".repeat(start.length());
-        String lines = Words.wrap(Words.plain(text), " ", WIDTH - start.length(), "");
+        String lines = TextFormat.wrap(TextFormat.plain(text), " ", WIDTH - start.length(), "");
         streams.out().println(start + lines.replace("\n", next));
     }
 
@@ -93,7 +93,7 @@ final class StabilityTable {
     /** @return whether no demand has failed */
     boolean end() {
         streams.out().println();
-        streams.out().println(Words.count(held, "demand") + (held == 1 ? " is" : " are") + " met, " + failed
+        streams.out().println(TextFormat.count(held, "demand") + (held == 1 ? " is" : " are") + " met, " + failed
             + (failed == 1 ? " is" : " are") + " not");
         return failed == 0;
     }

@@ -23,7 +23,7 @@ import steward.lab.tradeoff.TradeoffMachine;
 import steward.lab.tradeoff.TradeoffMeasurement;
 import steward.lab.tradeoff.TradeoffRow;
 import steward.lab.tradeoff.TradeoffScene;
-import steward.lab.tradeoff.report.TradeoffFiles;
+import steward.lab.tradeoff.report.TradeoffReport;
 
 /** {@code steward tradeoff}: what each rung of accuracy costs, and how far it is from the truth. */
 @Command(name = "tradeoff", description = "Measures, scene by scene, what each rung of accuracy costs and how far "
@@ -44,8 +44,8 @@ public final class TradeoffCommand implements Callable<Integer> {
     @Option(names = "--quick", description = "Few states and rounds: rough figures, soon.")
     private boolean quick;
 
-    @Option(names = "--out", paramLabel = "DIR", description = "Writes " + TradeoffFiles.CSV + " and "
-        + TradeoffFiles.JSON + " into a folder, scene by scene, and in the end a plot and a page that shows it.")
+    @Option(names = "--out", paramLabel = "DIR", description = "Writes " + TradeoffReport.CSV + " and "
+        + TradeoffReport.JSON + " into a folder, scene by scene, and in the end a plot and a page that shows it.")
     private String out;
 
     @Option(names = "--overwrite", description = "Replaces the files if they exist.")
@@ -78,7 +78,7 @@ public final class TradeoffCommand implements Callable<Integer> {
             return ExitStatus.DONE;
         }
         Path folder = OutputFiles.path(out);
-        try (TradeoffFiles files = files(folder); Interruption interruption = new Interruption(
+        try (TradeoffReport files = files(folder); Interruption interruption = new Interruption(
             streams, "the scenes so far are in " + folder)) {
             measure(chosen, headings, files);
             String problem = files.finish();
@@ -90,24 +90,24 @@ public final class TradeoffCommand implements Callable<Integer> {
         return ExitStatus.DONE;
     }
 
-    private TradeoffFiles files(Path folder) {
+    private TradeoffReport files(Path folder) {
         OutputFiles.prepareFolder(folder);
-        for (String name : TradeoffFiles.ALL) {
+        for (String name : TradeoffReport.ALL) {
             OutputFiles.check(folder.resolve(name), overwrite);
         }
         try {
             if (overwrite) {
-                for (String name : TradeoffFiles.ALL) {
+                for (String name : TradeoffReport.ALL) {
                     Files.deleteIfExists(folder.resolve(name));
                 }
             }
-            return new TradeoffFiles(folder, TradeoffMachine.line(), LocalDate.now(ZoneOffset.UTC).toString());
+            return new TradeoffReport(folder, TradeoffMachine.line(), LocalDate.now(ZoneOffset.UTC).toString());
         } catch (IOException problem) {
             throw new InputException(folder + ": cannot be written into: " + problem.getMessage());
         }
     }
 
-    private void measure(List<TradeoffScene> chosen, boolean headings, TradeoffFiles files) {
+    private void measure(List<TradeoffScene> chosen, boolean headings, TradeoffReport files) {
         TradeoffEffort effort = quick ? TradeoffEffort.QUICK : TradeoffEffort.NORMAL;
         TradeoffTable table = new TradeoffTable(streams);
         int parts = chosen.size() + (headings ? 1 : 0);

@@ -15,7 +15,7 @@ import steward.lab.tradeoff.TradeoffScene;
 import steward.lab.tradeoff.TradeoffWorlds;
 import steward.physics.Motion;
 import steward.scene.SceneFiles;
-import steward.text.Nearest;
+import steward.text.NearestName;
 
 /** The scenes that the trade-off is measured on: those of its own, and any scene that a match can be played in. */
 final class TradeoffScenes {
@@ -63,7 +63,7 @@ final class TradeoffScenes {
         if (word.equals(BRAWL)) {
             GameSetup setup = Games.open(OFFICIAL);
             return played(BRAWL, "states of four pods that all want the same checkpoint, official rules", setup,
-                Pilots.brawl(setup, SEED));
+                SeededPilots.brawl(setup, SEED));
         }
         for (TradeoffScene world : TradeoffWorlds.all()) {
             if (world.name().equals(word)) {
@@ -84,13 +84,13 @@ final class TradeoffScenes {
         boolean file = word.endsWith(".json") || word.contains("/") || Files.exists(OutputFiles.path(word));
         if (!file && !known.contains(word)) {
             throw new InputException("--scene: found '" + word + "', expected a scene file or one of "
-                + String.join(", ", known) + Nearest.of(word, known).map(near -> "; did you mean '" + near + "'?")
+                + String.join(", ", known) + NearestName.of(word, known).map(near -> "; did you mean '" + near + "'?")
                 .orElse(""));
         }
     }
 
     private static TradeoffScene race(String name, String about, GameSetup setup) {
-        return played(name, about, setup, Pilots.race(setup, SEED));
+        return played(name, about, setup, SeededPilots.race(setup, SEED));
     }
 
     private static TradeoffScene played(String name, String about, GameSetup setup, SeededPlay play) {

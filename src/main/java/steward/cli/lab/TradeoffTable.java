@@ -6,7 +6,7 @@ import steward.cli.shared.Streams;
 import steward.lab.tradeoff.TradeoffHeadings;
 import steward.lab.tradeoff.TradeoffRow;
 import steward.lab.tradeoff.TradeoffScene;
-import steward.text.Words;
+import steward.text.TextFormat;
 
 /** Prints the trade-off scene by scene: a line per rung. */
 final class TradeoffTable {
@@ -26,8 +26,9 @@ final class TradeoffTable {
     void add(TradeoffScene scene, List<TradeoffRow> rows) {
         TradeoffRow first = rows.get(0);
         streams.out().println(scene.name() + ": " + scene.about() + ";");
-        streams.out().println("  " + Words.count(first.states(), "state") + " with "
-            + Words.count(first.impacts(), "impact") + ", " + Words.count(first.rounds(), "round") + " of timing");
+        streams.out().println("  " + TextFormat.count(first.states(), "state") + " with "
+            + TextFormat.count(first.impacts(), "impact") + ", " + TextFormat.count(first.rounds(), "round")
+            + " of timing");
         for (String[] header : HEADER) {
             line("", header);
         }
@@ -41,7 +42,7 @@ final class TradeoffTable {
                 row.compared() == 0 ? "-" : Long.toString(row.differing()));
         }
         if (first.compared() > 0) {
-            streams.out().println("  ends: of " + Words.count(first.compared(), "body-turn")
+            streams.out().println("  ends: of " + TextFormat.count(first.compared(), "body-turn")
                 + ", so many end with other whole numbers than in truth");
         }
         streams.out().println();
@@ -49,16 +50,16 @@ final class TradeoffTable {
     }
 
     private void line(String rung, String... cells) {
-        StringBuilder line = new StringBuilder("  " + Words.left(rung, RUNG));
+        StringBuilder line = new StringBuilder("  " + TextFormat.left(rung, RUNG));
         for (int k = 0; k < cells.length; k++) {
-            line.append(' ').append(Words.right(cells[k], WIDTHS[k]));
+            line.append(' ').append(TextFormat.right(cells[k], WIDTHS[k]));
         }
         streams.out().println(line.toString().stripTrailing());
     }
 
     void add(TradeoffHeadings headings) {
         streams.out().println("headings, " + headings.headings() + ": " + headings.differing() + " of "
-            + Words.count(headings.podTurns(), "pod-turn") + " end with other whole numbers");
+            + TextFormat.count(headings.podTurns(), "pod-turn") + " end with other whole numbers");
         streams.out().println("  by unit vectors than by angles; a turn costs " + time(headings.nanosVector())
             + " instead of " + time(headings.nanosAngles()));
         streams.out().flush();

@@ -14,15 +14,15 @@ import steward.cli.replay.TextMap;
 import steward.cli.shared.AccuracyOption;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
-import steward.cli.shared.Report;
 import steward.cli.shared.Streams;
+import steward.cli.shared.Verbosity;
 import steward.contest.Contest;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.match.Protocol;
 import steward.replay.ReplayReader;
 import steward.replay.verify.Verification;
-import steward.text.Words;
+import steward.text.TextFormat;
 
 /** {@code steward demo}: a match between the bots that come with the program, recorded, verified and drawn. */
 @Command(name = "demo", description = "Plays the two bots that come with the program against each other, verifies the "
@@ -61,7 +61,7 @@ public final class DemoCommand implements Callable<Integer> {
             + " --overwrite");
         streams.out().println();
         streams.out().flush();
-        new OneGame(streams, contest, Report.FULL, false).play(seed, file, true);
+        new SingleMatch(streams, contest, Verbosity.FULL, false).play(seed, file, true);
         streams.out().println();
         try (ReplayReader replay = ReplayCommand.open(file)) {
             Verification verification = Verification.of(replay, Games.types());
@@ -69,7 +69,7 @@ public final class DemoCommand implements Callable<Integer> {
                 streams.out().println("differs: " + verification.difference());
                 return ExitStatus.FAILED;
             }
-            streams.out().println("verified: " + Words.count(verification.turns(), "turn")
+            streams.out().println("verified: " + TextFormat.count(verification.turns(), "turn")
                 + " played again, every one the same to the last bit");
         }
         streams.out().println();

@@ -13,9 +13,9 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import steward.cli.shared.AccuracyOption;
-import steward.cli.shared.Report;
 import steward.cli.shared.ShippedScenes;
 import steward.cli.shared.Streams;
+import steward.cli.shared.Verbosity;
 import steward.contest.Contest;
 import steward.contest.Series;
 import steward.files.OutputFiles;
@@ -77,7 +77,7 @@ public final class MatchCommand implements Callable<Integer> {
     private boolean overwrite;
 
     @Mixin
-    private final ShowOptions show = new ShowOptions();
+    private final DisplayOptions show = new DisplayOptions();
 
     @Option(names = "--quiet", description = "Print only the line of the result.")
     private boolean quiet;
@@ -133,12 +133,12 @@ public final class MatchCommand implements Callable<Integer> {
         Contest contest = Contest.of(accuracy.open(scene), bots, usual.get(), factor);
         long first = seed != null ? seed : new SplittableRandom().nextLong(DRAWN_SEEDS);
         Path path = out == null ? null : OutputFiles.path(out);
-        Report report = json ? Report.JSON : quiet ? Report.LINE : Report.FULL;
+        Verbosity report = json ? Verbosity.JSON : quiet ? Verbosity.LINE : Verbosity.FULL;
         if (many) {
             Series series = new Series(contest, first, games == null ? 1 : games, swap, path);
-            return new ManyGames(streams, series, report, strict).play(threads == null ? 1 : threads, overwrite);
+            return new SeriesRun(streams, series, report, strict).play(threads == null ? 1 : threads, overwrite);
         }
-        OneGame game = new OneGame(streams, contest, report, strict);
+        SingleMatch game = new SingleMatch(streams, contest, report, strict);
         return show.isAny() ? game.play(first, path, overwrite, show) : game.play(first, path, overwrite);
     }
 

@@ -10,8 +10,8 @@ import steward.contest.Contest;
 import steward.game.JsonNumbers;
 import steward.match.MatchResult;
 import steward.match.MatchResult.PlayerResult;
-import steward.replay.page.KeptOpen;
-import steward.text.Words;
+import steward.replay.page.UnclosedOutputStream;
+import steward.text.TextFormat;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.ObjectWriteContext;
 
@@ -77,7 +77,7 @@ final class MatchJson {
     private static List<String> warnings(PlayerResult player) {
         List<String> warnings = new ArrayList<>();
         if (player.earlyTurns() > 0) {
-            warnings.add("lines beyond the answer in " + Words.count(player.earlyTurns(), "turn"));
+            warnings.add("lines beyond the answer in " + TextFormat.count(player.earlyTurns(), "turn"));
         }
         return warnings;
     }
@@ -85,7 +85,7 @@ final class MatchJson {
     /** One object with its line end. */
     static void printObject(Streams streams, Consumer<JsonGenerator> fields) {
         try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(),
-                new KeptOpen(streams.out()))) {
+                new UnclosedOutputStream(streams.out()))) {
             out.writeStartObject();
             fields.accept(out);
             out.writeEndObject();

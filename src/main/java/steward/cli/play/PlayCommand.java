@@ -11,9 +11,9 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import steward.cli.shared.AccuracyOption;
 import steward.cli.shared.ExitStatus;
-import steward.cli.shared.Pace;
 import steward.cli.shared.ShippedScenes;
 import steward.cli.shared.Streams;
+import steward.cli.shared.TimeLimitOptions;
 import steward.codingame.LeagueAttributes;
 import steward.codingame.LeagueJson;
 import steward.contest.Contest;
@@ -21,7 +21,7 @@ import steward.files.InputException;
 import steward.game.GameSetup;
 import steward.match.MatchResult;
 import steward.match.Protocol;
-import steward.text.Words;
+import steward.text.TextFormat;
 
 /** {@code steward play}: plays one match for a rating tool. */
 @Command(name = "play", description = "Plays one match as the game command of psyleague and tools like it: prints one "
@@ -59,7 +59,7 @@ public final class PlayCommand implements Callable<Integer> {
     private final AccuracyOption accuracy = new AccuracyOption();
 
     @Mixin
-    private Pace pace = new Pace();
+    private TimeLimitOptions pace = new TimeLimitOptions();
 
     public PlayCommand(Streams streams) {
         this.streams = streams;
@@ -70,8 +70,8 @@ public final class PlayCommand implements Callable<Integer> {
         GameSetup setup = accuracy.open(scene);
         int players = setup.scene().players();
         if (bots.size() != players) {
-            throw new InputException("found " + Words.count(bots.size(), "bot") + ", expected "
-                + Words.count(players, "bot") + ", one for each player of the scene");
+            throw new InputException("found " + TextFormat.count(bots.size(), "bot") + ", expected "
+                + TextFormat.count(players, "bot") + ", one for each player of the scene");
         }
         Contest contest = Contest.of(setup, bots, Protocol.CODINGAME, pace.factor(spec));
         long used = seed == null ? RefereeArguments.drawSeed() : seed;

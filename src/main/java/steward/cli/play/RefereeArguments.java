@@ -6,7 +6,7 @@ import java.util.SplittableRandom;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
 import steward.files.InputException;
-import steward.text.Words;
+import steward.text.TextFormat;
 
 /** What other referees' callers say: players as {@code -p1} to {@code -p8}, a seed in one of three ways. */
 final class RefereeArguments {
@@ -68,7 +68,7 @@ final class RefereeArguments {
             String bot = value(bot(player));
             if ((bot != null) != player <= players) {
                 throw new InputException((bot == null ? "found no " : "found ") + bot(player) + ", expected -p1 to -p"
-                    + players + ": the scene \"" + scene + "\" is for " + Words.count(players, "player"));
+                    + players + ": the scene \"" + scene + "\" is for " + TextFormat.count(players, "player"));
             }
             if (bot == null && value(name(player)) != null) {
                 throw new InputException("found " + name(player) + ", expected " + bot(player) + " with it");

@@ -13,9 +13,9 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import steward.cli.shared.AccuracyOption;
 import steward.cli.shared.ExitStatus;
-import steward.cli.shared.Pace;
 import steward.cli.shared.ShippedScenes;
 import steward.cli.shared.Streams;
+import steward.cli.shared.TimeLimitOptions;
 import steward.codingame.OldReferee;
 import steward.contest.Contest;
 import steward.files.InputException;
@@ -73,7 +73,7 @@ public final class RefereeCommand implements Callable<Integer> {
     private boolean old;
 
     @Mixin
-    private Pace pace = new Pace();
+    private TimeLimitOptions pace = new TimeLimitOptions();
 
     private RefereeCommand(Streams streams) {
         this.streams = streams;

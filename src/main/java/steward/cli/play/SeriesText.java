@@ -7,7 +7,7 @@ import steward.contest.Contest;
 import steward.contest.Series;
 import steward.contest.Tally;
 import steward.match.MatchResult;
-import steward.text.Words;
+import steward.text.TextFormat;
 
 /** The result of a series for people. */
 final class SeriesText {
@@ -19,24 +19,24 @@ final class SeriesText {
 
     /** One line: how many games of what, and the points. */
     static String headline(Series series, List<Series.Played> games) {
-        StringBuilder line = new StringBuilder(Words.count(games.size(), "game") + " of "
+        StringBuilder line = new StringBuilder(TextFormat.count(games.size(), "game") + " of "
             + series.contest().sceneName() + ":");
         for (int k = 0; k < series.contest().entrants().size(); k++) {
             Tally tally = Tally.of(series, games, k);
             line.append(k == 0 ? " " : ", ").append(series.contest().entrants().get(k).name()).append(' ')
-                .append(Words.fixed(tally.points(), 3));
+                .append(TextFormat.fixed(tally.points(), 3));
         }
-        return Words.plain(line.toString());
+        return TextFormat.plain(line.toString());
     }
 
     /** Everything. */
     static void print(Streams streams, Series series, List<Series.Played> games) {
         PrintStream out = streams.out();
         long last = series.first() + series.seeds() - 1;
-        out.println(Words.count(games.size(), "game") + " of " + series.contest().sceneName() + ", "
+        out.println(TextFormat.count(games.size(), "game") + " of " + series.contest().sceneName() + ", "
             + (series.seeds() == 1 ? "seed " + series.first() : "seeds " + series.first() + " to " + last)
             + (series.swap() ? ", each with every order of sides" : "")
-            + "; " + Words.fixed(meanTurns(games), 1) + " turns on average");
+            + "; " + TextFormat.fixed(meanTurns(games), 1) + " turns on average");
         out.println();
         table(out, series, games);
         out.println();
@@ -53,14 +53,16 @@ final class SeriesText {
         List<Contest.Entrant> entrants = series.contest().entrants();
         int width = entrants.stream().mapToInt(entrant -> entrant.name().length()).max().orElse(0);
         int names = Math.min(40, Math.max(3, width));
-        out.println(Words.left("bot", names) + "    wins   draws  losses  faults  points   95% interval");
+        out.println(TextFormat.left("bot", names) + "    wins   draws  losses  faults  points   95% interval");
         for (int k = 0; k < entrants.size(); k++) {
             Tally tally = Tally.of(series, games, k);
-            out.println(Words.left(Words.plain(Words.shorten(entrants.get(k).name(), names)), names)
-                + Words.right(Integer.toString(tally.wins()), 8) + Words.right(Integer.toString(tally.draws()), 8)
-                + Words.right(Integer.toString(tally.losses()), 8) + Words.right(Integer.toString(tally.faults()), 8)
-                + Words.right(Words.fixed(tally.points(), 3), 8)
-                + "   " + Words.fixed(tally.low(), 3) + " to " + Words.fixed(tally.high(), 3));
+            out.println(TextFormat.left(TextFormat.plain(TextFormat.shorten(entrants.get(k).name(), names)), names)
+                + TextFormat.right(Integer.toString(tally.wins()), 8)
+                + TextFormat.right(Integer.toString(tally.draws()), 8)
+                + TextFormat.right(Integer.toString(tally.losses()), 8)
+                + TextFormat.right(Integer.toString(tally.faults()), 8)
+                + TextFormat.right(TextFormat.fixed(tally.points(), 3), 8)
+                + "   " + TextFormat.fixed(tally.low(), 3) + " to " + TextFormat.fixed(tally.high(), 3));
         }
     }
 
@@ -79,12 +81,12 @@ final class SeriesText {
             for (MatchResult.PlayerResult player : game.result().players()) {
                 if (player.fault() != null && count++ < FAULTS_SHOWN) {
                     out.println("game " + game.number() + " (seed " + game.seed() + "): "
-                        + Words.plain(player.name() + " failed: " + player.fault()));
+                        + TextFormat.plain(player.name() + " failed: " + player.fault()));
                 }
             }
         }
         if (count > FAULTS_SHOWN) {
-            out.println("and " + Words.count(count - FAULTS_SHOWN, "fault") + " more; --json lists all");
+            out.println("and " + TextFormat.count(count - FAULTS_SHOWN, "fault") + " more; --json lists all");
         }
     }
 }

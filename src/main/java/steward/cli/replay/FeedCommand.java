@@ -115,7 +115,7 @@ public final class FeedCommand implements Callable<Integer> {
             throw new InputException("--protocol: found codingame, expected json: the scene has no other");
         }
         List<String> words = words();
-        Feeding feeding = new Feeding(streams, match, player, spoken, words, quiet, pause);
+        FeedSession feeding = new FeedSession(streams, match, player, spoken, words, quiet, pause);
         return replace ? feeding.replace(from, target, overwrite)
             : feeding.compare(until == null ? Integer.MAX_VALUE : until);
     }

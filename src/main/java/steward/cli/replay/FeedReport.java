@@ -12,7 +12,7 @@ import steward.replay.RecordedMatch;
 import steward.replay.feed.FedTurn;
 import steward.replay.feed.Takeover;
 import steward.replay.verify.Difference;
-import steward.text.Words;
+import steward.text.TextFormat;
 
 /** Tells, turn by turn, whether a bot does what was recorded, and counts. */
 final class FeedReport {
@@ -51,8 +51,8 @@ final class FeedReport {
             }
         }
         if (!quiet || !turn.same() && !turn.replaced()) {
-            streams.out().println("turn " + Words.right(Integer.toString(turn.number()), 4) + "  "
-                + Words.wrap(Words.plain(what), "; ", WIDTH - INDENT.length(), INDENT));
+            streams.out().println("turn " + TextFormat.right(Integer.toString(turn.number()), 4) + "  "
+                + TextFormat.wrap(TextFormat.plain(what), "; ", WIDTH - INDENT.length(), INDENT));
             streams.out().flush();
         }
     }
@@ -71,8 +71,8 @@ final class FeedReport {
                 fields.add("and " + (turn.differences().size() - MOST_FIELDS) + " more");
                 break;
             }
-            fields.add(each.field() + " recorded " + Words.shorten(each.recorded(), WIDTH) + ", now "
-                + Words.shorten(each.found(), WIDTH));
+            fields.add(each.field() + " recorded " + TextFormat.shorten(each.recorded(), WIDTH) + ", now "
+                + TextFormat.shorten(each.found(), WIDTH));
         }
         return String.join("; ", fields);
     }
@@ -84,7 +84,7 @@ final class FeedReport {
             where += (k > 0 ? ", " : differing.size() > 1 ? " (turns " : " (turn ") + differing.get(k);
         }
         where += differing.isEmpty() ? "" : differing.size() > MOST_TURNS ? ", ...)" : ")";
-        streams.out().println(Words.count(compared, "turn") + " compared: " + (compared - differing.size())
+        streams.out().println(TextFormat.count(compared, "turn") + " compared: " + (compared - differing.size())
             + " the same, " + differing.size() + " different" + where);
         if (match.warning() != null) {
             streams.warn(match.warning());
@@ -93,14 +93,14 @@ final class FeedReport {
 
     /** What came of letting the bot play. */
     void outcome(Takeover.Outcome outcome, Path file) {
-        streams.out().println(Words.count(played, "turn") + " played by the bot");
+        streams.out().println(TextFormat.count(played, "turn") + " played by the bot");
         MatchResult result = outcome.result();
         String scene = Json.word(Json.object(match.header().scene()).get("name"), 0);
         if (result != null) {
             streams.out().println(MatchText.headline(scene, match.header().seed(), result));
         } else {
-            streams.out().println(Words.plain("no result after " + Words.count(outcome.turns(), "turn") + ": "
-                + outcome.reason() + "; ahead then: " + Feeding.names(match, outcome.ahead())));
+            streams.out().println(TextFormat.plain("no result after " + TextFormat.count(outcome.turns(), "turn") + ": "
+                + outcome.reason() + "; ahead then: " + FeedSession.names(match, outcome.ahead())));
         }
         MatchText.printReplay(streams.out(), file);
     }

@@ -7,7 +7,7 @@ import steward.cli.shared.Json;
 import steward.cli.shared.Streams;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayReader;
-import steward.text.Words;
+import steward.text.TextFormat;
 
 /** Prints recorded impacts, one a line. */
 final class ImpactList {
@@ -27,7 +27,7 @@ final class ImpactList {
             if (last >= from) {
                 Map<String, Object> outcome = Json.object(turn.outcome());
                 for (Map<?, ?> impact : Json.objects(outcome.get("impacts"))) {
-                    out.println(Words.right(Integer.toString(last), 4) + "  " + line(impact));
+                    out.println(TextFormat.right(Integer.toString(last), 4) + "  " + line(impact));
                     count++;
                 }
                 if (outcome.containsKey("impactsInAll")) {
@@ -38,7 +38,7 @@ final class ImpactList {
         if (last < from) {
             throw TurnDetail.noSuchTurn(replay, from, last);
         }
-        out.println(Words.count(count, "impact"));
+        out.println(TextFormat.count(count, "impact"));
     }
 
     /** What stands above {@link #line}. */
@@ -49,14 +49,15 @@ final class ImpactList {
         boolean wall = impact.containsKey("wall");
         String b = wall ? "wall " + Json.word(impact.get("wall"), 0) : Json.word(impact.get("b"), 0);
         StringBuilder line = new StringBuilder();
-        line.append(Words.fixed(Json.number(impact.get("time")), 6))
-            .append(Words.right(Json.word(impact.get("a"), 0), 6))
-            .append(Words.right(b, 8));
+        line.append(TextFormat.fixed(Json.number(impact.get("time")), 6))
+            .append(TextFormat.right(Json.word(impact.get("a"), 0), 6))
+            .append(TextFormat.right(b, 8));
         for (String name : List.of("ax", "ay", "bx", "by")) {
-            line.append(Words.right(Words.fixed(Json.number(impact.get(name)), 1), name.endsWith("x") ? 11 : 9));
+            line.append(TextFormat.right(TextFormat.fixed(Json.number(impact.get(name)), 1), name.endsWith("x") ? 11
+                : 9));
         }
-        line.append(Words.right(Words.fixed(Json.number(impact.get("impulse")), 2), 10))
-            .append(Words.right(Words.fixed(Json.number(impact.get("energy")), 0), 13));
+        line.append(TextFormat.right(TextFormat.fixed(Json.number(impact.get("impulse")), 2), 10))
+            .append(TextFormat.right(TextFormat.fixed(Json.number(impact.get("energy")), 0), 13));
         return line.toString();
     }
 }

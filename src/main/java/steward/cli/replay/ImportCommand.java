@@ -18,7 +18,7 @@ import steward.cli.shared.Streams;
 import steward.codingame.GameRecordingImport;
 import steward.files.InputException;
 import steward.files.OutputFiles;
-import steward.text.Words;
+import steward.text.TextFormat;
 
 /** {@code steward import}: makes a replay from an official recording. */
 @Command(name = "import", description = "Makes a replay from CodinGame's own JSON of a pod race. Verifying it compares "
@@ -56,7 +56,7 @@ public final class ImportCommand implements Callable<Integer> {
         } catch (IOException problem) {
             throw new FailedException(replay + ": cannot be closed: " + problem.getMessage());
         }
-        streams.out().println("imported: " + Words.count(imported.turns(), "turn") + ", "
+        streams.out().println("imported: " + TextFormat.count(imported.turns(), "turn") + ", "
             + (imported.ending() == null ? "and there the recording ends" : imported.ending()));
         streams.out().println("  steward replay " + CommandLine.quote(List.of(replay.toString()))
             + " --verify   compares every turn with these rules");

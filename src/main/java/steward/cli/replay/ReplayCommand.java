@@ -20,7 +20,7 @@ import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.replay.ReplayReader;
 import steward.replay.verify.Verification;
-import steward.text.Words;
+import steward.text.TextFormat;
 
 /** {@code steward replay}: looks at a recorded match, or plays it again and compares. */
 @Command(name = "replay", description = "Prints a recorded match turn by turn, or plays it again and compares.",
@@ -191,11 +191,11 @@ public final class ReplayCommand implements Callable<Integer> {
             streams.warn(verification.warning());
         }
         if (!verification.verified()) {
-            streams.out().println("differs: " + Words.plain(verification.difference().toString()));
+            streams.out().println("differs: " + TextFormat.plain(verification.difference().toString()));
             return ExitStatus.FAILED;
         }
         if (!quiet) {
-            streams.out().println("verified: " + Words.count(verification.turns(), "turn"));
+            streams.out().println("verified: " + TextFormat.count(verification.turns(), "turn"));
         }
         return ExitStatus.DONE;
     }

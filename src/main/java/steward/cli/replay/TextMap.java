@@ -8,7 +8,7 @@ import java.util.Map;
 import steward.cli.shared.Json;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayReader;
-import steward.text.Words;
+import steward.text.TextFormat;
 
 /**
  * Draws the end of a recorded match with characters: the field, its zones with their labels, and where every body was
@@ -150,7 +150,7 @@ public final class TextMap {
                     text.append(letter.getValue()).append(' ');
                 }
             }
-            text.append(Words.plain(replay.header().names().get(player))).append("    ");
+            text.append(TextFormat.plain(replay.header().names().get(player))).append("    ");
         }
         return text.toString();
     }

@@ -8,7 +8,7 @@ import steward.cli.shared.Streams;
 import steward.files.InputException;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayReader;
-import steward.text.Words;
+import steward.text.TextFormat;
 
 /** Prints everything that was recorded of one turn. */
 final class TurnDetail {
@@ -75,8 +75,8 @@ final class TurnDetail {
             double time = nanos instanceof List<?> list && player < list.size() ? Json.number(list.get(player))
                 : Double.NaN;
             out.println();
-            out.println("player " + player + ", " + Words.plain(replay.header().names().get(player))
-                + (Double.isNaN(time) ? "" : ", " + Words.fixed(time / NANOS_PER_MS, 2) + " ms"));
+            out.println("player " + player + ", " + TextFormat.plain(replay.header().names().get(player))
+                + (Double.isNaN(time) ? "" : ", " + TextFormat.fixed(time / NANOS_PER_MS, 2) + " ms"));
             Object command = player < commands.size() ? commands.get(player) : null;
             say(out, "command", command == null ? "none" : spell(command));
             say(out, "message", turn.messages()[player]);
@@ -88,7 +88,7 @@ final class TurnDetail {
     private static void say(PrintStream out, String what, String text) {
         if (text != null) {
             String indent = "\n" + " ".repeat(what.length() + 4);
-            out.println("  " + what + "  " + Words.plain(text).stripTrailing().replace("\n", indent));
+            out.println("  " + what + "  " + TextFormat.plain(text).stripTrailing().replace("\n", indent));
         }
     }
 
@@ -97,13 +97,13 @@ final class TurnDetail {
         String text = event.get("text") instanceof String words ? words : Json.word(event.get("kind"), 0);
         String body = event.containsKey("body") && !(event.get("text") instanceof String)
             ? " of body " + Json.word(event.get("body"), 0) : "";
-        return Words.plain(text) + body;
+        return TextFormat.plain(text) + body;
     }
 
     private static void state(PrintStream out, Map<?, ?> state) {
         state.forEach((name, value) -> {
             if (value instanceof List<?> list && !Json.objects(value).isEmpty()) {
-                list.forEach(each -> out.println("  " + Words.wrap(spell(each), "  ", WIDTH - 2, "    ")));
+                list.forEach(each -> out.println("  " + TextFormat.wrap(spell(each), "  ", WIDTH - 2, "    ")));
             } else {
                 out.println("  " + name + " " + spell(value));
             }

@@ -11,7 +11,7 @@ import steward.match.MatchResult;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayHeader;
 import steward.replay.ReplayReader;
-import steward.text.Words;
+import steward.text.TextFormat;
 
 /**
  * Prints a recorded match turn by turn: a row per body, then what happened in the turn, at the end the result. The
@@ -81,7 +81,7 @@ final class TurnTable {
         ReplayHeader header = replay.header();
         out.println(scene() + " (" + header.game() + "), seed " + header.seed() + timeFactor(header.timeFactor()));
         for (int player = 0; player < header.names().size(); player++) {
-            out.println("player " + player + "  " + Words.plain(header.names().get(player) + "  "
+            out.println("player " + player + "  " + TextFormat.plain(header.names().get(player) + "  "
                 + header.bots().get(player)));
         }
         out.println();
@@ -92,7 +92,7 @@ final class TurnTable {
 
     private static String timeFactor(double factor) {
         return factor == 1 ? "" : factor == Double.POSITIVE_INFINITY ? ", no deadlines"
-            : ", time limits times " + Words.number(factor, DECIMALS);
+            : ", time limits times " + TextFormat.number(factor, DECIMALS);
     }
 
     private void chooseColumns(Map<String, Object> start) {
@@ -116,7 +116,7 @@ final class TurnTable {
     private String head() {
         StringBuilder line = new StringBuilder("turn  body");
         for (String column : columns) {
-            line.append(' ').append(Words.right(column, width(column)));
+            line.append(' ').append(TextFormat.right(column, width(column)));
         }
         return line.toString();
     }
@@ -128,10 +128,10 @@ final class TurnTable {
     private void rows(int turn, Map<String, Object> outcome) {
         open();
         for (Map<?, ?> body : bodies(outcome)) {
-            StringBuilder line = new StringBuilder(Words.right(Integer.toString(turn), 4));
-            line.append(Words.right(Json.word(body.get("id"), 0), 6));
+            StringBuilder line = new StringBuilder(TextFormat.right(Integer.toString(turn), 4));
+            line.append(TextFormat.right(Json.word(body.get("id"), 0), 6));
             for (String column : columns) {
-                line.append(' ').append(Words.right(Json.word(body.get(column), DECIMALS), width(column)));
+                line.append(' ').append(TextFormat.right(Json.word(body.get(column), DECIMALS), width(column)));
             }
             out.println(line);
         }
@@ -140,7 +140,7 @@ final class TurnTable {
     private void notes(RecordedTurn turn, Map<String, Object> outcome, int count) {
         List<String> notes = new ArrayList<>();
         if (count > 0) {
-            notes.add(Words.count(count, "impact"));
+            notes.add(TextFormat.count(count, "impact"));
         }
         Json.objects(outcome.get("events")).forEach(event -> notes.add(TurnDetail.event(event)));
         if (!notes.isEmpty()) {
@@ -148,7 +148,7 @@ final class TurnTable {
         }
         for (int player = 0; player < turn.faults().length; player++) {
             if (turn.faults()[player] != null) {
-                out.println("      " + Words.plain(replay.header().names().get(player) + " failed: "
+                out.println("      " + TextFormat.plain(replay.header().names().get(player) + " failed: "
                     + turn.faults()[player]));
             }
         }
@@ -164,10 +164,10 @@ final class TurnTable {
         }
         MatchResult result = RecordedResult.of(replay);
         if (result == null) {
-            out.println("no result after " + Words.count(turns, "turn"));
+            out.println("no result after " + TextFormat.count(turns, "turn"));
         } else {
             MatchText.print(out, scene(), replay.header().seed(), result);
         }
-        out.println(Words.count(impacts, "impact") + " in all");
+        out.println(TextFormat.count(impacts, "impact") + " in all");
     }
 }

@@ -5,7 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import steward.game.JsonNumbers;
-import steward.text.Words;
+import steward.text.TextFormat;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;
@@ -94,11 +94,11 @@ public final class Json {
     /** A scalar as a word for people; {@code -} for nothing. */
     public static String word(Object value, int decimals) {
         if (value instanceof Double number) {
-            return Words.number(number, decimals);
+            return TextFormat.number(number, decimals);
         }
         if (value instanceof Boolean flag) {
             return flag ? "yes" : "no";
         }
-        return value == null ? "-" : Words.plain(value.toString());
+        return value == null ? "-" : TextFormat.plain(value.toString());
     }
 }

@@ -6,7 +6,7 @@ import java.util.List;
 import steward.bot.command.CommandLine;
 import steward.match.MatchResult;
 import steward.match.MatchResult.PlayerResult;
-import steward.text.Words;
+import steward.text.TextFormat;
 
 /** The result of a match for people. */
 public final class MatchText {
@@ -18,7 +18,7 @@ public final class MatchText {
     public static String headline(String scene, long seed, MatchResult result) {
         int winner = result.winner();
         String who = winner >= 0 ? result.players().get(winner).name() + " wins" : "a draw";
-        return Words.plain(who + ": " + result.ending() + ", " + Words.count(result.turns(), "turn") + " ("
+        return TextFormat.plain(who + ": " + result.ending() + ", " + TextFormat.count(result.turns(), "turn") + " ("
             + scene + ", seed " + seed + ")");
     }
 
@@ -42,30 +42,30 @@ public final class MatchText {
     private static void table(PrintStream out, List<PlayerResult> players) {
         int width = players.stream().mapToInt(player -> player.name().length()).max().orElse(0);
         int names = Math.min(40, Math.max(4, width));
-        out.println("player  " + Words.left("bot", names) + "  rank   score   average ms   worst ms   first ms");
+        out.println("player  " + TextFormat.left("bot", names) + "  rank   score   average ms   worst ms   first ms");
         for (int k = 0; k < players.size(); k++) {
             PlayerResult player = players.get(k);
-            out.println(Words.right(Integer.toString(k), 6) + "  "
-                + Words.left(Words.plain(Words.shorten(player.name(), names)), names)
-                + Words.right(Integer.toString(player.rank() + 1), 6)
-                + Words.right(Words.number(player.score(), 2), 8)
-                + Words.right(Words.ms(player.averageNanos()), 13)
-                + Words.right(Words.ms(player.worstNanos()), 11)
-                + Words.right(Words.ms(player.firstNanos()), 11));
+            out.println(TextFormat.right(Integer.toString(k), 6) + "  "
+                + TextFormat.left(TextFormat.plain(TextFormat.shorten(player.name(), names)), names)
+                + TextFormat.right(Integer.toString(player.rank() + 1), 6)
+                + TextFormat.right(TextFormat.number(player.score(), 2), 8)
+                + TextFormat.right(TextFormat.ms(player.averageNanos()), 13)
+                + TextFormat.right(TextFormat.ms(player.worstNanos()), 11)
+                + TextFormat.right(TextFormat.ms(player.firstNanos()), 11));
         }
     }
 
     private static void notes(PrintStream out, List<PlayerResult> players) {
         for (PlayerResult player : players) {
-            String name = Words.plain(player.name());
+            String name = TextFormat.plain(player.name());
             if (player.fault() != null) {
-                out.println(name + " failed: " + Words.plain(player.fault()));
+                out.println(name + " failed: " + TextFormat.plain(player.fault()));
             } else if (player.out() != null) {
-                out.println(name + " is out: " + Words.plain(player.out()));
+                out.println(name + " is out: " + TextFormat.plain(player.out()));
             }
             if (player.earlyTurns() > 0) {
                 out.println("warning: " + name + " wrote more lines than it was asked for, in "
-                    + Words.count(player.earlyTurns(), "turn") + "; they were taken for later answers");
+                    + TextFormat.count(player.earlyTurns(), "turn") + "; they were taken for later answers");
             }
         }
     }

@@ -11,7 +11,7 @@ import java.util.List;
 import steward.files.InputException;
 import steward.live.Browser;
 import steward.replay.page.ReplayPage;
-import steward.text.Words;
+import steward.text.TextFormat;
 
 /** Pages that show a match: what is written above them, where they go, and how they are opened. */
 public final class Pages {
@@ -23,7 +23,7 @@ public final class Pages {
 
     /** A page's heading. */
     public static String title(List<String> players) {
-        return Words.shorten(Words.plain(String.join(" against ", players)), TITLE);
+        return TextFormat.shorten(TextFormat.plain(String.join(" against ", players)), TITLE);
     }
 
     /** A place for a page that nobody gave a name. */

@@ -13,7 +13,7 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import steward.text.Words;
+import steward.text.TextFormat;
 
 /**
  * What a command reads, and where it writes: UTF-8 whatever the locale says, since frames are printed byte for byte.
@@ -122,7 +122,7 @@ public final class Streams {
 
     /** A warning: the program goes on. */
     public void warn(String message) {
-        err.println("steward: warning: " + Words.plain(message));
+        err.println("steward: warning: " + TextFormat.plain(message));
     }
 
     /** Remembers the first failure, which a print stream does not tell. */

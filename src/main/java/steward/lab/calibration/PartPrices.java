@@ -82,7 +82,7 @@ public final class PartPrices {
     public static Prices measure(Scene scene, GameTypes types, SeededPlay play, SeededPlay.Script script,
                                  LongSupplier work, LongSupplier wall, long budget, DoubleConsumer progress) {
         GameSetup setup = types.open(scene);
-        GameSetup still = types.open(scene.withOnlooker((parts, advance) -> (bodies, sink) -> { }));
+        GameSetup still = types.open(scene.withObserver((parts, advance) -> (bodies, sink) -> { }));
         Bodies[] states = new Bodies[STATES];
         Arrays.setAll(states, k -> play.next());
         List<PartSteps.Step> steps = PartSteps.of(setup, box(states));

@@ -7,9 +7,9 @@ import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
 import steward.lab.trial.Gas;
-import steward.lab.trial.Pairs;
+import steward.lab.trial.PairSampler;
+import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
-import steward.lab.trial.Size;
 import steward.numerics.SplitMix64;
 import steward.numerics.StateHash;
 import steward.physics.Advance;
@@ -59,7 +59,7 @@ public final class Golden {
     /**
      * Worlds without a game on every rung: a gas among all kinds of walls, a crowd, heaps of pods, pairs of all sizes.
      */
-    public static List<Part> worlds(Size size) {
+    public static List<Part> worlds(RunLength size) {
         List<Part> parts = new ArrayList<>();
         for (Rung rung : Rung.all()) {
             int turns = size.pick(3, 40, 400);
@@ -121,7 +121,7 @@ public final class Golden {
         StateHash hash = new StateHash();
         for (int n = 0; n < pairs; n++) {
             double off = StrictMath.pow(10, -random.nextInt(1, 16));
-            play(advance, Pairs.passing(random, Pairs.around(random, random.nextInt(-50, 50)),
+            play(advance, PairSampler.passing(random, PairSampler.around(random, random.nextInt(-50, 50)),
                 n % 2 == 0 ? 1 - off : off, random.nextDouble(), 0.5, 0, 0), hash);
         }
         return hash.value();

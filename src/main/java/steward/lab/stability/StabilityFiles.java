@@ -12,7 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import steward.game.JsonNumbers;
-import steward.lab.trial.Size;
+import steward.lab.trial.RunLength;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.ObjectWriteContext;
 
@@ -29,7 +29,7 @@ public final class StabilityFiles implements AutoCloseable {
 
     private final Path json;
     private final OutputStream csv;
-    private final Size size;
+    private final RunLength size;
     private final List<StabilityRow> rows = new ArrayList<>();
 
     /**
@@ -38,7 +38,7 @@ public final class StabilityFiles implements AutoCloseable {
      * @param folder that exists
      * @throws IOException if a file cannot be written
      */
-    public StabilityFiles(Path folder, Size size) throws IOException {
+    public StabilityFiles(Path folder, RunLength size) throws IOException {
         json = folder.resolve(JSON);
         this.size = size;
         writeJson();

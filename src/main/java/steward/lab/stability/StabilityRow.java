@@ -3,10 +3,10 @@ package steward.lab.stability;
 import java.util.List;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
+import steward.lab.trial.Finding;
 import steward.lab.trial.Progress;
+import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
-import steward.lab.trial.Seen;
-import steward.lab.trial.Size;
 import steward.lab.trial.StabilityCase;
 
 /**
@@ -18,7 +18,7 @@ import steward.lab.trial.StabilityCase;
  * @param seen    what was seen
  * @param seconds how long it took
  */
-public record StabilityRow(String name, String demand, String rung, Seen seen, double seconds) {
+public record StabilityRow(String name, String demand, String rung, Finding seen, double seconds) {
 
     private static final double NANOS = 1e9;
 
@@ -29,18 +29,18 @@ public record StabilityRow(String name, String demand, String rung, Seen seen, d
      * @param progress told how far that one is
      * @param after    given each row as it comes
      */
-    public static void tryAll(List<StabilityCase> cases, List<Rung> rungs, Size size,
+    public static void tryAll(List<StabilityCase> cases, List<Rung> rungs, RunLength size,
                               BiConsumer<StabilityCase, Rung> before, Progress progress,
                               Consumer<StabilityRow> after) {
         for (StabilityCase each : cases) {
             for (Rung rung : rungs) {
                 before.accept(each, rung);
                 long start = System.nanoTime();
-                Seen seen;
+                Finding seen;
                 try {
                     seen = each.run(rung, size, progress);
                 } catch (RuntimeException problem) {
-                    seen = Seen.demanded(false, "threw " + problem);
+                    seen = Finding.demanded(false, "threw " + problem);
                 }
                 after.accept(new StabilityRow(each.name(), each.demand(), rung.name(), seen,
                     (System.nanoTime() - start) / NANOS));
@@ -50,6 +50,6 @@ public record StabilityRow(String name, String demand, String rung, Seen seen, d
 
     /** Whether a demand was not met. */
     public boolean failed() {
-        return seen.verdict() == Seen.Verdict.FAILS;
+        return seen.verdict() == Finding.Verdict.FAILS;
     }
 }

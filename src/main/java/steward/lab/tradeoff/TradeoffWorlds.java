@@ -2,7 +2,7 @@ package steward.lab.tradeoff;
 
 import java.util.List;
 import java.util.function.Supplier;
-import steward.lab.trial.Pairs;
+import steward.lab.trial.PairSampler;
 import steward.numerics.SplitMix64;
 import steward.physics.Advance;
 import steward.physics.Arithmetic;
@@ -122,7 +122,7 @@ public final class TradeoffWorlds {
                 return bodies;
             }
             double off = StrictMath.pow(10, -k);
-            return Pairs.passing(random, TOUCH, random.nextInt(2) == 0 ? 1 - off : 1 + off,
+            return PairSampler.passing(random, TOUCH, random.nextInt(2) == 0 ? 1 - off : 1 + off,
                 TOUCH * random.nextDouble(), 0.1 + 0.8 * random.nextDouble(),
                 16_000 * random.nextDouble(), 9_000 * random.nextDouble());
         };

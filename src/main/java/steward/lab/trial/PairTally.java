@@ -86,10 +86,10 @@ public final class PairTally {
     }
 
     /** On the exact rung no decision may be wrong and nothing off by more than {@link Rung#EXACT_ULPS}. */
-    public Seen seen() {
+    public Finding seen() {
         boolean met = isRight()
             && Math.max(Math.max(timeUlps, positionUlps), Math.max(impulseUlps, velocityUlps)) <= Rung.EXACT_ULPS;
-        return Seen.of(rung.isExact(), met, text());
+        return Finding.of(rung.isExact(), met, text());
     }
 
     /** Whether all decisions were made, and none was wrong. */

@@ -13,7 +13,7 @@ public interface Progress {
      * So much is done.
      *
      * @param share of all the work, 0..1
-     * @param soFar the figures, as they will stand in {@link Seen#text}; only to be asked within the call
+     * @param soFar the figures, as they will stand in {@link Finding#text}; only to be asked within the call
      */
     void reached(double share, Supplier<String> soFar);
 }

@@ -47,7 +47,8 @@ public record Rung(String name, boolean isEvent, boolean isExact, Arithmetic ari
     }
 
     /** The same advance for few bodies and for many. */
-    public Rung(String name, boolean isEvent, boolean isExact, Arithmetic arithmetic, Function<PhysicsParts, Advance> maker) {
+    public Rung(String name, boolean isEvent, boolean isExact, Arithmetic arithmetic, Function<PhysicsParts,
+    Advance> maker) {
         this(name, isEvent, isExact, arithmetic, maker, maker);
     }
 

@@ -17,5 +17,5 @@ public interface StabilityCase {
      *
      * @param progress told of cases that take minutes in their long version
      */
-    Seen run(Rung rung, Size size, Progress progress);
+    Finding run(Rung rung, RunLength size, Progress progress);
 }

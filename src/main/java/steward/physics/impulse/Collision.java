@@ -18,9 +18,9 @@ public sealed class Collision permits CarefulCollision {
 
     final Impulse pairImpulse;
     final Impulse wallImpulse;
-    final CollisionParts.GivenBack givenBack;
-    final CollisionParts.Parting parting;
-    final CollisionParts.Pushing pushing;
+    final CollisionParts.RestitutionRule restitutionRule;
+    final CollisionParts.Separation separation;
+    final CollisionParts.PositionalCorrection correction;
     final double pushOut;
     final Wall[] walls;
 
@@ -28,9 +28,9 @@ public sealed class Collision permits CarefulCollision {
         pairImpulse = Impulse.of(law, true);
         wallImpulse = Impulse.of(law, law.minimumImpulseAtWalls());
         CollisionParts parts = CollisionParts.of(law);
-        givenBack = parts.givenBack();
-        parting = parts.parting();
-        pushing = parts.pushing();
+        restitutionRule = parts.restitutionRule();
+        separation = parts.separation();
+        correction = parts.correction();
         pushOut = law.pushOut();
         this.walls = walls;
     }
@@ -67,19 +67,19 @@ public sealed class Collision permits CarefulCollision {
         double vby = bodies.vy[b];
         double inverse = bodies.inverseMass[a] + bodies.inverseMass[b];
         double first = (nx * (vax - vbx) + ny * (vay - vby)) / inverse;
-        double restitution = givenBack.ofPair(bodies, a, b);
+        double restitution = restitutionRule.ofPair(bodies, a, b);
         double second = pairImpulse.secondStep(first, restitution);
         double impulse = first + second;
         double massA = bodies.mass[a];
         double massB = bodies.mass[b];
         pushPair(bodies, a, b, nx, ny, restitution, impulse);
-        parting.end(this, bodies, a, b, nx, ny, Math.abs(vax) + Math.abs(vay) + Math.abs(vbx) + Math.abs(vby));
+        separation.end(this, bodies, a, b, nx, ny, Math.abs(vax) + Math.abs(vay) + Math.abs(vbx) + Math.abs(vby));
         sink.impact(time, bodies.id(a), bodies.id(b), ax, ay, bx, by, nx, ny, impulse,
             inverse * (second * second - first * first) / 2, massA, massB,
             vax, vay, bodies.vx[a], bodies.vy[a], vbx, vby, bodies.vx[b], bodies.vy[b]);
         sink.knot(bodies.id(a), time, ax, ay);
         sink.knot(bodies.id(b), time, bx, by);
-        pushing.pair(this, bodies, a, b, nx, ny, distance, time, sink);
+        correction.pair(this, bodies, a, b, nx, ny, distance, time, sink);
     }
 
     /** An impulse along the unit vector from a to b sends the two apart. */
@@ -115,7 +115,7 @@ public sealed class Collision permits CarefulCollision {
             return;
         }
         double first = approach / inverse;
-        double restitution = givenBack.atWall(bodies, a, wall);
+        double restitution = restitutionRule.atWall(bodies, a, wall);
         double second = wallImpulse.secondStep(first, restitution);
         double impulse = first + second;
         pushOffWall(bodies, a, nx, ny, restitution, impulse);
@@ -126,7 +126,7 @@ public sealed class Collision permits CarefulCollision {
             inverse * (second * second - first * first) / 2, mass, Double.POSITIVE_INFINITY,
             vax, vay, bodies.vx[a], bodies.vy[a], 0, 0, 0, 0);
         sink.knot(bodies.id(a), time, ax, ay);
-        pushing.fromWall(this, bodies, a, nx, ny, gap, time, sink);
+        correction.fromWall(this, bodies, a, nx, ny, gap, time, sink);
     }
 
     /** Ten thousand impacts, all rounded outward, would add up. */

@@ -13,24 +13,25 @@ import steward.physics.Wall;
  * @param parting   what remains to be done when only approach reacts
  * @param pushing   of those that overlap
  */
-record CollisionParts(GivenBack givenBack, Parting parting, Pushing pushing) {
+record CollisionParts(RestitutionRule restitutionRule, Separation separation, PositionalCorrection correction) {
 
     static CollisionParts of(ImpactLaw law) {
         return new CollisionParts(
-            law.restitution() == ImpactLaw.Restitution.ELASTIC ? new GivenBack.All() : new GivenBack.Lesser(),
-            law.separatingPairsReact() ? new Parting.AsTheyLike() : new Parting.ForGood(),
-            Double.isNaN(law.pushOut()) ? new Pushing.Nobody() : new Pushing.Apart());
+            law.restitution() == ImpactLaw.Restitution.ELASTIC ? new RestitutionRule.Elastic()
+            : new RestitutionRule.Minimum(),
+            law.separatingPairsReact() ? new Separation.Free() : new Separation.Enforced(),
+            Double.isNaN(law.pushOut()) ? new PositionalCorrection.None() : new PositionalCorrection.Split());
     }
 
     /** The restitution of an impact, 0..1. */
-    sealed interface GivenBack {
+    sealed interface RestitutionRule {
 
         double ofPair(Bodies bodies, int a, int b);
 
         double atWall(Bodies bodies, int a, Wall wall);
 
         /** Everything is elastic. */
-        final class All implements GivenBack {
+        final class Elastic implements RestitutionRule {
 
             @Override
             public double ofPair(Bodies bodies, int a, int b) {
@@ -44,7 +45,7 @@ record CollisionParts(GivenBack givenBack, Parting parting, Pushing pushing) {
         }
 
         /** The lesser of the two. */
-        final class Lesser implements GivenBack {
+        final class Minimum implements RestitutionRule {
 
             @Override
             public double ofPair(Bodies bodies, int a, int b) {
@@ -59,12 +60,12 @@ record CollisionParts(GivenBack givenBack, Parting parting, Pushing pushing) {
     }
 
     /** See {@link Collision#endApproach}. */
-    sealed interface Parting {
+    sealed interface Separation {
 
         void end(Collision of, Bodies bodies, int a, int b, double nx, double ny, double speeds);
 
         /** Those that still approach would react again at once: what rounding has left of it is taken away. */
-        final class ForGood implements Parting {
+        final class Enforced implements Separation {
 
             @Override
             public void end(Collision of, Bodies bodies, int a, int b, double nx, double ny, double speeds) {
@@ -73,7 +74,7 @@ record CollisionParts(GivenBack givenBack, Parting parting, Pushing pushing) {
         }
 
         /** Separating pairs react as well. */
-        final class AsTheyLike implements Parting {
+        final class Free implements Separation {
 
             @Override
             public void end(Collision of, Bodies bodies, int a, int b, double nx, double ny, double speeds) {
@@ -82,7 +83,7 @@ record CollisionParts(GivenBack givenBack, Parting parting, Pushing pushing) {
     }
 
     /** See {@link Collision#pushApart}. */
-    sealed interface Pushing {
+    sealed interface PositionalCorrection {
 
         void pair(Collision of, Bodies bodies, int a, int b, double nx, double ny, double distance, double time,
                   TurnSink sink);
@@ -90,7 +91,7 @@ record CollisionParts(GivenBack givenBack, Parting parting, Pushing pushing) {
         void fromWall(Collision of, Bodies bodies, int a, double nx, double ny, double gap, double time, TurnSink sink);
 
         /** Bodies stay where they are. */
-        final class Nobody implements Pushing {
+        final class None implements PositionalCorrection {
 
             @Override
             public void pair(Collision of, Bodies bodies, int a, int b, double nx, double ny, double distance,
@@ -105,7 +106,7 @@ record CollisionParts(GivenBack givenBack, Parting parting, Pushing pushing) {
         }
 
         /** Those that overlap are pushed apart, and a little more. */
-        final class Apart implements Pushing {
+        final class Split implements PositionalCorrection {
 
             @Override
             public void pair(Collision of, Bodies bodies, int a, int b, double nx, double ny, double distance,

@@ -21,7 +21,7 @@ import steward.physics.time.LowParts;
  * rounded, relative to the touching distance. Then, and after an impact without restitution, what is left of the
  * approach is taken away as in {@link Collision}; exact signs say whether there is any.
  */
-public sealed class ExactCollision extends CarefulCollision permits ExactAtLeast {
+public sealed class ExactCollision extends CarefulCollision permits ExactMinimumImpulse {
 
     private static final double TOUCH = 0x1p-60;
     private static final double WALL_TOUCH = 0x1p-46;
@@ -50,10 +50,11 @@ public sealed class ExactCollision extends CarefulCollision permits ExactAtLeast
     double energy;
 
     /** What the law needs, and no more. */
-    public static ExactCollision of(ImpactLaw law, Wall[] walls, ExactPairs pairs, ExactWalls wallTimes, LowParts lows) {
+    public static ExactCollision of(ImpactLaw law, Wall[] walls, ExactPairs pairs, ExactWalls wallTimes,
+    LowParts lows) {
         return !(law.minimumImpulse() > 0) ? new ExactCollision(law, walls, pairs, wallTimes, lows)
-            : law.minimumImpulseAtWalls() ? new ExactAtLeast.AtWallsToo(law, walls, pairs, wallTimes, lows)
-            : new ExactAtLeast(law, walls, pairs, wallTimes, lows);
+            : law.minimumImpulseAtWalls() ? new ExactMinimumImpulse.WallsIncluded(law, walls, pairs, wallTimes, lows)
+            : new ExactMinimumImpulse(law, walls, pairs, wallTimes, lows);
     }
 
     ExactCollision(ImpactLaw law, Wall[] walls, ExactPairs pairs, ExactWalls wallTimes, LowParts lows) {
@@ -76,15 +77,15 @@ public sealed class ExactCollision extends CarefulCollision permits ExactAtLeast
         direct(bodies, a, b);
         project(vax, vbx, vay, vby, dx, dxLow, dy, dyLow);
         measure();
-        double restitution = givenBack.ofPair(bodies, a, b);
+        double restitution = restitutionRule.ofPair(bodies, a, b);
         exchange(bodies, a, b, restitution);
-        parting.end(this, bodies, a, b, dx, dy, Math.abs(vax) + Math.abs(vay) + Math.abs(vbx) + Math.abs(vby));
+        separation.end(this, bodies, a, b, dx, dy, Math.abs(vax) + Math.abs(vay) + Math.abs(vbx) + Math.abs(vby));
         sink.impact(time, bodies.id(a), bodies.id(b), ax, ay, bx, by, dx / length, dy / length, impulse, energy,
             bodies.mass[a], bodies.mass[b], vax, vay, bodies.vx[a], bodies.vy[a], vbx, vby, bodies.vx[b],
             bodies.vy[b]);
         sink.knot(bodies.id(a), time, ax, ay);
         sink.knot(bodies.id(b), time, bx, by);
-        pushing.pair(this, bodies, a, b, dx, dy, length, time, sink);
+        correction.pair(this, bodies, a, b, dx, dy, length, time, sink);
     }
 
     /** The vector from a to b; centres that coincide part along x. */
@@ -156,7 +157,7 @@ public sealed class ExactCollision extends CarefulCollision permits ExactAtLeast
             endApproachToWall(bodies, a, w);
             return;
         }
-        double restitution = givenBack.atWall(bodies, a, wall);
+        double restitution = restitutionRule.atWall(bodies, a, wall);
         exchangeWithWall(bodies, a, restitution);
         endApproachToWall(bodies, a, w);
         double gap = wall.gap(ax, ay, bodies.radius[a]);
@@ -164,7 +165,7 @@ public sealed class ExactCollision extends CarefulCollision permits ExactAtLeast
         sink.impact(time, bodies.id(a), ~w, ax, ay, ax + nx * reach, ay + ny * reach, nx, ny, impulse, energy, mass,
             Double.POSITIVE_INFINITY, vax, vay, bodies.vx[a], bodies.vy[a], 0, 0, 0, 0);
         sink.knot(bodies.id(a), time, ax, ay);
-        pushing.fromWall(this, bodies, a, nx, ny, gap, time, sink);
+        correction.fromWall(this, bodies, a, nx, ny, gap, time, sink);
     }
 
     /** The same off a wall, along the normal. */

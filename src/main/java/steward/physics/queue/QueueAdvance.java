@@ -104,7 +104,7 @@ public final class QueueAdvance implements Advance {
                 pairs.begin(bodies);
             }
             crowd.load(bodies, 0);
-            lookAround(bodies.capacity(), 0);
+            predict(bodies.capacity(), 0);
             play(bodies, sink);
         }
         flown.flown(bodies);
@@ -116,11 +116,11 @@ public final class QueueAdvance implements Advance {
     }
 
     /** Everybody looks around, at a time at which all have their places. */
-    private void lookAround(int capacity, double now) {
+    private void predict(int capacity, double now) {
         events.begin(crowd.size, capacity, now, crowd.meanGap());
         search.begin(capacity);
         for (int body = 0; body < crowd.size; body++) {
-            search.lookAround(body, now);
+            search.predict(body, now);
         }
     }
 
@@ -134,7 +134,7 @@ public final class QueueAdvance implements Advance {
             if (link[at + EVENT] != 0) {
                 search.cross(body, now);
             } else if (isStale(body)) {
-                search.lookAround(body, now);
+                search.predict(body, now);
             } else if (left-- > 0) {
                 react(bodies, body, link[at + PARTNER], now);
                 last = now;
@@ -159,7 +159,7 @@ public final class QueueAdvance implements Advance {
             crowd.fly(body, now);
             if (touch.happens(body, partner, now)) {
                 changed(body);
-                search.lookAround(body, now);
+                search.predict(body, now);
                 return;
             }
         } else {
@@ -168,14 +168,14 @@ public final class QueueAdvance implements Advance {
             if (touch.happens(isFirst ? body : partner, isFirst ? partner : body, now)) {
                 changed(body);
                 changed(partner);
-                search.lookAround(body, now);
-                search.lookAround(partner, now);
+                search.predict(body, now);
+                search.predict(partner, now);
                 return;
             }
         }
         crowd.nowLow = nowLow;
         crowd.load(bodies, now);
-        lookAround(bodies.capacity(), now);
+        predict(bodies.capacity(), now);
     }
 
     private void changed(int body) {

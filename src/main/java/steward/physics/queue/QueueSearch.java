@@ -95,7 +95,7 @@ sealed class QueueSearch permits ExactQueueSearch {
     }
 
     /** A body looks at everything around it, and its next event goes into the queue. */
-    void lookAround(int body, double now) {
+    void predict(int body, double now) {
         int at = 8 * body;
         crowd.link[at + CROSSED] = 0;
         best = NEVER;
@@ -132,7 +132,7 @@ sealed class QueueSearch permits ExactQueueSearch {
         int row = link[at + ROW];
         if (++link[at + CROSSED] > 64 + (crowd.size >> 3)) {
             crowd.leave(body);                         // it has cost as much as looking at everybody once
-            lookAround(body, now);
+            predict(body, now);
             return;
         }
         Cells cells = crowd.cells;
@@ -147,7 +147,7 @@ sealed class QueueSearch permits ExactQueueSearch {
         cells.add(body, cells.at(column, row));
         if (Math.abs(column) >= Cells.FAR || Math.abs(row) >= Cells.FAR) {
             crowd.leave(body);
-            lookAround(body, now);
+            predict(body, now);
             return;
         }
         if (found > 0) {

@@ -43,16 +43,16 @@ final class QueueStandstill {
             if (link[8 * body + EVENT] != 0) {
                 search.cross(body, now);
             } else if (partner >= 0 && link[8 * partner + CHANGES] != link[8 * body + PARTNER_CHANGES]) {
-                search.lookAround(body, now);
+                search.predict(body, now);
             } else {
                 crowd.setNow(body);
                 boolean isFirst = partner < 0 || crowd.index[body] < crowd.index[partner];
                 stop(isFirst ? body : partner, bodies, now, sink);
                 if (partner >= 0) {
                     stop(isFirst ? partner : body, bodies, now, sink);
-                    search.lookAround(partner, now);
+                    search.predict(partner, now);
                 }
-                search.lookAround(body, now);
+                search.predict(body, now);
             }
         }
         crowd.nowLow = 0;

@@ -10,7 +10,7 @@ import steward.game.JsonNumbers;
 import steward.match.Dialogue;
 import steward.match.LineBuffer;
 import steward.match.Protocol;
-import steward.match.Quote;
+import steward.match.SafeText;
 import steward.replay.RecordedMatch;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayException;
@@ -96,7 +96,7 @@ final class Conversation {
 
     private String read() {
         String wrong = dialogue.readAnswer(player, answer.bytes(), answer.length());
-        return wrong == null ? null : wrong + "; received: " + Quote.line(answer.bytes(), answer.length());
+        return wrong == null ? null : wrong + "; received: " + SafeText.line(answer.bytes(), answer.length());
     }
 
     /** The recorded command as we would write it, whatever wrote it. */

@@ -113,7 +113,7 @@ public final class ReplayPage {
     }
 
     private static void embed(byte[] replay, OutputStream html) throws IOException {
-        OutputStream base64 = Base64.getEncoder().wrap(new KeptOpen(html));
+        OutputStream base64 = Base64.getEncoder().wrap(new UnclosedOutputStream(html));
         try (OutputStream gzip = new SmallestGzip(base64)) {
             gzip.write(replay);
         }

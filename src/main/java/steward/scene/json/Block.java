@@ -14,7 +14,7 @@ import steward.scene.json.JsonValue.JsonLiteral;
 import steward.scene.json.JsonValue.JsonNumber;
 import steward.scene.json.JsonValue.JsonObject;
 import steward.scene.json.JsonValue.JsonText;
-import steward.text.Nearest;
+import steward.text.NearestName;
 
 /**
  * One JSON object of a scene file. Its reader asks for every field it knows, each with what it has to be, and at the
@@ -315,12 +315,12 @@ public final class Block {
             return error(name, shown(name), expected);
         }
         List<String> others = object.entries().keySet().stream().filter(other -> !asked.contains(other)).toList();
-        String hint = Nearest.of(name, others).map(other -> "; the nearest field here is \"" + other + "\" in line "
+        String hint = NearestName.of(name, others).map(other -> "; the nearest field here is \"" + other + "\" in line "
             + object.entries().get(other).place().line()).orElse("");
         return error(name, "nothing", expected + hint);
     }
 
-    private SceneException problem(Place place, String at, String found, String expected) {
+    private SceneException problem(SourcePosition place, String at, String found, String expected) {
         return SceneException.at(source, place, at, "found " + found + ", expected " + expected);
     }
 }

@@ -1,9 +1,11 @@
 package steward.scene.json;
 
 import java.util.regex.Pattern;
+import steward.Internal;
 import tools.jackson.core.JacksonException;
 
 /** What the JSON reader found wrong, in words for people who write JSON. */
+@Internal
 public final class JsonProblem {
 
     /** What the reader says to programmers: descriptions of its source, and settings it could be given. */

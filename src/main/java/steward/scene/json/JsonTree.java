@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import steward.Internal;
 import steward.scene.json.JsonValue.Entry;
 import steward.scene.json.JsonValue.JsonArray;
 import steward.scene.json.JsonValue.JsonLiteral;
@@ -20,6 +21,7 @@ import tools.jackson.core.json.JsonFactory;
 import tools.jackson.core.json.JsonWriteFeature;
 
 /** Between a JSON text and its values with their places. */
+@Internal
 public final class JsonTree {
 
     /** Names and texts are written in ASCII: a scene then survives any encoding. */
@@ -60,7 +62,8 @@ public final class JsonTree {
         try {
             return onlyObject();
         } catch (JacksonException e) {
-            Place place = Place.of(e.getLocation() == null ? json.currentLocation() : e.getLocation());
+            SourcePosition place = SourcePosition.of(e.getLocation() == null ? json.currentLocation()
+                : e.getLocation());
             String why = JsonProblem.words(e);
             throw SceneException.at(source, place, "", "found malformed JSON (" + why + "), expected " + what
                 + " in JSON");
@@ -69,7 +72,8 @@ public final class JsonTree {
 
     private JsonObject onlyObject() {
         if (json.nextToken() == null) {
-            throw SceneException.at(source, new Place(1, 1), "", "found an empty file, expected " + what + " in JSON");
+            throw SceneException.at(source, new SourcePosition(1, 1), "", "found an empty file, expected " + what
+                + " in JSON");
         }
         JsonValue value = value("");
         if (!(value instanceof JsonObject)) {
@@ -84,7 +88,7 @@ public final class JsonTree {
 
     /** The value that begins at the current token. */
     private JsonValue value(String path) {
-        Place place = place();
+        SourcePosition place = place();
         return switch (json.currentToken()) {
             case START_OBJECT -> object(place, path);
             case START_ARRAY -> array(place, path);
@@ -94,11 +98,11 @@ public final class JsonTree {
         };
     }
 
-    private JsonObject object(Place place, String path) {
+    private JsonObject object(SourcePosition place, String path) {
         Map<String, Entry> entries = new LinkedHashMap<>();
         while (json.nextToken() != JsonToken.END_OBJECT) {
             String name = json.currentName();
-            Place namePlace = place();
+            SourcePosition namePlace = place();
             String fieldPath = path.isEmpty() ? name : path + "." + name;
             if (entries.containsKey(name)) {
                 throw SceneException.at(source, namePlace, fieldPath, "found the field a second time, expected it once "
@@ -110,7 +114,7 @@ public final class JsonTree {
         return new JsonObject(place, entries);
     }
 
-    private JsonArray array(Place place, String path) {
+    private JsonArray array(SourcePosition place, String path) {
         List<JsonValue> values = new ArrayList<>();
         while (json.nextToken() != JsonToken.END_ARRAY) {
             values.add(value(path + "[" + values.size() + "]"));
@@ -118,7 +122,7 @@ public final class JsonTree {
         return new JsonArray(place, values);
     }
 
-    private Place place() {
-        return Place.of(json.currentTokenLocation());
+    private SourcePosition place() {
+        return SourcePosition.of(json.currentTokenLocation());
     }
 }

@@ -2,13 +2,15 @@ package steward.scene.json;
 
 import java.util.List;
 import java.util.Map;
+import steward.Internal;
 import tools.jackson.core.JsonGenerator;
 
 /** A value of a scene file as it was written, with its place. Numbers keep their text. */
+@Internal
 public sealed interface JsonValue {
 
     /** Where it begins. */
-    Place place();
+    SourcePosition place();
 
     /** How an error names it: {@code found ...}. */
     String shown();
@@ -17,7 +19,7 @@ public sealed interface JsonValue {
     void write(JsonGenerator json);
 
     /** An object; fields in the order of the file. */
-    record JsonObject(Place place, Map<String, Entry> entries) implements JsonValue {
+    record JsonObject(SourcePosition place, Map<String, Entry> entries) implements JsonValue {
 
         @Override
         public String shown() {
@@ -36,10 +38,10 @@ public sealed interface JsonValue {
     }
 
     /** A field of an object; the place is that of the name. */
-    record Entry(Place place, JsonValue value) { }
+    record Entry(SourcePosition place, JsonValue value) { }
 
     /** An array. */
-    record JsonArray(Place place, List<JsonValue> values) implements JsonValue {
+    record JsonArray(SourcePosition place, List<JsonValue> values) implements JsonValue {
 
         @Override
         public String shown() {
@@ -55,7 +57,7 @@ public sealed interface JsonValue {
     }
 
     /** A string, without its quotes and escapes. */
-    record JsonText(Place place, String text) implements JsonValue {
+    record JsonText(SourcePosition place, String text) implements JsonValue {
 
         private static final int MOST_SHOWN = 60;
 
@@ -72,7 +74,7 @@ public sealed interface JsonValue {
     }
 
     /** A number; its text is kept, so that nothing is lost when the scene is written again. */
-    record JsonNumber(Place place, String text) implements JsonValue {
+    record JsonNumber(SourcePosition place, String text) implements JsonValue {
 
         @Override
         public String shown() {
@@ -86,7 +88,7 @@ public sealed interface JsonValue {
     }
 
     /** {@code true}, {@code false} or {@code null}. */
-    record JsonLiteral(Place place, String text) implements JsonValue {
+    record JsonLiteral(SourcePosition place, String text) implements JsonValue {
 
         @Override
         public String shown() {

@@ -3,9 +3,11 @@ package steward.scene.json;
 import java.util.Collection;
 import java.util.Locale;
 import java.util.stream.Collectors;
-import steward.text.Nearest;
+import steward.Internal;
+import steward.text.NearestName;
 
 /** How errors and plans say numbers, ranges and choices. */
+@Internal
 public final class Wording {
 
     private Wording() {
@@ -34,7 +36,7 @@ public final class Wording {
 
     /** What a text has to be one of, and the one it probably was meant to be. */
     public static String choice(String word, Collection<String> known) {
-        return oneOf(known) + Nearest.of(word, known).map(near -> "; did you mean \"" + near + "\"?").orElse("");
+        return oneOf(known) + NearestName.of(word, known).map(near -> "; did you mean \"" + near + "\"?").orElse("");
     }
 
     /** What a text has to be one of. */

@@ -118,7 +118,7 @@ class CalibrateTest {
     void anInterruptedRunKeepsWhatWasMeasured() throws Exception {
         ByteArrayOutputStream err = new ByteArrayOutputStream();
         Path file = folder.resolve("d.accuracy.json");
-        Calibrating calibrating = Calibrating.of(new Streams(new ByteArrayOutputStream(), err, false, false),
+        CalibrationRun calibrating = CalibrationRun.of(new Streams(new ByteArrayOutputStream(), err, false, false),
             Games.open("duel"), file, 1200);
         calibrating.interrupted();
         assertEquals("steward: interrupted before anything was measured\n", err.toString(StandardCharsets.UTF_8));
@@ -137,9 +137,9 @@ class CalibrateTest {
         Path file = Files.writeString(folder.resolve("d.accuracy.json"), "older");
         ByteArrayOutputStream err = new ByteArrayOutputStream();
         Calibration calibration = new Calibration(Games.open("duel"),
-            seed -> Pilots.race(Games.open("duel"), seed), 1000);
+            seed -> SeededPilots.race(Games.open("duel"), seed), 1000);
         calibration.run(1, () -> { });
-        new Calibrating(new Streams(new ByteArrayOutputStream(), err, false, false), Games.open("duel"), file,
+        new CalibrationRun(new Streams(new ByteArrayOutputStream(), err, false, false), Games.open("duel"), file,
             calibration).interrupted();
         assertEquals("older", Files.readString(file));
         assertEquals("steward: interrupted; the figures of 1000 states are in " + file + ".part, the older ones still "
@@ -161,7 +161,7 @@ class CalibrateTest {
         assertEquals(Calibration.STATES, figures.states());
         assertEquals(SceneKey.of(setup.scene()), figures.key());
         assertEquals(PhysicsFingerprint.text(), figures.physics());
-        Calibration sample = new Calibration(setup, seed -> Pilots.race(setup, seed), Calibration.BLOCK);
+        Calibration sample = new Calibration(setup, seed -> SeededPilots.race(setup, seed), Calibration.BLOCK);
         sample.run(2, () -> { });
         assertEquals(sample.figures().sample(), figures.sample());
     }

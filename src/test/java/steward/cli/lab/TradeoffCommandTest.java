@@ -15,7 +15,7 @@ import steward.cli.Cli;
 import steward.cli.Main;
 import steward.cli.shared.ExitStatus;
 import steward.lab.tradeoff.TradeoffScene;
-import steward.lab.tradeoff.report.TradeoffFiles;
+import steward.lab.tradeoff.report.TradeoffReport;
 import steward.physics.Bodies;
 import steward.scene.Accuracy;
 import tools.jackson.databind.JsonNode;
@@ -48,7 +48,7 @@ class TradeoffCommandTest {
         assertTrue(cli.out().contains("headings, axis-aligned: "), cli.out());
         assertTrue(cli.out().lines().allMatch(line -> line.length() <= 120), cli.out());
         assertTrue(cli.err().contains("1 of 2: duel"), "progress: " + cli.err());
-        for (String name : TradeoffFiles.ALL) {
+        for (String name : TradeoffReport.ALL) {
             assertTrue(Files.size(out.resolve(name)) > 0, name);
         }
         assertEquals(1 + Accuracy.ladder().size(), Files.readAllLines(out.resolve("tradeoff.csv")).size());

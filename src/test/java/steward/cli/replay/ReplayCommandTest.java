@@ -15,7 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import steward.cli.Cli;
 import steward.cli.Recorded;
 import steward.cli.shared.ExitStatus;
-import steward.text.Words;
+import steward.text.TextFormat;
 
 /** {@code steward replay} on a duel of two in-process bots that both drive. */
 class ReplayCommandTest {
@@ -82,8 +82,8 @@ class ReplayCommandTest {
         int impacts = text.split("\"impulse\":", -1).length - 1;
         assertEquals(impacts, list.out().lines().filter(line -> line.matches(" *\\d+  0\\.\\d{6} .*")).count());
         assertTrue(impacts > 0, "the seed was chosen so that there are impacts");
-        assertTrue(list.out().endsWith(Words.count(impacts, "impact") + "\n"), list.out());
-        assertTrue(replay(whole, "--quiet").out().endsWith(Words.count(impacts, "impact") + " in all\n"));
+        assertTrue(list.out().endsWith(TextFormat.count(impacts, "impact") + "\n"), list.out());
+        assertTrue(replay(whole, "--quiet").out().endsWith(TextFormat.count(impacts, "impact") + " in all\n"));
     }
 
     @Test

@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.math.BigDecimal;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import steward.lab.trial.Pairs;
+import steward.lab.trial.PairSampler;
 import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
@@ -47,7 +47,8 @@ class PairTruthTest {
             SplitMix64 random = new SplitMix64(seed);
             double off = StrictMath.pow(10, -random.nextInt(1, 16));
             double share = seed % 3 == 0 ? 1 - off : seed % 3 == 1 ? 1 + off : random.nextDouble();
-            Bodies bodies = Pairs.passing(random, Math.scalb(1 + random.nextDouble(), random.nextInt(-900, 900)), share,
+            Bodies bodies = PairSampler.passing(random, Math.scalb(1 + random.nextDouble(), random.nextInt(-900, 900)),
+                share,
                 0, 0.1 + random.nextDouble(), 0, 0);
             PairTruth truth = new PairTruth(bodies);
             List<OracleImpact> impacts = oracle.turn(OracleBody.of(bodies));

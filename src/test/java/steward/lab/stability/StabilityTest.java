@@ -21,11 +21,11 @@ import steward.lab.stability.crowds.TimeReversalCase;
 import steward.lab.stability.pairs.OfficialEdgesCase;
 import steward.lab.stability.pairs.RadiusRatioCase;
 import steward.lab.stability.pairs.RandomPairsCase;
+import steward.lab.trial.Finding;
 import steward.lab.trial.PairTally;
 import steward.lab.trial.Progress;
+import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
-import steward.lab.trial.Seen;
-import steward.lab.trial.Size;
 import steward.lab.trial.StabilityCase;
 import steward.physics.Advance;
 import steward.physics.Arithmetic;
@@ -45,8 +45,8 @@ class StabilityTest {
     @ParameterizedTest(name = "{0}, {1}")
     @MethodSource("rows")
     void theDemandIsMet(String name, String rungName, StabilityCase each, Rung rung) {
-        Seen seen = each.run(rung, Size.SMALL, Progress.NONE);
-        assertNotEquals(Seen.Verdict.FAILS, seen.verdict(), seen::text);
+        Finding seen = each.run(rung, RunLength.SMALL, Progress.NONE);
+        assertNotEquals(Finding.Verdict.FAILS, seen.verdict(), seen::text);
     }
 
     /**
@@ -65,7 +65,7 @@ class StabilityTest {
                 bodies.setVelocity(1, -1e-276, 2e-276);
                 tally.add(bodies, true);
             }
-            assertEquals(Seen.Verdict.HOLDS, tally.seen().verdict(), tally::text);
+            assertEquals(Finding.Verdict.HOLDS, tally.seen().verdict(), tally::text);
         }
     }
 
@@ -80,7 +80,8 @@ class StabilityTest {
     void aCaseSeesTheSameTwice() {
         for (StabilityCase each : List.of(new RadiusRatioCase(), new MirrorCase(), new OfficialEdgesCase())) {
             for (Rung rung : Rung.all()) {
-                assertEquals(each.run(rung, Size.SMALL, Progress.NONE), each.run(rung, Size.SMALL, Progress.NONE),
+                assertEquals(each.run(rung, RunLength.SMALL, Progress.NONE), each.run(rung, RunLength.SMALL,
+                    Progress.NONE),
                     each.name());
             }
         }
@@ -163,7 +164,7 @@ class StabilityTest {
     private static List<String> noticed(Rung wrong) {
         List<StabilityCase> cases = quickOnes();
         List<String> names = new ArrayList<>();
-        StabilityRow.tryAll(cases, List.of(wrong), Size.SMALL, (each, rung) -> { }, Progress.NONE, row -> {
+        StabilityRow.tryAll(cases, List.of(wrong), RunLength.SMALL, (each, rung) -> { }, Progress.NONE, row -> {
             if (row.failed()) {
                 names.add(row.name());
             }
@@ -184,7 +185,7 @@ class StabilityTest {
             throw new IllegalStateException("on purpose");
         });
         List<StabilityRow> rows = new ArrayList<>();
-        StabilityRow.tryAll(List.of(new CradleCase()), List.of(broken, real), Size.SMALL, (each, rung) -> { },
+        StabilityRow.tryAll(List.of(new CradleCase()), List.of(broken, real), RunLength.SMALL, (each, rung) -> { },
             Progress.NONE, rows::add);
         assertTrue(rows.get(0).failed() && rows.get(0).seen().text().contains("on purpose"));
         assertFalse(rows.get(1).failed());

@@ -18,8 +18,8 @@ import java.util.concurrent.atomic.AtomicInteger;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import steward.lab.tradeoff.report.TradeoffFiles;
 import steward.lab.tradeoff.report.TradeoffPage;
+import steward.lab.tradeoff.report.TradeoffReport;
 import steward.numerics.SplitMix64;
 import steward.physics.Advance;
 import steward.physics.Arithmetic;
@@ -175,7 +175,7 @@ class TradeoffTest {
 
     @Test
     void theFilesGrowSceneByScene() throws IOException {
-        try (TradeoffFiles files = new TradeoffFiles(folder, "a machine", "2030-01-02")) {
+        try (TradeoffReport files = new TradeoffReport(folder, "a machine", "2030-01-02")) {
             assertTrue(Files.readString(folder.resolve("tradeoff.csv")).startsWith("scene,rung,states,impacts,"));
             files.add(ladder("a \"quoted\" scene"));
             List<String> csv = Files.readAllLines(folder.resolve("tradeoff.csv"));
@@ -196,7 +196,7 @@ class TradeoffTest {
 
     @Test
     void theLastFilesShowThePlot() throws IOException {
-        try (TradeoffFiles files = new TradeoffFiles(folder, "a machine", "2030-01-02")) {
+        try (TradeoffReport files = new TradeoffReport(folder, "a machine", "2030-01-02")) {
             files.add(ladder("official-race"));
             files.add(ladder("grazing"));
             files.addHeadings(new TradeoffHeadings("random", 1_000_000, 7, 90, 30));
@@ -225,7 +225,7 @@ class TradeoffTest {
 
     /** Files of made rows in the folder that is named, as another process would write them. */
     public static void main(String[] arguments) throws IOException {
-        try (TradeoffFiles files = new TradeoffFiles(Path.of(arguments[0]), "a machine", "2030-01-02")) {
+        try (TradeoffReport files = new TradeoffReport(Path.of(arguments[0]), "a machine", "2030-01-02")) {
             files.add(new TradeoffTest().ladder("gas"));
             System.out.println(files.finish());
         }

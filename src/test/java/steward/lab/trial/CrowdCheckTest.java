@@ -65,9 +65,9 @@ class CrowdCheckTest {
     void theCaseFailsOnAWrongAdvance() {
         Rung real = rung(Arithmetic.DOUBLE);
         StabilityCase crowd = new CrowdCase(100, 0.1, 0, 500);
-        assertEquals(Seen.Verdict.HOLDS, crowd.run(real, Size.SMALL, Progress.NONE).verdict());
+        assertEquals(Finding.Verdict.HOLDS, crowd.run(real, RunLength.SMALL, Progress.NONE).verdict());
         Rung steps = new Rung("steps", true, false, Arithmetic.DOUBLE, parts -> new StepAdvance(parts, 4));
-        assertEquals(Seen.Verdict.FAILS, crowd.run(steps, Size.SMALL, Progress.NONE).verdict());
+        assertEquals(Finding.Verdict.FAILS, crowd.run(steps, RunLength.SMALL, Progress.NONE).verdict());
     }
 
     private static Rung rung(Arithmetic arithmetic) {

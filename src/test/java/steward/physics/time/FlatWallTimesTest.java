@@ -226,7 +226,8 @@ class FlatWallTimesTest {
     @Test
     void whoRecedesFromOneSideDoesNotRunIntoAnEndOfIt() {
         Segment wall = new Segment(0, 0, 100, 0, 1);
-        assertEquals(NEVER, TimeOfImpact.wall(wall, 50, 9.99, 100, 0.001, 10), "toward b, an overlap of 0.01 shrinking");
+        assertEquals(NEVER, TimeOfImpact.wall(wall, 50, 9.99, 100, 0.001, 10),
+            "toward b, an overlap of 0.01 shrinking");
         assertEquals(NEVER, TimeOfImpact.wall(wall, 50, -9.99, -100, -0.001, 10), "toward a, from below");
         assertEquals(NEVER, TimeOfImpact.wall(wall, 50, 9.99, 100, 0, 10), "along the wall");
     }

@@ -10,7 +10,7 @@ import steward.game.LineScan;
 import steward.game.RawJson;
 import steward.game.podrace.PodRace;
 import steward.scene.json.JsonProblem;
-import steward.text.Nearest;
+import steward.text.NearestName;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
@@ -278,7 +278,7 @@ public final class PodAnswer {
     }
 
     private static String unknown(String path, String name, Set<String> known) {
-        Optional<String> near = Nearest.of(name, known);
+        Optional<String> near = NearestName.of(name, known);
         return path + shorten(name) + ": unknown field, expected one of " + String.join(", ", known)
             + near.map(word -> "; did you mean " + word + "?").orElse("");
     }

@@ -78,7 +78,7 @@ final class CertifiedImpacts {
     private static final int MOST_IMPACTS = 8;
 
     private final int pods;
-    private final Paths paths;
+    private final PodPaths paths;
     private final double[] x;
     private final double[] y;
     private final double[] vx;
@@ -93,7 +93,7 @@ final class CertifiedImpacts {
     private double time;
     private double approach;
 
-    CertifiedImpacts(int pods, Paths paths) {
+    CertifiedImpacts(int pods, PodPaths paths) {
         this.pods = pods;
         this.paths = paths;
         x = new double[pods];

@@ -74,7 +74,7 @@ final class PodTurn {
     private final OfficialAdvance advance = new OfficialAdvance(RADIUS);
     private final Headings headings = new Headings();
     private final TurnLog log = new TurnLog();
-    private final Paths paths = new Paths(log, CHECKPOINT_RADIUS);
+    private final PodPaths paths = new PodPaths(log, CHECKPOINT_RADIUS);
     private final CertifiedImpacts impacts;
     /** The pods of a turn with impacts. */
     private final Bodies bodies;

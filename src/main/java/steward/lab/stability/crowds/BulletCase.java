@@ -1,11 +1,11 @@
 package steward.lab.stability.crowds;
 
 import java.util.Arrays;
+import steward.lab.trial.Finding;
 import steward.lab.trial.Probe;
 import steward.lab.trial.Progress;
+import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
-import steward.lab.trial.Seen;
-import steward.lab.trial.Size;
 import steward.lab.trial.StabilityCase;
 import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
@@ -30,7 +30,7 @@ public final class BulletCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size, Progress progress) {
+    public Finding run(Rung rung, RunLength size, Progress progress) {
         int row = size.pick(200, 1000, 1000);
         Bodies bodies = new Bodies(row + 1);
         bodies.add(0, 0, 10, MASS);
@@ -47,7 +47,7 @@ public final class BulletCase implements StabilityCase {
         };
         rung.advance(ImpactLaw.PHYSICS).turn(bodies, probe);
         long once = Arrays.stream(hits).filter(count -> count == 1).count();
-        return Seen.of(rung.isEvent(), once == row && probe.impacts == row && Probe.finite(bodies),
+        return Finding.of(rung.isEvent(), once == row && probe.impacts == row && Probe.finite(bodies),
             probe.impacts + " impacts, " + once + " of " + row + " hit once");
     }
 }

@@ -2,11 +2,11 @@ package steward.lab.stability.crowds;
 
 import java.math.BigDecimal;
 import java.util.Locale;
+import steward.lab.trial.Finding;
 import steward.lab.trial.Probe;
 import steward.lab.trial.Progress;
+import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
-import steward.lab.trial.Seen;
-import steward.lab.trial.Size;
 import steward.lab.trial.StabilityCase;
 import steward.physics.Advance;
 import steward.physics.Bodies;
@@ -34,13 +34,13 @@ public final class CollapseCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size, Progress progress) {
+    public Finding run(Rung rung, RunLength size, Progress progress) {
         int bound = size.pick(5000, 0, 0);
         String text = "3: " + collapse(rung, 3, 0.05, size.pick(20, 100, 1000), bound, false)
             + "; 90: " + collapse(rung, 90, 0.95, size.pick(2, 20, 200), bound, false)
             + "; bounded, 3: " + collapse(rung, 3, 0.05, 1, 20, true)
             + "; 90: " + collapse(rung, 90, 0.95, 2, 500, true);
-        return Seen.demanded(!text.contains("!"), text);
+        return Finding.demanded(!text.contains("!"), text);
     }
 
     /** @param mustReach whether the bound is below what a collapse has */

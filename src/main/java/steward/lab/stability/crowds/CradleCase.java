@@ -1,10 +1,10 @@
 package steward.lab.stability.crowds;
 
+import steward.lab.trial.Finding;
 import steward.lab.trial.Probe;
 import steward.lab.trial.Progress;
+import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
-import steward.lab.trial.Seen;
-import steward.lab.trial.Size;
 import steward.lab.trial.StabilityCase;
 import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
@@ -28,7 +28,7 @@ public final class CradleCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size, Progress progress) {
+    public Finding run(Rung rung, RunLength size, Progress progress) {
         StringBuilder text = new StringBuilder();
         boolean met = true;
         for (double gap : new double[] {0, 1e-15, 1e-12}) {
@@ -43,7 +43,7 @@ public final class CradleCase implements StabilityCase {
                 }
             }
         }
-        return Seen.of(rung.isEvent(), met, met ? "exact with each gap and speed" : text.substring(2));
+        return Finding.of(rung.isEvent(), met, met ? "exact with each gap and speed" : text.substring(2));
     }
 
     /** From the left, or for a negative speed from the right. */

@@ -2,11 +2,11 @@ package steward.lab.stability.crowds;
 
 import java.util.Locale;
 import steward.lab.trial.CrowdCheck;
+import steward.lab.trial.Finding;
 import steward.lab.trial.Gas;
 import steward.lab.trial.Progress;
+import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
-import steward.lab.trial.Seen;
-import steward.lab.trial.Size;
 import steward.lab.trial.StabilityCase;
 import steward.physics.Arithmetic;
 
@@ -47,14 +47,14 @@ public final class CrowdCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size, Progress progress) {
+    public Finding run(Rung rung, RunLength size, Progress progress) {
         if (!rung.isEvent() && bodies > MOST_STEPPED) {
-            return Seen.reported("not tried: each step looks at all pairs");
+            return Finding.reported("not tried: each step looks at all pairs");
         }
         long wanted = !rung.isEvent() ? 1000 : impacts > 0 ? impacts
-            : size == Size.LONG && rung.arithmetic() == Arithmetic.DOUBLE ? longest
+            : size == RunLength.LONG && rung.arithmetic() == Arithmetic.DOUBLE ? longest
             : size.pick(20_000, 1_000_000, LONG_IMPACTS);
         CrowdCheck.Result seen = CrowdCheck.run(new Gas(SEED, bodies, coverage), rung, wanted, progress);
-        return Seen.of(rung.isEvent(), seen.isRight() && seen.impacts() >= wanted, seen.toString());
+        return Finding.of(rung.isEvent(), seen.isRight() && seen.impacts() >= wanted, seen.toString());
     }
 }

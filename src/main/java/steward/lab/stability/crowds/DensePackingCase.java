@@ -4,11 +4,11 @@ import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import steward.lab.trial.Finding;
 import steward.lab.trial.Probe;
 import steward.lab.trial.Progress;
+import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
-import steward.lab.trial.Seen;
-import steward.lab.trial.Size;
 import steward.lab.trial.StabilityCase;
 import steward.numerics.SplitMix64;
 import steward.physics.Advance;
@@ -58,7 +58,7 @@ public final class DensePackingCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size, Progress progress) {
+    public Finding run(Rung rung, RunLength size, Progress progress) {
         double widest = Math.sqrt(DENSEST / 0.84) - 1;
         Tally tally = new Tally();
         for (double gap : new double[] {widest, 1e-2, 1e-3, 1e-6, 1e-9, 1e-12, 1e-14, 0}) {
@@ -67,7 +67,7 @@ public final class DensePackingCase implements StabilityCase {
         play(rung, 1e-12, 1, size.pick(2, 10, 100), 2000, tally);
         boolean met = tally.overlap <= OVERLAP_ULPS && tally.energy <= ENERGY && tally.unnamed == 0
             && tally.different.isEmpty() && tally.finite;
-        return Seen.of(rung.isEvent(), met, tally.text());
+        return Finding.of(rung.isEvent(), met, tally.text());
     }
 
     /** What is worst in all worlds. */

@@ -1,11 +1,11 @@
 package steward.lab.stability.crowds;
 
 import java.util.Locale;
+import steward.lab.trial.Finding;
 import steward.lab.trial.Probe;
 import steward.lab.trial.Progress;
+import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
-import steward.lab.trial.Seen;
-import steward.lab.trial.Size;
 import steward.lab.trial.StabilityCase;
 import steward.numerics.SplitMix64;
 import steward.physics.Advance;
@@ -34,13 +34,13 @@ public final class LatticeCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size, Progress progress) {
+    public Finding run(Rung rung, RunLength size, Progress progress) {
         int batch = rung.isEvent() ? size.pick(500, 10_000, 10_000) : 500;
         int single = size.pick(60, 300, 2000);
         boolean together = agrees(rung.advance(bounded(ImpactLaw.OFFICIAL_POD_RACE, batch)), batch);
         boolean alone = agrees(rung.advance(bounded(ImpactLaw.PHYSICS, single)), single);
         boolean crowd = agrees(rung.crowdAdvance(bounded(ImpactLaw.PHYSICS, batch)), batch);
-        return Seen.of(rung.isEvent(), together && alone && crowd, String.format(Locale.ROOT,
+        return Finding.of(rung.isEvent(), together && alone && crowd, String.format(Locale.ROOT,
             "%d pairs in a batch %s, %d one at a time %s, %d as a crowd %s", batch, verdict(together), single,
             verdict(alone), batch, verdict(crowd)));
     }

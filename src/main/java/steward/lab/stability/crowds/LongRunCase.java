@@ -2,12 +2,12 @@ package steward.lab.stability.crowds;
 
 import java.math.BigDecimal;
 import java.util.Locale;
+import steward.lab.trial.Finding;
 import steward.lab.trial.Ledger;
 import steward.lab.trial.Probe;
 import steward.lab.trial.Progress;
+import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
-import steward.lab.trial.Seen;
-import steward.lab.trial.Size;
 import steward.lab.trial.StabilityCase;
 import steward.numerics.SplitMix64;
 import steward.physics.Advance;
@@ -49,7 +49,7 @@ public final class LongRunCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size, Progress progress) {
+    public Finding run(Rung rung, RunLength size, Progress progress) {
         int small = bodies == 10 ? 100_000 : 20_000;
         long wanted = rung.isEvent() ? size.pick(small, 1_000_000, 10_000_000) : 1;
         Bodies gas = gas();
@@ -74,7 +74,7 @@ public final class LongRunCase implements StabilityCase {
         double judged = Double.isNaN(atMillion) ? last : atMillion;
         double gap = ledger.gap(gas);
         boolean met = ledger.impacts >= wanted && (judged <= drift || !rung.isOurs()) && gap <= BOOKS;
-        return Seen.of(rung.isEvent(), met, text(ledger, last, judged, gap));
+        return Finding.of(rung.isEvent(), met, text(ledger, last, judged, gap));
     }
 
     private static String text(Ledger ledger, double last, double atMillion, double gap) {

@@ -1,10 +1,10 @@
 package steward.lab.stability.crowds;
 
+import steward.lab.trial.Finding;
 import steward.lab.trial.Probe;
 import steward.lab.trial.Progress;
+import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
-import steward.lab.trial.Seen;
-import steward.lab.trial.Size;
 import steward.lab.trial.StabilityCase;
 import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
@@ -30,7 +30,7 @@ public final class MirrorCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size, Progress progress) {
+    public Finding run(Rung rung, RunLength size, Progress progress) {
         int wrong = 0;
         int worlds = 0;
         Probe probe = new Probe();
@@ -46,7 +46,7 @@ public final class MirrorCase implements StabilityCase {
             worlds++;
             wrong += agrees(rung, gas, 1 + n % 3, 4, probe) ? 0 : 1;
         }
-        return Seen.demanded(wrong == 0 && probe.impacts > worlds,
+        return Finding.demanded(wrong == 0 && probe.impacts > worlds,
             worlds + " worlds, " + probe.impacts + " impacts, " + wrong + " not mirrored");
     }
 

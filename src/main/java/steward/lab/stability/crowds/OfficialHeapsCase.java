@@ -1,11 +1,11 @@
 package steward.lab.stability.crowds;
 
 import java.util.Locale;
+import steward.lab.trial.Finding;
 import steward.lab.trial.Probe;
 import steward.lab.trial.Progress;
+import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
-import steward.lab.trial.Seen;
-import steward.lab.trial.Size;
 import steward.lab.trial.StabilityCase;
 import steward.numerics.SplitMix64;
 import steward.physics.Advance;
@@ -31,7 +31,7 @@ public final class OfficialHeapsCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size, Progress progress) {
+    public Finding run(Rung rung, RunLength size, Progress progress) {
         boolean official = rung.arithmetic() == Arithmetic.OFFICIAL;
         int states = size.pick(20_000, official ? 8_000_000 : 1_000_000, 8_000_000);
         Advance advance = rung.advance(ImpactLaw.OFFICIAL_POD_RACE);
@@ -50,7 +50,7 @@ public final class OfficialHeapsCase implements StabilityCase {
             seen.most = Math.max(seen.most, seen.impacts - before);
         }
         boolean met = seen.notFinite == 0 && seen.limited == 0 && seen.impacts > states;
-        return Seen.of(rung.isEvent(), met, seen.text());
+        return Finding.of(rung.isEvent(), met, seen.text());
     }
 
     /** Adds up what is seen of the states. */

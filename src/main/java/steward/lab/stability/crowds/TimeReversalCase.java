@@ -1,10 +1,10 @@
 package steward.lab.stability.crowds;
 
+import steward.lab.trial.Finding;
 import steward.lab.trial.Probe;
 import steward.lab.trial.Progress;
+import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
-import steward.lab.trial.Seen;
-import steward.lab.trial.Size;
 import steward.lab.trial.StabilityCase;
 import steward.numerics.SplitMix64;
 import steward.physics.Advance;
@@ -30,7 +30,7 @@ public final class TimeReversalCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size, Progress progress) {
+    public Finding run(Rung rung, RunLength size, Progress progress) {
         int worlds = size.pick(10, 100, 1000);
         long sum = 0;
         long least = Long.MAX_VALUE;
@@ -40,7 +40,7 @@ public final class TimeReversalCase implements StabilityCase {
             sum += impacts;
             least = Math.min(least, impacts);
         }
-        return Seen.reported(worlds + " worlds, on average " + sum / worlds + " impacts, at least " + least);
+        return Finding.reported(worlds + " worlds, on average " + sum / worlds + " impacts, at least " + least);
     }
 
     private static long untilOff(Rung rung, Bodies start) {

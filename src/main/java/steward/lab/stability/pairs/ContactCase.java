@@ -1,10 +1,10 @@
 package steward.lab.stability.pairs;
 
+import steward.lab.trial.Finding;
 import steward.lab.trial.OracleCheck;
 import steward.lab.trial.Progress;
+import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
-import steward.lab.trial.Seen;
-import steward.lab.trial.Size;
 import steward.lab.trial.StabilityCase;
 import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
@@ -26,7 +26,7 @@ public final class ContactCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size, Progress progress) {
+    public Finding run(Rung rung, RunLength size, Progress progress) {
         OracleCheck check = new OracleCheck(rung, TOLERANCE);
         for (ImpactLaw law : new ImpactLaw[] {ImpactLaw.PHYSICS, ImpactLaw.OFFICIAL_POD_RACE}) {
             String name = law == ImpactLaw.PHYSICS ? "physics, " : "official, ";
@@ -43,7 +43,7 @@ public final class ContactCase implements StabilityCase {
                 check.add(name + "in contact, receding", law, pair(800 * mirror, 0, -9 * mirror, 0, 7 * mirror, 0));
             }
         }
-        return Seen.of(rung.isEvent(), check.met(), check.text());
+        return Finding.of(rung.isEvent(), check.met(), check.text());
     }
 
     private static Bodies pair(double dx, double dy, double vax, double vay, double vbx, double vby) {

@@ -1,12 +1,12 @@
 package steward.lab.stability.pairs;
 
 import java.util.Locale;
+import steward.lab.trial.Finding;
 import steward.lab.trial.OracleCheck;
 import steward.lab.trial.Probe;
 import steward.lab.trial.Progress;
+import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
-import steward.lab.trial.Seen;
-import steward.lab.trial.Size;
 import steward.lab.trial.StabilityCase;
 import steward.physics.Bodies;
 import steward.physics.HalfPlane;
@@ -31,7 +31,7 @@ public final class CornerCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size, Progress progress) {
+    public Finding run(Rung rung, RunLength size, Progress progress) {
         int exact = 0;
         int corners = 0;
         for (int corner = 0; corner < 4; corner++) {
@@ -43,7 +43,7 @@ public final class CornerCase implements StabilityCase {
         OracleCheck check = new OracleCheck(rung, TOLERANCE);
         ends(check);
         tilted(check);
-        return Seen.of(rung.isEvent(), exact == corners && check.met(),
+        return Finding.of(rung.isEvent(), exact == corners && check.met(),
             String.format(Locale.ROOT, "%d of %d corners exact; ends: %s", exact, corners, check.text()));
     }
 

@@ -1,10 +1,10 @@
 package steward.lab.stability.pairs;
 
+import steward.lab.trial.Finding;
 import steward.lab.trial.OracleCheck;
 import steward.lab.trial.Progress;
+import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
-import steward.lab.trial.Seen;
-import steward.lab.trial.Size;
 import steward.lab.trial.StabilityCase;
 import steward.physics.Arena;
 import steward.physics.Bodies;
@@ -29,7 +29,7 @@ public final class ExtremeSpeedsCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size, Progress progress) {
+    public Finding run(Rung rung, RunLength size, Progress progress) {
         OracleCheck check = new OracleCheck(rung, TOLERANCE);
         for (double offset : new double[] {0, 0.6}) {
             String how = offset == 0 ? "" : " oblique";
@@ -44,7 +44,7 @@ public final class ExtremeSpeedsCase implements StabilityCase {
             check.add("all 1e300" + how, ImpactLaw.PHYSICS, pair(1e299, offset, 1e300, 2e300));
         }
         walls(check);
-        return Seen.of(rung.isEvent(), check.met(), check.text());
+        return Finding.of(rung.isEvent(), check.met(), check.text());
     }
 
     /** One body and a wall of each kind, all of one size. */

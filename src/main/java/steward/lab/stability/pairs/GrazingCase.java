@@ -1,11 +1,11 @@
 package steward.lab.stability.pairs;
 
+import steward.lab.trial.Finding;
+import steward.lab.trial.PairSampler;
 import steward.lab.trial.PairTally;
-import steward.lab.trial.Pairs;
 import steward.lab.trial.Progress;
+import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
-import steward.lab.trial.Seen;
-import steward.lab.trial.Size;
 import steward.lab.trial.StabilityCase;
 import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
@@ -26,22 +26,23 @@ public final class GrazingCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size, Progress progress) {
+    public Finding run(Rung rung, RunLength size, Progress progress) {
         PairTally tally = new PairTally(rung);
         SplitMix64 random = new SplitMix64(SEED);
         for (int k = 1; k <= 16; k++) {
             progress.reached((k - 1) / 16.0, tally::text);
             for (int n = 0; n < size.pick(400, 10_000, 200_000); n++) {
                 double off = StrictMath.pow(10, -k);
-                double touch = Pairs.around(random, random.nextInt(-3, 4));
-                tally.add(Pairs.passing(random, touch, n % 2 == 0 ? 1 - off : 1 + off, touch * 3 * random.nextDouble(),
+                double touch = PairSampler.around(random, random.nextInt(-3, 4));
+                tally.add(PairSampler.passing(random, touch, n % 2 == 0 ? 1 - off : 1 + off,
+                    touch * 3 * random.nextDouble(),
                     0.1 + 0.8 * random.nextDouble(), base(random, touch), base(random, touch)), false);
             }
         }
         for (int n = 0; n < size.pick(400, 10_000, 200_000); n++) {
             tangents(tally, random);
         }
-        return Seen.of(rung.isExact(), tally.isRight(), tally.text());
+        return Finding.of(rung.isExact(), tally.isRight(), tally.text());
     }
 
     private static double base(SplitMix64 random, double touch) {

@@ -3,11 +3,11 @@ package steward.lab.stability.pairs;
 import java.math.BigDecimal;
 import java.util.Locale;
 import steward.lab.oracle.Digits;
+import steward.lab.trial.Finding;
 import steward.lab.trial.Probe;
 import steward.lab.trial.Progress;
+import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
-import steward.lab.trial.Seen;
-import steward.lab.trial.Size;
 import steward.lab.trial.StabilityCase;
 import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
@@ -37,7 +37,7 @@ public final class LateTimesCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size, Progress progress) {
+    public Finding run(Rung rung, RunLength size, Progress progress) {
         StringBuilder text = new StringBuilder("overlap in ulp at speed");
         boolean met = true;
         for (double speed = 1; speed <= 1e8; speed *= 100) {
@@ -54,7 +54,7 @@ public final class LateTimesCase implements StabilityCase {
             text.append(String.format(Locale.ROOT, " %.0e: %.3g%s;", speed, worst, all ? "" : " (impacts missing)"));
         }
         text.setLength(text.length() - 1);
-        return Seen.of(rung.isOurs(), met, text.toString());
+        return Finding.of(rung.isOurs(), met, text.toString());
     }
 
     /**

@@ -1,10 +1,10 @@
 package steward.lab.stability.pairs;
 
+import steward.lab.trial.Finding;
 import steward.lab.trial.OracleCheck;
 import steward.lab.trial.Progress;
+import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
-import steward.lab.trial.Seen;
-import steward.lab.trial.Size;
 import steward.lab.trial.StabilityCase;
 import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
@@ -27,7 +27,7 @@ public final class MassesCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size, Progress progress) {
+    public Finding run(Rung rung, RunLength size, Progress progress) {
         OracleCheck check = new OracleCheck(rung, TOLERANCE);
         for (int ea : EXPONENTS) {
             for (int eb : EXPONENTS) {
@@ -43,7 +43,7 @@ public final class MassesCase implements StabilityCase {
         check.add("two infinite", ImpactLaw.PHYSICS, pair(Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, 0));
         check.add("two infinite, official", ImpactLaw.OFFICIAL_POD_RACE,
             pair(Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, 0));
-        return Seen.of(rung.isEvent(), check.met(), check.text());
+        return Finding.of(rung.isEvent(), check.met(), check.text());
     }
 
     private static Bodies pair(double massA, double massB, double offset) {

@@ -1,12 +1,12 @@
 package steward.lab.stability.pairs;
 
 import java.util.Locale;
+import steward.lab.trial.Finding;
+import steward.lab.trial.PairSampler;
 import steward.lab.trial.PairTally;
-import steward.lab.trial.Pairs;
 import steward.lab.trial.Progress;
+import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
-import steward.lab.trial.Seen;
-import steward.lab.trial.Size;
 import steward.lab.trial.StabilityCase;
 import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
@@ -28,7 +28,7 @@ public final class NearAndFarCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size, Progress progress) {
+    public Finding run(Rung rung, RunLength size, Progress progress) {
         StringBuilder text = new StringBuilder("ulp");
         boolean met = true;
         String[] names = {"gap", "far", "1e9"};
@@ -43,7 +43,7 @@ public final class NearAndFarCase implements StabilityCase {
             text.append(String.format(Locale.ROOT, "; %s %.3g", names[family], tally.timeUlps()))
                 .append(tally.wrong() > 0 ? ", wrong " + tally.wrong() : "");
         }
-        return Seen.of(rung.isExact(), met, text.toString().replaceFirst("ulp;", "ulp:"));
+        return Finding.of(rung.isExact(), met, text.toString().replaceFirst("ulp;", "ulp:"));
     }
 
     private static Bodies pair(int family, SplitMix64 random) {
@@ -51,8 +51,8 @@ public final class NearAndFarCase implements StabilityCase {
         double time = 0.1 + 0.8 * random.nextDouble();
         return switch (family) {
             case 0 -> hairApart(random);
-            case 1 -> Pairs.passing(random, 1, share, 1e7, time, 0, 0);
-            default -> Pairs.passing(random, 2, share, 1e3, time, 1e9 * (0.5 + random.nextDouble()),
+            case 1 -> PairSampler.passing(random, 1, share, 1e7, time, 0, 0);
+            default -> PairSampler.passing(random, 2, share, 1e3, time, 1e9 * (0.5 + random.nextDouble()),
                 1e9 * (0.5 + random.nextDouble()));
         };
     }

@@ -1,11 +1,11 @@
 package steward.lab.stability.pairs;
 
 import java.util.Locale;
+import steward.lab.trial.Finding;
 import steward.lab.trial.Probe;
 import steward.lab.trial.Progress;
+import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
-import steward.lab.trial.Seen;
-import steward.lab.trial.Size;
 import steward.lab.trial.StabilityCase;
 import steward.physics.Advance;
 import steward.physics.Bodies;
@@ -27,14 +27,14 @@ public final class OfficialEdgesCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size, Progress progress) {
+    public Finding run(Rung rung, RunLength size, Progress progress) {
         StringBuilder text = new StringBuilder();
         boolean met = row(rung, text);
         for (int hair = -1; hair <= 1; hair++) {
             met &= force(rung, 120 + hair * Math.ulp(120.0), text);
         }
         met &= squeeze(rung, text);
-        return Seen.of(rung.isEvent(), met, text.substring(2));
+        return Finding.of(rung.isEvent(), met, text.substring(2));
     }
 
     /** Pairs 01, 12, 23 touch: each gets 120 apart, so the outer ones leave, mirrored to the push-out's last bits. */

@@ -3,11 +3,11 @@ package steward.lab.stability.pairs;
 import java.math.BigDecimal;
 import java.util.List;
 import java.util.Locale;
+import steward.lab.trial.Finding;
 import steward.lab.trial.Probe;
 import steward.lab.trial.Progress;
+import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
-import steward.lab.trial.Seen;
-import steward.lab.trial.Size;
 import steward.lab.trial.StabilityCase;
 import steward.physics.Advance;
 import steward.physics.Bodies;
@@ -35,7 +35,7 @@ public final class PiBlocksCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size, Progress progress) {
+    public Finding run(Rung rung, RunLength size, Progress progress) {
         StringBuilder text = new StringBuilder("impacts");
         boolean counted = true;
         double worst = 0;
@@ -50,7 +50,7 @@ public final class PiBlocksCase implements StabilityCase {
             progress.reached((double) DIGITS.get(k) / DIGITS.get(last), text::toString);
         }
         text.append(String.format(Locale.ROOT, "; energy error %.1e", worst));
-        return Seen.of(rung.isEvent(), counted && (!rung.isExact() || worst <= ENERGY), text.toString());
+        return Finding.of(rung.isEvent(), counted && (!rung.isExact() || worst <= ENERGY), text.toString());
     }
 
     private static Bodies blocks(int k) {

@@ -1,11 +1,11 @@
 package steward.lab.stability.pairs;
 
+import steward.lab.trial.Finding;
+import steward.lab.trial.PairSampler;
 import steward.lab.trial.PairTally;
-import steward.lab.trial.Pairs;
 import steward.lab.trial.Progress;
+import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
-import steward.lab.trial.Seen;
-import steward.lab.trial.Size;
 import steward.lab.trial.StabilityCase;
 import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
@@ -36,7 +36,7 @@ public final class RandomPairsCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size, Progress progress) {
+    public Finding run(Rung rung, RunLength size, Progress progress) {
         int every = size.pick(250, 50, 50);
         int blocks = rung.isExact() ? size.pick(50, 500, 5_000) : size.pick(2, 50, 500);
         PairTally tally = new PairTally(rung);
@@ -58,16 +58,17 @@ public final class RandomPairsCase implements StabilityCase {
             case 1 -> 1 + off;
             default -> 1.2 * random.nextDouble();
         };
-        double gap = random.nextInt(2) == 0 ? Pairs.around(random, random.nextInt(-14, 5)) : 5 * random.nextDouble();
-        double far = random.nextInt(4) == 0 ? Pairs.around(random, random.nextInt(0, 6)) : 0;
-        Bodies bodies = Pairs.passing(random, touch, random.nextInt(2) == 0 ? share : -share, gap,
+        double gap = random.nextInt(2) == 0 ? PairSampler.around(random, random.nextInt(-14, 5))
+            : 5 * random.nextDouble();
+        double far = random.nextInt(4) == 0 ? PairSampler.around(random, random.nextInt(0, 6)) : 0;
+        Bodies bodies = PairSampler.passing(random, touch, random.nextInt(2) == 0 ? share : -share, gap,
             0.05 + 1.1 * random.nextDouble(), far, far * (random.nextDouble() - 0.5));
         double scale = Math.scalb(1.0, random.nextInt(-exponents, exponents));
         for (int k = 0; k < 2; k++) {
             bodies.setPosition(k, bodies.x[k] * scale, bodies.y[k] * scale);
             bodies.setVelocity(k, bodies.vx[k] * scale, bodies.vy[k] * scale);
             bodies.setRadius(k, bodies.radius[k] * scale);
-            bodies.setMass(k, random.nextInt(2) == 0 ? 1 : Pairs.around(random, random.nextInt(-20, 20)));
+            bodies.setMass(k, random.nextInt(2) == 0 ? 1 : PairSampler.around(random, random.nextInt(-20, 20)));
         }
         return bodies;
     }

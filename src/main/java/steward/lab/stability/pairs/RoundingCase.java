@@ -1,9 +1,9 @@
 package steward.lab.stability.pairs;
 
+import steward.lab.trial.Finding;
 import steward.lab.trial.Progress;
+import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
-import steward.lab.trial.Seen;
-import steward.lab.trial.Size;
 import steward.lab.trial.StabilityCase;
 import steward.physics.Bodies;
 import steward.physics.Motion;
@@ -34,7 +34,7 @@ public final class RoundingCase implements StabilityCase {
     }
 
     @Override
-    public Seen run(Rung rung, Size size, Progress progress) {
+    public Finding run(Rung rung, RunLength size, Progress progress) {
         Motion end = new Motion(false, true, true);
         StringBuilder wrong = new StringBuilder();
         for (double[] position : POSITIONS) {
@@ -53,7 +53,7 @@ public final class RoundingCase implements StabilityCase {
             compare(speed, bodies.vy[0], wrong);
         }
         int numbers = POSITIONS.length + SPEEDS.length;
-        return Seen.demanded(wrong.isEmpty(), numbers + " numbers"
+        return Finding.demanded(wrong.isEmpty(), numbers + " numbers"
             + (wrong.isEmpty() ? " as by hand" : "; wrong:" + wrong));
     }
 

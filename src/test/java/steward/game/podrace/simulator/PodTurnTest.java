@@ -299,11 +299,11 @@ class PodTurnTest {
 
     /** Who measures a scene sees, and can replace, the fast loop too. */
     @Test
-    void theOnlookerOfTheOfficialSceneIsAsked() {
+    void theObserverOfTheOfficialSceneIsAsked() {
         PodRaceType.PodRaceSetup official = Races.setup("mad-pod-racing");
         PodRaceType.PodRaceSetup still = new PodRaceType().open(
             SceneReader.read(SceneFiles.load("mad-pod-racing").text(), "watched")
-                .withOnlooker((parts, advance) -> (bodies, sink) -> { }));
+                .withObserver((parts, advance) -> (bodies, sink) -> { }));
         PodRace race = still.create(MAP);
         race.setPod(0, new PodState(0, 0, 100, 0, 0, 0, true, 0));
         race.play();

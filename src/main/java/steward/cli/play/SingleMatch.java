@@ -1,0 +1,106 @@
+package steward.cli.play;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.util.List;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.FailedException;
+import steward.cli.shared.Interruption;
+import steward.cli.shared.MatchText;
+import steward.cli.shared.Pages;
+import steward.cli.shared.Streams;
+import steward.cli.shared.Verbosity;
+import steward.contest.Contest;
+import steward.files.OutputFiles;
+import steward.match.MatchListener;
+import steward.match.MatchResult;
+import steward.replay.WriteBehind;
+import steward.text.TextFormat;
+
+/**
+ * Plays one match and tells how it went.
+ *
+ * @param report how much is said
+ * @param strict whether a bot that fails makes the exit status 1
+ */
+record SingleMatch(Streams streams, Contest contest, Verbosity report, boolean strict) {
+
+    private static final MatchListener NOBODY = new MatchListener() { };
+
+    /**
+     * A match that is not shown.
+     *
+     * @param file for the replay, or {@code null}
+     * @return the exit status
+     */
+    int play(long seed, Path file, boolean overwrite) throws InterruptedException {
+        MatchResult result = result(seed, file, overwrite, null);
+        tell(seed, result, file);
+        return status(result);
+    }
+
+    /** As {@link #play(long, Path, boolean)}; the match is shown as the options say. */
+    int play(long seed, Path file, boolean overwrite, DisplayOptions options) throws InterruptedException {
+        PrintStream said = report == Verbosity.FULL ? streams.out() : streams.err();
+        try (MatchDisplay show = MatchDisplay.prepare(streams, said, options, Pages.title(names()), file, overwrite)) {
+            MatchResult result = result(seed, file, overwrite, show);
+            tell(seed, result, file);
+            streams.out().flush();
+            show.finish();
+            return status(result);
+        }
+    }
+
+    private MatchResult result(long seed, Path file, boolean overwrite, MatchDisplay show) throws InterruptedException {
+        try (OutputStream recording = file == null ? null : new WriteBehind(OutputFiles.open(file, overwrite))) {
+            if (show != null) {
+                show.awaitViewer();
+            }
+            try (Interruption hint = new Interruption(streams, file)) {
+                OutputStream written = show == null ? recording : show.with(recording);
+                MatchResult result = contest.play(seed, 0, written, follower(seed));
+                hint.over();
+                return result;
+            }
+        } catch (UncheckedIOException problem) {
+            throw new FailedException("the match could not be brought to a result: " + problem.getMessage());
+        } catch (IOException problem) {
+            throw new FailedException(file + ": cannot be closed: " + problem.getMessage());
+        }
+    }
+
+    private void tell(long seed, MatchResult result, Path file) {
+        switch (report) {
+            case JSON -> MatchJson.print(streams, contest, seed, result, file);
+            case LINE -> streams.out().println(MatchText.headline(contest.sceneName(), seed, result));
+            default -> {
+                MatchText.print(streams.out(), contest.sceneName(), seed, result);
+                if (file != null) {
+                    MatchText.printReplay(streams.out(), file);
+                }
+            }
+        }
+    }
+
+    private int status(MatchResult result) {
+        return strict && result.anyFault() ? ExitStatus.FAILED : ExitStatus.DONE;
+    }
+
+    private List<String> names() {
+        return contest.entrants().stream().map(Contest.Entrant::name).toList();
+    }
+
+    private MatchListener follower(long seed) {
+        if (report != Verbosity.FULL || !streams.outTerminal()) {
+            return NOBODY;
+        }
+        List<String> names = names();
+        streams.out().println(contest.sceneName() + ", seed " + seed + ": "
+            + TextFormat.plain(String.join(" against ", names)));
+        streams.out().flush();
+        return new TurnProgress(streams, names);
+    }
+}
