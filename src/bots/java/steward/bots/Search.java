@@ -15,8 +15,6 @@ final class Search {
     /** The pod itself, the enemy it guards and the nearest others. */
     private static final int LOOKED_AT = 6;
     private static final int TURNS = 10;
-    /** Worth of a passed checkpoint in u; more than any distance on a field. */
-    private static final double CHECKPOINT_WORTH = 30000;
     /** Worth of a guard's own distance to its station, against the enemy's distance to its checkpoint. */
     private static final double STATION_WORTH = 0.3;
     /** Share of what every turn on the way is worth, against the last: sooner is better, so that nothing is put off. */
@@ -28,8 +26,6 @@ final class Search {
         -Forecast.TURN_SINE};
     private static final int[] THRUST_PERCENTS = {100, 0};
     private static final int[] KEPT_TURNS = {1, 3};
-    /** How far away a steering target is set, in u. */
-    private static final double FAR = 10000;
 
     private final Race race;
     private final Forecast forecast;
@@ -143,7 +139,7 @@ final class Search {
             if (turn >= kept || angle == BY_RULE) {
                 byRule();
             } else {
-                turn(angle);
+                moves.turn(pods, 0, COSINES[angle], SINES[angle], 0);
             }
             if (turn < kept) {
                 moves.thrust[0] = thrust;
@@ -165,13 +161,6 @@ final class Search {
         }
     }
 
-    private void turn(int angle) {
-        double hx = pods.headingX[0];
-        double hy = pods.headingY[0];
-        moves.set(0, pods.x[0] + FAR * (hx * COSINES[angle] - hy * SINES[angle]),
-            pods.y[0] + FAR * (hx * SINES[angle] + hy * COSINES[angle]), 0);
-    }
-
     private void byRule() {
         if (enemy == NOBODY) {
             Driver.race(race, pods, 0, moves);
@@ -182,14 +171,10 @@ final class Search {
 
     private double worth() {
         if (enemy == NOBODY) {
-            return progress(0);
+            return pods.progress(race, 0);
         }
         double dx = stationX - pods.x[0];
         double dy = stationY - pods.y[0];
-        return -progress(enemy) - STATION_WORTH * Math.sqrt(dx * dx + dy * dy);
-    }
-
-    private double progress(int pod) {
-        return CHECKPOINT_WORTH * pods.passed[pod] - pods.toNext(race, pod);
+        return -pods.progress(race, enemy) - STATION_WORTH * Math.sqrt(dx * dx + dy * dy);
     }
 }
