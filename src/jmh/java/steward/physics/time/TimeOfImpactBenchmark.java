@@ -74,7 +74,7 @@ public class TimeOfImpactBenchmark {
     public double exactTimes() {
         double sum = 0;
         for (int k = 0; k < 2 * PAIRS; k += 2) {
-            sum += exact.exact(bodies, k, k + 1, exactTime) ? exactTime.high() : 0;
+            sum += exact.exactTime(bodies, k, k + 1, exactTime) ? exactTime.high() : 0;
         }
         return sum;
     }

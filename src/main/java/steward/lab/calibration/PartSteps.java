@@ -123,7 +123,7 @@ public final class PartSteps {
     private Meaning meaning(Meaning stated, boolean anyStated) {
         Meaning meets = anyStated ? stated : Meaning.BOUNCE;
         return meets == Meaning.NONE ? Meaning.NONE
-            : ask && (stated == Meaning.ASK || !full.contacts().ask()) ? Meaning.ASK : Meaning.BOUNCE;
+            : ask && (stated == Meaning.ASK || !full.contacts().containsAsk()) ? Meaning.ASK : Meaning.BOUNCE;
     }
 
     /** @param in whether the scene says how; otherwise some usual setting is tried */

@@ -32,7 +32,7 @@ import steward.scene.SceneReader;
 class PartStepsTest {
 
     /** Who looks for impacts, collects them, lets them happen, and says how strong they are. */
-    private static final Set<String> ROLES = Set.of("Scan", "ImpactQueue", "Touch", "Impulse", "Wall");
+    private static final Set<String> ROLES = Set.of("Scan", "ImpactQueue", "ContactResponse", "Impulse", "Wall");
 
     private static GameSetup open(String scene, String rung) {
         return new GameTypes(List.of(new PodRaceType())).open(

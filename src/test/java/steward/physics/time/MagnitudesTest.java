@@ -83,21 +83,21 @@ class MagnitudesTest {
 
     @Test
     void whatIsOrdinary() {
-        assertTrue(Magnitudes.areOrdinary(pair(1e59)) && Magnitudes.areOrdinary(pair(1e-60)));
-        assertFalse(Magnitudes.areOrdinary(pair(1e61)) || Magnitudes.areOrdinary(pair(1e-61)));
+        assertTrue(Magnitudes.fitPlainArithmetic(pair(1e59)) && Magnitudes.fitPlainArithmetic(pair(1e-60)));
+        assertFalse(Magnitudes.fitPlainArithmetic(pair(1e61)) || Magnitudes.fitPlainArithmetic(pair(1e-61)));
         Bodies coasting = pair(1);
         coasting.setVelocity(0, 1e-210, 0);
-        assertTrue(Magnitudes.areOrdinary(coasting), "slowed down by drag for 3,000 turns");
+        assertTrue(Magnitudes.fitPlainArithmetic(coasting), "slowed down by drag for 3,000 turns");
         coasting.setVelocity(0, 1e-212, 0);
-        assertFalse(Magnitudes.areOrdinary(coasting));
+        assertFalse(Magnitudes.fitPlainArithmetic(coasting));
         coasting.setVelocity(0, 1, 0);
         coasting.setMass(1, Double.POSITIVE_INFINITY);
-        assertTrue(Magnitudes.areOrdinary(coasting));
+        assertTrue(Magnitudes.fitPlainArithmetic(coasting));
         coasting.setMass(1, 1e-91);
-        assertFalse(Magnitudes.areOrdinary(coasting));
+        assertFalse(Magnitudes.fitPlainArithmetic(coasting));
         coasting.setMass(1, 1);
         coasting.vy[1] = Double.NaN;
-        assertFalse(Magnitudes.areOrdinary(coasting));
+        assertFalse(Magnitudes.fitPlainArithmetic(coasting));
     }
 
     @ParameterizedTest

@@ -10,49 +10,49 @@ import steward.physics.Wall;
  *
  *     va' = va - (1 + e) sb q d,   vb' = vb + (1 + e) sa q d,   q = (va - vb).d / d.d,   sb = mb / (ma + mb) = 1 - sa.
  *
- * In plain doubles the energy of an elastic impact is off by the relative error of (1 + e) s q times what is exchanged,
- * some units of u = 2^-53. That of 1 / m or of s is the same at every impact of the same two, so that it adds up,
- * impact after impact; the others go as often one way as the other and grow with the root of the number. So q, s and
- * their products carry what was rounded off (two doubles each, the second good to some u), and a velocity is rounded
- * once, when it is stored. Impulse and approach being measured along the same d, it does not matter for the energy that
- * d is rounded.
+ * In plain doubles the energy of an elastic impact is off by the relative error of (1 + e) s q times the energy
+ * exchanged, some units of u = 2^-53. The error of 1 / m or of s is the same at every impact of the same pair, so it
+ * adds up linearly; the others have random signs and grow with the square root of the number of impacts. So q, s and
+ * their products carry their rounding errors (two doubles each, the second accurate to some u), and a velocity is
+ * rounded once, when it is stored. Impulse and approach are measured along the same d, so the rounding of d does not
+ * affect the energy.
  */
 
 /**
- * The reactions of {@link Collision} with the roundings of the impulse put back, for laws without a minimum impulse:
- * the energy of a gas of elastic discs is off by the rounding of stored velocities alone, which does not drift; and a
- * bounce off an upright or level wall is the exact negative.
+ * The reactions of {@link Collision} with the rounding errors of the impulse added back, for laws without a minimum
+ * impulse: the energy of a gas of elastic discs is affected only by the rounding of stored velocities, which does not
+ * drift; and an elastic bounce off a vertical or horizontal wall exactly negates a velocity component.
  */
-sealed class CarefulCollision extends Collision permits ExactCollision {
+sealed class CompensatedCollision extends Collision permits ExactCollision {
 
-    /** What was computed last is the sum of both, to some units of u^2. */
+    /** Result of the last operation: the sum of both, accurate to some units of u^2. */
     double high;
     double low;
-    /** d.d of what was projected last. */
+    /** d.d of the last projection. */
     double squared;
     double squaredLow;
 
-    CarefulCollision(ImpactLaw law, Wall[] walls) {
+    CompensatedCollision(ImpactLaw law, Wall[] walls) {
         super(law, walls);
     }
 
     @Override
-    void pushPair(Bodies bodies, int a, int b, double nx, double ny, double restitution, double impulse) {
+    void applyPairImpulse(Bodies bodies, int a, int b, double nx, double ny, double restitution, double impulse) {
         project(bodies.vx[a], bodies.vx[b], bodies.vy[a], bodies.vy[b], nx, 0, ny, 0);
-        withRestitution(restitution);
+        multiplyByOnePlus(restitution);
         double size = high;
         double sizeLow = low;
-        takeShare(bodies.mass[b], bodies.mass[a], size, sizeLow);
-        push(bodies, a, -high, -low, nx, 0, ny, 0);
-        takeShare(bodies.mass[a], bodies.mass[b], size, sizeLow);
-        push(bodies, b, high, low, nx, 0, ny, 0);
+        multiplyByMassShare(bodies.mass[b], bodies.mass[a], size, sizeLow);
+        addVelocity(bodies, a, -high, -low, nx, 0, ny, 0);
+        multiplyByMassShare(bodies.mass[a], bodies.mass[b], size, sizeLow);
+        addVelocity(bodies, b, high, low, nx, 0, ny, 0);
     }
 
     @Override
-    void pushOffWall(Bodies bodies, int a, double nx, double ny, double restitution, double impulse) {
+    void applyWallImpulse(Bodies bodies, int a, double nx, double ny, double restitution, double impulse) {
         project(bodies.vx[a], 0, bodies.vy[a], 0, nx, 0, ny, 0);
-        withRestitution(restitution);
-        push(bodies, a, -high, -low, nx, 0, ny, 0);
+        multiplyByOnePlus(restitution);
+        addVelocity(bodies, a, -high, -low, nx, 0, ny, 0);
     }
 
     /** q = (va - vb).d / d.d. */
@@ -73,7 +73,7 @@ sealed class CarefulCollision extends Collision permits ExactCollision {
         squaredLow = ErrorFree.sumError(xx, yy, squared)
             + (ErrorFree.productError(dx, dx, xx) + ErrorFree.productError(dy, dy, yy)
             + 2 * (dx * dxLow + dy * dyLow));
-        double whole = along + alongLow;              // which is not small against a sum that has cancelled
+        double whole = along + alongLow;              // after cancellation the error is not small against the sum
         divide(whole, ErrorFree.sumError(along, alongLow, whole), squared, squaredLow);
     }
 
@@ -89,14 +89,14 @@ sealed class CarefulCollision extends Collision permits ExactCollision {
         low = ErrorFree.productError(a, b, high) + (a * bLow + aLow * b);
     }
 
-    /** Times 1 + e. */
-    final void withRestitution(double restitution) {
+    /** Multiplies the last result by 1 + e. */
+    final void multiplyByOnePlus(double restitution) {
         double factor = 1 + restitution;
         multiply(high, low, factor, ErrorFree.fastSumError(1, restitution, factor));
     }
 
-    /** A number times mass / (mass + other): all of it if the mass is infinite, none if the other is. */
-    final void takeShare(double mass, double other, double size, double sizeLow) {
+    /** Multiplies a number by mass / (mass + other), which is 1 if the mass is infinite and 0 if the other is. */
+    final void multiplyByMassShare(double mass, double other, double size, double sizeLow) {
         if (mass == other) {
             high = 0.5 * size;
             low = 0.5 * sizeLow;
@@ -113,8 +113,8 @@ sealed class CarefulCollision extends Collision permits ExactCollision {
         }
     }
 
-    /** Velocities change along d. */
-    static void push(Bodies bodies, int body, double size, double sizeLow, double dx, double dxLow, double dy,
+    /** Adds a multiple of d to a velocity. */
+    static void addVelocity(Bodies bodies, int body, double size, double sizeLow, double dx, double dxLow, double dy,
                      double dyLow) {
         bodies.vx[body] = added(bodies.vx[body], size, sizeLow, dx, dxLow);
         bodies.vy[body] = added(bodies.vy[body], size, sizeLow, dy, dyLow);

@@ -14,119 +14,127 @@ import steward.physics.PhysicsParts;
 import steward.physics.TurnSink;
 import steward.physics.Wall;
 import steward.physics.impulse.Collision;
-import steward.physics.impulse.Touch;
+import steward.physics.impulse.ContactResponse;
 import steward.physics.time.LowParts;
 
-/** Lets two of a crowd react as {@link Touch} would, though the others are not in their places. */
-abstract class QueueTouch {
+/**
+ * The response to a contact in {@link QueueAdvance}, as {@link ContactResponse}, although only the bodies of the
+ * contact have been moved to the present time.
+ */
+abstract class QueueContactResponse {
 
     final Crowd crowd;
 
-    QueueTouch(Crowd crowd) {
+    QueueContactResponse(Crowd crowd) {
         this.crowd = crowd;
     }
 
-    /** A turn with these bodies. */
+    /** Begins a turn with these bodies. */
     abstract void begin(Bodies bodies, TurnSink sink);
 
     /**
-     * Two that have flown to this time react.
+     * Responds to a contact; its bodies have been moved to this time.
      *
-     * @param b another, or {@code ~wall}
-     * @return whether only these two have changed, and nobody else need look anew
+     * @param b another body, or {@code ~wall}
+     * @return whether only these two have changed, so that all other predictions hold
      */
-    abstract boolean happens(int a, int b, double now);
+    abstract boolean react(int a, int b, double now);
 
-    /** @param rounded is told what rounded coordinates lack, or {@code null} if nobody wants to know */
-    static QueueTouch of(Crowd crowd, PhysicsParts parts, Collision collision, LowParts rounded,
+    /** @param rounded receives the low parts of coordinates, or {@code null} where there are none */
+    static QueueContactResponse of(Crowd crowd, PhysicsParts parts, Collision collision, LowParts rounded,
                          Wall[] walls) {
         return parts.reaction() == null
             ? new Bounce(crowd, collision, rounded, parts.law().restitution() == ImpactLaw.Restitution.MINIMUM)
-            : new Ask(crowd, Touch.of(parts, collision, walls), rounded, parts.contacts());
+            : new Ask(crowd, ContactResponse.of(parts, collision, walls), rounded, parts.contacts());
     }
 
-    /** Takes over where a body is and how fast after a reaction; one that was pushed finds its cell anew. */
-    final void change(int body, double x, double y, double vx, double vy) {
+    /**
+     * Updates position and velocity of a body after a reaction; after a positional correction its cell is found anew.
+     */
+    final void updateState(int body, double x, double y, double vx, double vy) {
         double[] state = crowd.state;
         int at = 8 * body;
         state[at + VX] = vx;
         state[at + VY] = vy;
         boolean pushed = state[at + X] != x || state[at + Y] != y;
         if (pushed || crowd.isOutside(body)) {
-            crowd.unsettle(body);
+            crowd.removeFromCell(body);
             state[at + X] = x;
             state[at + Y] = y;
-            crowd.settle(body);
+            crowd.assignCell(body);
         }
     }
 
-    /** Every touch is an impact. The two are copied to a place of their own, so that only their own lines are read. */
-    static final class Bounce extends QueueTouch {
+    /**
+     * Every contact is an impact. The two bodies are copied to a {@link Bodies} of two, so that only their own cache
+     * lines are read.
+     */
+    static final class Bounce extends QueueContactResponse {
 
         private final Collision collision;
         private final LowParts rounded;
-        private final boolean restitutions;
-        private final Bodies two = new Bodies(2);
-        private final Named named = new Named();
+        private final boolean copiesRestitution;
+        private final Bodies pair = new Bodies(2);
+        private final IdRestoringSink idSink = new IdRestoringSink();
         private Bodies bodies;
         private TurnSink sink;
 
-        Bounce(Crowd crowd, Collision collision, LowParts rounded, boolean restitutions) {
+        Bounce(Crowd crowd, Collision collision, LowParts rounded, boolean copiesRestitution) {
             super(crowd);
             this.collision = collision;
             this.rounded = rounded;
-            this.restitutions = restitutions;
-            two.add(0, 0, 1, 1);
-            two.add(0, 0, 1, 1);
+            this.copiesRestitution = copiesRestitution;
+            pair.add(0, 0, 1, 1);
+            pair.add(0, 0, 1, 1);
             if (rounded != null) {
-                rounded.room(2);
+                rounded.ensureCapacity(2);
             }
         }
 
         @Override
         void begin(Bodies ofTurn, TurnSink of) {
             bodies = ofTurn;
-            named.sink = of;
-            sink = of == TurnSink.NONE ? of : named;
+            idSink.sink = of;
+            sink = of == TurnSink.NONE ? of : idSink;
         }
 
         @Override
-        boolean happens(int a, int b, double now) {
+        boolean react(int a, int b, double now) {
             copy(a, 0);
-            named.first = bodies.id(crowd.index[a]);
+            idSink.first = bodies.id(crowd.index[a]);
             if (b >= 0) {
                 copy(b, 1);
-                named.second = bodies.id(crowd.index[b]);
-                collision.reactPair(two, 0, 1, now, sink);
-                change(b, two.x[1], two.y[1], two.vx[1], two.vy[1]);
+                idSink.second = bodies.id(crowd.index[b]);
+                collision.reactPair(pair, 0, 1, now, sink);
+                updateState(b, pair.x[1], pair.y[1], pair.vx[1], pair.vy[1]);
             } else {
-                collision.reactWall(two, 0, ~b, now, sink);
+                collision.reactWall(pair, 0, ~b, now, sink);
             }
-            change(a, two.x[0], two.y[0], two.vx[0], two.vy[0]);
+            updateState(a, pair.x[0], pair.y[0], pair.vx[0], pair.vy[0]);
             return true;
         }
 
         private void copy(int body, int to) {
             double[] state = crowd.state;
             int at = 8 * body;
-            two.x[to] = state[at + X];
-            two.y[to] = state[at + Y];
-            two.vx[to] = state[at + VX];
-            two.vy[to] = state[at + VY];
-            two.radius[to] = state[at + RADIUS];
-            two.mass[to] = state[at + MASS];
-            two.inverseMass[to] = 1 / state[at + MASS];
+            pair.x[to] = state[at + X];
+            pair.y[to] = state[at + Y];
+            pair.vx[to] = state[at + VX];
+            pair.vy[to] = state[at + VY];
+            pair.radius[to] = state[at + RADIUS];
+            pair.mass[to] = state[at + MASS];
+            pair.inverseMass[to] = 1 / state[at + MASS];
             if (rounded != null) {
-                crowd.tell(body, rounded, to);
+                crowd.copyLowParts(body, rounded, to);
             }
-            if (restitutions) {
-                two.restitution[to] = bodies.restitution[crowd.index[body]];
+            if (copiesRestitution) {
+                pair.restitution[to] = bodies.restitution[crowd.index[body]];
             }
         }
     }
 
-    /** Gives the two their ids back. */
-    private static final class Named implements TurnSink {
+    /** Replaces the ids of the two copies by those of the bodies. */
+    private static final class IdRestoringSink implements TurnSink {
 
         private TurnSink sink;
         private int first;
@@ -147,18 +155,20 @@ abstract class QueueTouch {
         }
     }
 
-    /** Contacts that ask: whoever is asked sees everybody in place. */
-    static final class Ask extends QueueTouch {
+    /**
+     * For scenes with {@code ASK} contacts: before the reaction is called, all bodies are moved to the present time.
+     */
+    static final class Ask extends QueueContactResponse {
 
-        private final Touch touch;
+        private final ContactResponse response;
         private final LowParts rounded;
         private final Contacts contacts;
         private Bodies bodies;
         private TurnSink sink;
 
-        Ask(Crowd crowd, Touch touch, LowParts rounded, Contacts contacts) {
+        Ask(Crowd crowd, ContactResponse response, LowParts rounded, Contacts contacts) {
             super(crowd);
-            this.touch = touch;
+            this.response = response;
             this.rounded = rounded;
             this.contacts = contacts;
         }
@@ -168,12 +178,12 @@ abstract class QueueTouch {
             bodies = ofTurn;
             sink = of;
             if (rounded != null) {
-                rounded.room(ofTurn.capacity());
+                rounded.ensureCapacity(ofTurn.capacity());
             }
         }
 
         @Override
-        boolean happens(int a, int b, double now) {
+        boolean react(int a, int b, double now) {
             int i = crowd.index[a];
             int j = b < 0 ? b : crowd.index[b];
             Contacts.Meaning meaning = b < 0 ? contacts.withWall(bodies.kind[i])
@@ -188,19 +198,19 @@ abstract class QueueTouch {
                 }
             }
             if (rounded != null) {
-                crowd.tell(a, rounded, i);
+                crowd.copyLowParts(a, rounded, i);
                 if (b >= 0) {
-                    crowd.tell(b, rounded, j);
+                    crowd.copyLowParts(b, rounded, j);
                 }
             }
-            touch.flown(bodies);
+            response.releaseSeparatedPairs(bodies);
             boolean alone = bodies.passing().size() == passing;
-            if (!touch.happens(bodies, i, j, now, sink) || !alone) {
+            if (!response.react(bodies, i, j, now, sink) || !alone) {
                 return false;
             }
-            change(a, bodies.x[i], bodies.y[i], bodies.vx[i], bodies.vy[i]);
+            updateState(a, bodies.x[i], bodies.y[i], bodies.vx[i], bodies.vy[i]);
             if (b >= 0) {
-                change(b, bodies.x[j], bodies.y[j], bodies.vx[j], bodies.vy[j]);
+                updateState(b, bodies.x[j], bodies.y[j], bodies.vx[j], bodies.vy[j]);
             }
             return true;
         }

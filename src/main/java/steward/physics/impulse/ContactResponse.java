@@ -8,21 +8,21 @@ import steward.physics.Reaction;
 import steward.physics.TurnSink;
 import steward.physics.Wall;
 
-/** What happens at a touch: an impact, or first a question. */
-public abstract sealed class Touch {
+/** The response to a contact: an impact, or what the scene's {@link Reaction} answers. */
+public abstract sealed class ContactResponse {
 
-    /** Lets the two react. @return false if the bodies were altered and everything must be looked at anew */
-    public abstract boolean happens(Bodies bodies, int a, int b, double time, TurnSink sink);
+    /** Responds to a contact. @return false if the bodies were altered, so that all predictions are out of date */
+    public abstract boolean react(Bodies bodies, int a, int b, double time, TurnSink sink);
 
-    /** The bodies have flown to a new time. */
-    public abstract void flown(Bodies bodies);
+    /** Called after each free flight: ends the passing of pairs that have separated. */
+    public abstract void releaseSeparatedPairs(Bodies bodies);
 
-    public static Touch of(PhysicsParts parts, Collision collision, Wall[] walls) {
+    public static ContactResponse of(PhysicsParts parts, Collision collision, Wall[] walls) {
         return parts.reaction() == null ? new Bounce(collision) : new Ask(collision, parts, walls);
     }
 
-    /** Every touch is an impact. */
-    static final class Bounce extends Touch {
+    /** Every contact is an impact. */
+    static final class Bounce extends ContactResponse {
 
         private final Collision collision;
 
@@ -31,18 +31,18 @@ public abstract sealed class Touch {
         }
 
         @Override
-        public boolean happens(Bodies bodies, int a, int b, double time, TurnSink sink) {
+        public boolean react(Bodies bodies, int a, int b, double time, TurnSink sink) {
             collision.react(bodies, a, b, time, sink);
             return true;
         }
 
         @Override
-        public void flown(Bodies bodies) {
+        public void releaseSeparatedPairs(Bodies bodies) {
         }
     }
 
-    /** Contacts that ask get their answer first. */
-    static final class Ask extends Touch {
+    /** {@code ASK} contacts are decided by the reaction. */
+    static final class Ask extends ContactResponse {
 
         private final Collision collision;
         private final Contacts contacts;
@@ -57,7 +57,7 @@ public abstract sealed class Touch {
         }
 
         @Override
-        public boolean happens(Bodies bodies, int a, int b, double time, TurnSink sink) {
+        public boolean react(Bodies bodies, int a, int b, double time, TurnSink sink) {
             Contacts.Meaning meaning = b < 0
                 ? contacts.withWall(bodies.kind[a]) : contacts.between(bodies.kind[a], bodies.kind[b]);
             if (meaning == Contacts.Meaning.BOUNCE) {
@@ -75,7 +75,7 @@ public abstract sealed class Touch {
                     if (bodies.inverseMass[a] + (b < 0 ? 0 : bodies.inverseMass[b]) > 0) {
                         collision.react(bodies, a, b, time, sink);
                     } else {
-                        bodies.passing().add(idA, idB);         // two infinite masses cannot bounce
+                        bodies.passing().add(idA, idB);         // two infinite masses exchange no impulse
                     }
                     return true;
                 }
@@ -89,9 +89,9 @@ public abstract sealed class Touch {
             }
         }
 
-        /** Pairs that have come apart, or of which one is gone, pass no longer. */
+        /** Pairs that have separated, or of which a body was removed, no longer pass through each other. */
         @Override
-        public void flown(Bodies bodies) {
+        public void releaseSeparatedPairs(Bodies bodies) {
             PassingPairs passing = bodies.passing();
             for (int k = passing.size() - 1; k >= 0; k--) {
                 int a = bodies.indexOf(passing.first(k));
@@ -99,7 +99,7 @@ public abstract sealed class Touch {
                 boolean apart = second < 0
                     ? a < 0 || walls[~second].gap(bodies.x[a], bodies.y[a], bodies.radius[a]) > 0
                         && !approachesWall(bodies, a, walls[~second])
-                    : arePartedOrGone(bodies, a, bodies.indexOf(second));
+                    : areSeparatedOrRemoved(bodies, a, bodies.indexOf(second));
                 if (apart) {
                     passing.remove(k);
                 }
@@ -112,7 +112,7 @@ public abstract sealed class Touch {
             return wall.normalX(x, y) * bodies.vx[a] + wall.normalY(x, y) * bodies.vy[a] > 0;
         }
 
-        private static boolean arePartedOrGone(Bodies bodies, int a, int b) {
+        private static boolean areSeparatedOrRemoved(Bodies bodies, int a, int b) {
             if (a < 0 || b < 0) {
                 return true;
             }
