@@ -26,7 +26,7 @@ final class BenchDirect implements DirectBot {
 
     @Override
     public void turn() {
-        for (int pod = seat.first(); pod < seat.behind(); pod++) {
+        for (int pod = seat.first(); pod < seat.end(); pod++) {
             double[] next = checkpoints[seat.nextCheckpoint(pod)];
             seat.thrust(pod, next[0] - race.bodies().vx[pod], next[1] - race.bodies().vy[pod], THRUST);
         }

@@ -2,16 +2,16 @@ package steward.game.podrace;
 
 import steward.physics.TurnLog;
 
-/** Whether a pod's path inside a turn, a polyline, comes near enough to a checkpoint. Allocates nothing. */
+/** Tests whether a pod's path inside a turn, a polyline, passes a checkpoint. Allocates nothing. */
 public final class CheckpointSweep {
 
     private CheckpointSweep() {
     }
 
     /**
-     * @param log    holds the corners of the path between start and end, those of all bodies
-     * @param bodyId whose path
-     * @param radius distances up to and including this count
+     * @param log    the knots of all bodies' paths between start and end
+     * @param bodyId the body whose path is tested
+     * @param radius of the checkpoint; a distance of exactly this counts
      */
     static boolean passes(TurnLog log, int bodyId, double startX, double startY, double endX, double endY,
                           double checkpointX, double checkpointY, double radius) {
@@ -31,7 +31,7 @@ public final class CheckpointSweep {
         return distance(checkpointX, checkpointY, fromX, fromY, endX, endY) <= radius;
     }
 
-    /** Distance of a point from the segment a-b, which may be a single point. */
+    /** Distance of a point from the segment a-b, which may be a point. */
     public static double distance(double x, double y, double ax, double ay, double bx, double by) {
         double dx = bx - ax;
         double dy = by - ay;

@@ -17,13 +17,14 @@ import steward.scene.Plan;
 import steward.scene.Scene;
 
 /**
- * The rules of the pod race, free of JSON. Pods are the bodies 0..pods-1 in the order of players; bumpers come behind
- * them. Sources: the published official referee and official recordings of 2016 and 2026; with the official law and
+ * The rules of the pod race, free of JSON. Pods are the bodies 0..pods-1 in the order of players; bumpers follow.
+ * Sources: the published official referee and official recordings of 2016 and 2026; with the official law and
  * arithmetic, positions, speeds, headings, impact times and impulses agree with them to the last bit.
  *
- * <p>A player who is out keeps the pods on the field: they get no commands, drift, and can be hit.
+ * <p>The pods of an eliminated player stay on the field: they get no commands, drift, and can be hit.
  *
- * <p>A little over 400 lines, because the steps of a turn belong side by side and half of it is read by codecs.
+ * <p>A little over 400 lines, because the steps of a turn belong together and half of the class are accessors for
+ * codecs.
  */
 public final class PodRace implements Game {
 
@@ -76,7 +77,7 @@ public final class PodRace implements Game {
         this(settings, scene, plan, checkpoints, plan.advance(null));
     }
 
-    /** The same with a given way to advance. */
+    /** The same with a given advance. */
     public PodRace(PodRaceSettings settings, Scene scene, Plan plan, double[][] checkpoints, Advance advance) {
         this.settings = settings;
         this.checkpoints = checkpoints;
@@ -149,7 +150,7 @@ public final class PodRace implements Game {
                 countCheckpoints(player);
             }
         }
-        judge();
+        decideOutcome();
     }
 
     /** Shield, boost, heading and thrust of one pod: step 1 of the official turn. */
@@ -204,8 +205,8 @@ public final class PodRace implements Game {
         events.add(new TurnEvent(TurnEvent.Kind.MARK, 1, pod, bodies.x[pod], bodies.y[pod], text, lap));
     }
 
-    /** Eliminations and the end: step 4 of the official turn. */
-    private void judge() {
+    /** Eliminations and the end of the race: step 4 of the official turn. */
+    private void decideOutcome() {
         int in = 0;
         int finished = 0;
         for (int player = 0; player < settings.players(); player++) {
@@ -269,7 +270,7 @@ public final class PodRace implements Game {
         return standing.ranks();
     }
 
-    /** Checkpoints passed by the best pod; -1 for a player who is out. */
+    /** Checkpoints passed by the best pod; -1 for an eliminated player. */
     @Override
     public double[] scores() {
         return standing.scores();
@@ -296,7 +297,7 @@ public final class PodRace implements Game {
 
     /**
      * Order: turn; per pod x, y, vx, vy, heading, shield timer, boost left, checkpoints passed; per player turns left
-     * and the turn of elimination (2^31 - 1 while in).
+     * and the turn of elimination (2^31 - 1 if not eliminated).
      */
     @Override
     public long hash() {
@@ -311,7 +312,7 @@ public final class PodRace implements Game {
         return hash.value();
     }
 
-    /** What the scene says about the race. */
+    /** The settings from the scene. */
     public PodRaceSettings settings() {
         return settings;
     }
@@ -326,13 +327,13 @@ public final class PodRace implements Game {
         return turnsLeft[player];
     }
 
-    /** Everything about one pod. */
+    /** The state of one pod. */
     public PodState pod(int pod) {
         return new PodState(bodies.x[pod], bodies.y[pod], bodies.vx[pod], bodies.vy[pod], heading[pod],
             shieldTimer[pod], boostLeft[pod], passed[pod]);
     }
 
-    /** Puts a pod into a state, for tests of the rules and for simulators. */
+    /** Sets the state of a pod, for tests of the rules and for simulators. */
     public void setPod(int pod, PodState state) {
         bodies.setPosition(pod, state.x(), state.y());
         bodies.setVelocity(pod, state.vx(), state.vy());
@@ -386,12 +387,12 @@ public final class PodRace implements Game {
         return passed[pod];
     }
 
-    /** The turn in which a player went out, 2^31 - 1 while in. */
+    /** The turn in which a player was eliminated, 2^31 - 1 if not. */
     int outTurn(int player) {
         return outTurn[player];
     }
 
-    /** How many checkpoints make the race. */
+    /** The number of checkpoints of the whole race. */
     int toFinish() {
         return settings.laps() * checkpoints.length;
     }

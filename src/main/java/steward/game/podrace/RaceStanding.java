@@ -1,6 +1,9 @@
 package steward.game.podrace;
 
-/** Who is ahead in a pod race: finished, else out later, else more checkpoints passed by the best pod, else nearer. */
+/**
+ * The standing of a pod race. A player is ahead by having finished, else by a later elimination, else by more
+ * checkpoints passed by the best pod, else by being nearer to the next.
+ */
 final class RaceStanding {
 
     private final PodRace race;
@@ -9,7 +12,7 @@ final class RaceStanding {
         this.race = race;
     }
 
-    /** Per player how many others are ahead. */
+    /** For each player, the number of players ahead. */
     int[] ranks() {
         int[] ranks = new int[race.players()];
         for (int player = 0; player < ranks.length; player++) {
@@ -30,7 +33,7 @@ final class RaceStanding {
         return isBetter(bestPod(one), bestPod(other));
     }
 
-    /** Per player the checkpoints passed by the best pod, -1 for one who is out. */
+    /** For each player, the checkpoints passed by the best pod; -1 after an elimination. */
     double[] scores() {
         double[] scores = new double[race.players()];
         for (int player = 0; player < scores.length; player++) {

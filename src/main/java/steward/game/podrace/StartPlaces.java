@@ -1,6 +1,6 @@
 package steward.game.podrace;
 
-/** Where pods stand at first. */
+/** The start positions of pods. */
 public final class StartPlaces {
 
     /** Distance of the inner start places from checkpoint 0, in u, and of each further pair from the last. */

@@ -114,12 +114,12 @@ public final class Resimulation {
         try {
             JsonParser in = lines.begin(json, from, to);
             if (in.nextToken() == JsonToken.START_ARRAY && readEach(in, faults)) {
-                return lines.rest();
+                return lines.endValue();
             }
-            lines.forget();
+            lines.reset();
             return -1;
         } catch (JacksonException problem) {
-            lines.forget();
+            lines.reset();
             return -1;
         }
     }

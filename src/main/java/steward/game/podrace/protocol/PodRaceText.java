@@ -12,19 +12,22 @@ import steward.game.podrace.PodState;
 
 /**
  * CodinGame's line protocols of the pod race. Where each player has several pods (the upper leagues), the setup is
- * laps, number of checkpoints and their places, and a turn shows each pod, own ones first, as {@code x y vx vy angle
- * nextCheckPointId}. Where each has one (the lower leagues) there is no setup, and a turn is {@code x y nextX nextY
- * nextDist nextAngle} and a line {@code x y} per opponent.
+ * laps, number of checkpoints and their coordinates, and a turn shows each pod, own ones first, as
+ * {@code x y vx vy angle nextCheckPointId}. Where each has one (the lower leagues) there is no setup, and a turn is
+ * {@code x y nextX nextY nextDist nextAngle} and a line {@code x y} per opponent.
  *
  * <p>Answers are one line per pod, {@code X Y THRUST|SHIELD|BOOST message}. They are read as leniently as real bots
- * need it: any number of blanks, a carriage return, decimals in X and Y, lower-case words, and no third word, which
+ * require: any number of blanks, a carriage return, decimals in X and Y, lower-case words, and no third word, which
  * means full thrust.
  */
 public final class PodRaceText implements TextCodec {
 
     private static final int FULL_TURN = 360;
 
-    /** What languages print for a double; Java alone would also read 1d, 0x1p3, NaN and Infinity. */
+    /**
+     * Decimal numbers as programming languages print them; {@code Double.parseDouble} alone would also accept 1d,
+     * 0x1p3, NaN and Infinity.
+     */
     private static final Pattern DECIMAL = Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
 
     private final PodRace race;
@@ -82,7 +85,7 @@ public final class PodRaceText implements TextCodec {
 
     /** Whole degrees, 0..360 after wrapping and rounding; -1 while unset. */
     static long angle(double heading) {
-        return Double.isNaN(heading) ? -1 : Math.round(PodTexts.degrees(heading));
+        return Double.isNaN(heading) ? -1 : Math.round(PodJsonCache.degrees(heading));
     }
 
     private void writeSinglePod(StringBuilder out, int player) {
@@ -109,7 +112,7 @@ public final class PodRaceText implements TextCodec {
         if (Double.isNaN(heading)) {
             return 0;
         }
-        double degrees = (Math.toDegrees(StrictMath.atan2(dy, dx)) - PodTexts.degrees(heading)) % FULL_TURN;
+        double degrees = (Math.toDegrees(StrictMath.atan2(dy, dx)) - PodJsonCache.degrees(heading)) % FULL_TURN;
         double wrapped = degrees > FULL_TURN / 2 ? degrees - FULL_TURN
             : degrees < -FULL_TURN / 2 ? degrees + FULL_TURN : degrees;
         return Math.round(wrapped);

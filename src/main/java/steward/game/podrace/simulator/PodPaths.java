@@ -6,7 +6,7 @@ import steward.physics.TurnLog;
 import steward.physics.TurnSink;
 import steward.physics.event.OfficialAdvance;
 
-/** The corners of the pods' paths in a turn, for checkpoints; keeps whole impacts only where somebody wants them. */
+/** The corners of the pods' paths in a turn, for checkpoints; impacts are kept only while they are recorded. */
 final class PodPaths implements TurnSink {
 
     private static final double CLEARANCE = 0.1;
@@ -21,7 +21,7 @@ final class PodPaths implements TurnSink {
     private int corners;
 
     /**
-     * @param log    receives everything while it is recorded
+     * @param log    receives impacts and corners while they are recorded
      * @param radius of checkpoints
      */
     PodPaths(TurnLog log, double radius) {
@@ -38,7 +38,7 @@ final class PodPaths implements TurnSink {
         log.clear();
     }
 
-    /** A turn begins. */
+    /** Begins a turn. */
     void clear() {
         corners = 0;
         if (recorded) {
@@ -80,12 +80,12 @@ final class PodPaths implements TurnSink {
         }
     }
 
-    /** How many corners all paths have together: at least two for each impact. */
+    /** The number of corners of all paths: at least two for each impact. */
     int corners() {
         return corners;
     }
 
-    /** The filter for impacts knows this too: a moving point, and one at rest. */
+    /** The filter for impacts, applied to a moving point and a checkpoint at rest. */
     private boolean mayPass(double fromX, double fromY, double toX, double toY, double checkpointX,
                             double checkpointY) {
         return OfficialAdvance.mayMeet(fromX - checkpointX, fromY - checkpointY, toX - fromX, toY - fromY, 1,
@@ -109,7 +109,10 @@ final class PodPaths implements TurnSink {
         return passes(fromX, fromY, endX, endY, checkpointX, checkpointY);
     }
 
-    /** How near the path of a pod comes to a checkpoint, in u; infinite if it stays farther away by a tenth. */
+    /**
+     * The least distance of a pod's path from the centre of a checkpoint, in u; may be infinite if it exceeds the
+     * radius by more than {@link #CLEARANCE}.
+     */
     double nearest(int pod, double startX, double startY, double endX, double endY, double checkpointX,
                    double checkpointY) {
         double least = Double.POSITIVE_INFINITY;

@@ -12,10 +12,10 @@ import steward.game.podrace.Races;
 import steward.numerics.SplitMix64;
 
 /** What is spelled once and copied is what would be spelled now. */
-class PodTextsTest {
+class PodJsonCacheTest {
 
     private final PodRace race = Races.official(Races.FAR);
-    private final PodTexts texts = new PodTexts(race);
+    private final PodJsonCache texts = new PodJsonCache(race);
 
     private static final PodState[] STATES = {
         new PodState(1, 2, 3, 4, 0.5, 0, true, 0),
@@ -37,7 +37,7 @@ class PodTextsTest {
         for (int k = 0; k < 20_000; k++) {
             PodState state = STATES[(int) Math.floorMod(random.nextLong(), (long) STATES.length)];
             race.setPod(2, state);
-            PodTexts fresh = new PodTexts(race);
+            PodJsonCache fresh = new PodJsonCache(race);
             switch ((int) Math.floorMod(random.nextLong(), 4L)) {
                 case 0 -> assertEquals(fresh.view(2, true).getValue(), texts.view(2, true).getValue());
                 case 1 -> assertEquals(fresh.view(2, false).getValue(), texts.view(2, false).getValue());

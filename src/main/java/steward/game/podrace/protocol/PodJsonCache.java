@@ -6,11 +6,11 @@ import steward.game.podrace.PodRace;
 import steward.physics.Bodies;
 
 /**
- * What every turn is full of, as JSON: pods as players see them (the owner also sees the shield and the boost), pods in
- * replays, and commands. Most of a pod is the same for all players and the replay, and so its motion and its views are
- * spelled once and copied for as long as nothing about it changes.
+ * JSON of the pods and commands of a turn: pods as players see them (the owner also sees the shield and the boost),
+ * pods in replays, and commands. Most of a pod's text is the same for all players and the replay, so its motion and its
+ * views are written once and reused until they change.
  */
-final class PodTexts {
+final class PodJsonCache {
 
     private static final double HALF_TURN_DEGREES = 180;
     private static final double FULL_TURN_DEGREES = 360;
@@ -31,8 +31,8 @@ final class PodTexts {
     private static final byte[] BOOST = RawJson.text(",\"boost\":true}");
     private static final byte[] THRUST = RawJson.text(",\"thrust\":");
 
-    /** One pod: what has been spelled of it, and from which state. */
-    private static final class Spelled {
+    /** The cached texts of one pod, and the state from which they were written. */
+    private static final class CachedPod {
         private final byte[] opening;
         private final RawJson motion = new RawJson();
         private final RawJson own = new RawJson();
@@ -46,39 +46,39 @@ final class PodTexts {
         private boolean anyMotion;
         private boolean anyView;
 
-        Spelled(int id, int player) {
+        CachedPod(int id, int player) {
             opening = RawJson.text("{\"id\":" + id + ",\"player\":" + player + ",\"x\":");
         }
     }
 
     private final PodRace race;
-    private final Spelled[] pods;
+    private final CachedPod[] pods;
     private final RawJson text = new RawJson();
 
-    PodTexts(PodRace race) {
+    PodJsonCache(PodRace race) {
         this.race = race;
-        pods = new Spelled[race.settings().pods()];
-        Arrays.setAll(pods, pod -> new Spelled(race.bodies().id(pod), race.playerOf(pod)));
+        pods = new CachedPod[race.settings().pods()];
+        Arrays.setAll(pods, pod -> new CachedPod(race.bodies().id(pod), race.playerOf(pod)));
     }
 
     /**
      * A pod as a player sees it now; valid until the next call for the same pod.
      *
-     * @param own whether its owner looks
+     * @param own whether the view is for its owner
      */
     RawJson view(int pod, boolean own) {
-        Spelled spelled = pods[pod];
-        if (moved(spelled, pod) || !spelled.anyView || changed(spelled, pod)) {
-            spellViews(spelled, pod);
+        CachedPod cached = pods[pod];
+        if (updateMotion(cached, pod) || !cached.anyView || isViewStale(cached, pod)) {
+            writeViews(cached, pod);
         }
-        return own ? spelled.own : spelled.foreign;
+        return own ? cached.own : cached.foreign;
     }
 
     /** A pod in a replay; valid until the next call of any method. */
     RawJson state(int pod) {
-        Spelled spelled = pods[pod];
-        moved(spelled, pod);
-        return text.begin(spelled.motion)
+        CachedPod cached = pods[pod];
+        updateMotion(cached, pod);
+        return text.begin(cached.motion)
             .add(HEADING).addOrNull(race.heading(pod))
             .add(SHIELD_TIMER).add(race.shieldTimer(pod))
             .add(BOOST_LEFT).add(race.boostLeft(pod))
@@ -100,45 +100,49 @@ final class PodTexts {
         return text.add(']');
     }
 
-    /** Spells the motion anew if it is other than it was, and says so; by bits, because -0.0 has its own text. */
-    private boolean moved(Spelled spelled, int pod) {
+    /**
+     * Writes the motion anew if it has changed; compares bits, because -0.0 has its own text.
+     *
+     * @return whether it has changed
+     */
+    private boolean updateMotion(CachedPod cached, int pod) {
         Bodies bodies = race.bodies();
-        long[] moved = spelled.moved;
+        long[] moved = cached.moved;
         long x = Double.doubleToRawLongBits(bodies.x[pod]);
         long y = Double.doubleToRawLongBits(bodies.y[pod]);
         long vx = Double.doubleToRawLongBits(bodies.vx[pod]);
         long vy = Double.doubleToRawLongBits(bodies.vy[pod]);
-        if (spelled.anyMotion && moved[0] == x && moved[1] == y && moved[2] == vx && moved[3] == vy) {
+        if (cached.anyMotion && moved[0] == x && moved[1] == y && moved[2] == vx && moved[3] == vy) {
             return false;
         }
-        spelled.anyMotion = false;                     // in case that something cannot be spelled
-        spelled.anyView = false;
-        spelled.motion.begin(spelled.opening).add(bodies.x[pod]).add(Y).add(bodies.y[pod])
+        cached.anyMotion = false;                     // in case a number cannot be written
+        cached.anyView = false;
+        cached.motion.begin(cached.opening).add(bodies.x[pod]).add(Y).add(bodies.y[pod])
             .add(VX).add(bodies.vx[pod]).add(VY).add(bodies.vy[pod]);
         moved[0] = x;
         moved[1] = y;
         moved[2] = vx;
         moved[3] = vy;
-        spelled.anyMotion = true;
+        cached.anyMotion = true;
         return true;
     }
 
-    private boolean changed(Spelled spelled, int pod) {
-        return spelled.heading != Double.doubleToRawLongBits(race.heading(pod)) || spelled.passed != race.passed(pod)
-            || spelled.shieldTimer != race.shieldTimer(pod) || spelled.boostLeft != race.boostLeft(pod);
+    private boolean isViewStale(CachedPod cached, int pod) {
+        return cached.heading != Double.doubleToRawLongBits(race.heading(pod)) || cached.passed != race.passed(pod)
+            || cached.shieldTimer != race.shieldTimer(pod) || cached.boostLeft != race.boostLeft(pod);
     }
 
-    private void spellViews(Spelled spelled, int pod) {
-        spelled.anyView = false;
-        spelled.own.begin(spelled.motion).add(HEADING).addOrNull(degrees(race.heading(pod)))
+    private void writeViews(CachedPod cached, int pod) {
+        cached.anyView = false;
+        cached.own.begin(cached.motion).add(HEADING).addOrNull(degrees(race.heading(pod)))
             .add(NEXT_CHECKPOINT).add(race.nextCheckpoint(pod)).add(LAP).add(race.lap(pod));
-        spelled.foreign.begin(spelled.own).add('}');
-        spelled.own.add(SHIELD_TIMER).add(race.shieldTimer(pod)).add(BOOST_LEFT).add(race.boostLeft(pod)).add('}');
-        spelled.heading = Double.doubleToRawLongBits(race.heading(pod));
-        spelled.passed = race.passed(pod);
-        spelled.shieldTimer = race.shieldTimer(pod);
-        spelled.boostLeft = race.boostLeft(pod);
-        spelled.anyView = true;
+        cached.foreign.begin(cached.own).add('}');
+        cached.own.add(SHIELD_TIMER).add(race.shieldTimer(pod)).add(BOOST_LEFT).add(race.boostLeft(pod)).add('}');
+        cached.heading = Double.doubleToRawLongBits(race.heading(pod));
+        cached.passed = race.passed(pod);
+        cached.shieldTimer = race.shieldTimer(pod);
+        cached.boostLeft = race.boostLeft(pod);
+        cached.anyView = true;
     }
 
     /** A heading as bots see it: degrees in [0, 360), NaN while unset. */
