@@ -70,7 +70,7 @@ public final class InProcessPlayer implements Player {
         answer.setNanos(System.nanoTime() - start);
         String problem = said == null ? "answered null" : take(said, answerLines, answer);
         if (answer.nanos() > limit) {
-            problem = Faults.late(limit, answer.nanos());
+            problem = FaultMessages.late(limit, answer.nanos());
         }
         return problem == null ? Ending.ANSWERED : fault(answer, problem);
     }
@@ -86,8 +86,8 @@ public final class InProcessPlayer implements Player {
                 to++;
             }
             int count = to > from && bytes[to - 1] == '\r' ? to - from - 1 : to - from;
-            if (count > AnswerLines.LINE_LIMIT) {
-                return Faults.tooLong(AnswerLines.LINE_LIMIT);
+            if (count > AnswerReader.LINE_LIMIT) {
+                return FaultMessages.tooLong(AnswerReader.LINE_LIMIT);
             }
             answer.append(bytes, from, count);
             if (to < end) {

@@ -2,7 +2,7 @@ package steward.match;
 
 import java.util.function.Consumer;
 import steward.bot.Answer;
-import steward.bot.Faults;
+import steward.bot.FaultMessages;
 import steward.bot.Player;
 import steward.game.Game;
 
@@ -50,7 +50,7 @@ final class DirectPlayer implements Player {
             return Ending.ANSWERED;
         }
         over = true;
-        answer.setFault(problem != null ? problem : Faults.late(Math.max(1, limitNanos), answer.nanos()));
+        answer.setFault(problem != null ? problem : FaultMessages.late(Math.max(1, limitNanos), answer.nanos()));
         return Ending.FAULT;
     }
 

@@ -9,7 +9,7 @@ import java.util.concurrent.CompletionException;
 import java.util.concurrent.ExecutionException;
 import steward.bot.Answer;
 import steward.bot.Player;
-import steward.bot.process.SpareThreads;
+import steward.bot.process.DaemonThreadPool;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
@@ -19,7 +19,7 @@ import steward.game.GameSetup;
  * who failed, has the game play the turn and tells the listener. All players who are in are asked every turn, also
  * after another has failed.
  *
- * <p>The loop runs on a thread that does nothing else, one of {@link SpareThreads}. When a player can neither be read
+ * <p>The loop runs on a thread that does nothing else, one of {@link DaemonThreadPool}. When a player can neither be read
  * nor killed, that thread is stuck; the player then hands the fault to a fresh thread, which goes on with the next
  * player, and the stuck one, should it ever return, leaves without touching anything. All state of the loop is
  * therefore in fields, handed over by the player with a happens-before edge.
@@ -119,7 +119,7 @@ public final class Referee {
             if (allDirect) {
                 begin();
             } else {
-                SpareThreads.run(this::begin);
+                DaemonThreadPool.run(this::begin);
             }
             return result.get();
         } catch (ExecutionException problem) {

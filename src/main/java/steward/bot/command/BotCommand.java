@@ -102,7 +102,7 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
         boolean fromPath = prefix != Prefix.BUILTIN && program.indexOf('/') < 0;
         for (String word : words.subList(1, words.size())) {
             // A program from the PATH that is given a file is most often an interpreter with its script.
-            if (fromPath && Programs.isFile(word)) {
+            if (fromPath && ProgramFinder.isFile(word)) {
                 program = word;
                 break;
             }
@@ -117,16 +117,16 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
      * @throws IllegalArgumentException when it cannot be started; the message says what was found and what was expected
      */
     public List<String> resolve() {
-        return resolve(Builtins.installed());
+        return resolve(BuiltinBots.installed());
     }
 
     /** As {@link #resolve()}, with builtin bots of the caller's choice. */
-    List<String> resolve(Builtins builtins) {
+    List<String> resolve(BuiltinBots builtins) {
         try {
             if (prefix == Prefix.BUILTIN) {
                 return builtins.command(words.get(0), words.subList(1, words.size()));
             }
-            Programs.check(words.get(0));
+            ProgramFinder.check(words.get(0));
             return words;
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException("bot '" + this + "': " + e.getMessage() + hint(), e);

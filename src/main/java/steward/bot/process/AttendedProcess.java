@@ -7,8 +7,8 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import steward.bot.Answer;
-import steward.bot.AnswerLines;
-import steward.bot.Faults;
+import steward.bot.AnswerReader;
+import steward.bot.FaultMessages;
 import steward.bot.Player;
 
 /**
@@ -22,7 +22,7 @@ public final class AttendedProcess implements Player {
     private final String name;
     private final Process process;
     private final OutputStream input;
-    private final AnswerLines output;
+    private final AnswerReader output;
     private byte[] queued = {};
     private boolean finished;
 
@@ -30,7 +30,7 @@ public final class AttendedProcess implements Player {
         this.name = name;
         this.process = process;
         input = process.getOutputStream();
-        output = new AnswerLines(process.getInputStream());
+        output = new AnswerReader(process.getInputStream());
     }
 
     /**
@@ -80,14 +80,14 @@ public final class AttendedProcess implements Player {
         tell(frame, length);
         send();
         long start = System.nanoTime();
-        AnswerLines.Outcome outcome = output.await(answerLines);
+        AnswerReader.Outcome outcome = output.await(answerLines);
         answer.setNanos(System.nanoTime() - start);
         switch (outcome) {
             case COMPLETE -> output.take(answerLines, answer);
-            case TOO_LONG -> answer.setFault(Faults.tooLong(AnswerLines.LINE_LIMIT));
+            case TOO_LONG -> answer.setFault(FaultMessages.tooLong(AnswerReader.LINE_LIMIT));
             default -> answer.setFault(endText());
         }
-        return outcome == AnswerLines.Outcome.COMPLETE ? Ending.ANSWERED : Ending.FAULT;
+        return outcome == AnswerReader.Outcome.COMPLETE ? Ending.ANSWERED : Ending.FAULT;
     }
 
     private void send() {
@@ -105,7 +105,7 @@ public final class AttendedProcess implements Player {
     /** Its output has ended; a program under a debugger may be there still. */
     private String endText() {
         try {
-            return awaitEnd(TimeUnit.SECONDS.toMillis(1)) ? Faults.exited(process.exitValue())
+            return awaitEnd(TimeUnit.SECONDS.toMillis(1)) ? FaultMessages.exited(process.exitValue())
                 : "closed its output before answering";
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
@@ -129,7 +129,7 @@ public final class AttendedProcess implements Player {
         if (lines != null) {
             tell(lines, length);
         }
-        SpareThreads.run(() -> {
+        DaemonThreadPool.run(() -> {
             send();
             try {
                 input.close();

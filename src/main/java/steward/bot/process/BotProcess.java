@@ -12,8 +12,8 @@ import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import steward.bot.Answer;
-import steward.bot.AnswerLines;
-import steward.bot.Faults;
+import steward.bot.AnswerReader;
+import steward.bot.FaultMessages;
 import steward.bot.Player;
 import steward.bot.command.BotCommand;
 
@@ -61,7 +61,7 @@ public final class BotProcess implements Player {
 
     private StderrFile stderr;
     private OutputStream input;
-    private AnswerLines output;
+    private AnswerReader output;
 
     /** Set when all of the above are there. */
     private volatile ProcessGroup group;
@@ -156,16 +156,16 @@ public final class BotProcess implements Player {
         written = true;
         long later = due();
         if (deadline.postpone(due, later)) {
-            AnswerLines.Outcome outcome = output.await(answerLines);
+            AnswerReader.Outcome outcome = output.await(answerLines);
             return conclude(deadline.complete(later), outcome, answer);
         }
         clock = asked;
         written = false;
-        return conclude(false, AnswerLines.Outcome.ENDED, answer);
+        return conclude(false, AnswerReader.Outcome.ENDED, answer);
     }
 
     /** The call has come back: in time, or because the watchdog has ended it, or after having been abandoned. */
-    private Ending conclude(boolean inTime, AnswerLines.Outcome outcome, Answer answer) {
+    private Ending conclude(boolean inTime, AnswerReader.Outcome outcome, Answer answer) {
         long waited = Watchdog.now() - clock;
         if (!inTime && !deadline.claim()) {
             output.close();
@@ -178,17 +178,17 @@ public final class BotProcess implements Player {
         }
         answer.setNanos(waited);
         if (cut || waited > limit) {
-            boolean complete = outcome == AnswerLines.Outcome.COMPLETE;
+            boolean complete = outcome == AnswerReader.Outcome.COMPLETE;
             return fault(answer, lateText(waited, complete ? wanted : output.come(), output.loose()));
         }
-        if (outcome == AnswerLines.Outcome.COMPLETE) {
+        if (outcome == AnswerReader.Outcome.COMPLETE) {
             output.take(wanted, answer);
             answer.setExtraLines(output.extra());
             answer.setStderr(stderr.collect(false));
             return Ending.ANSWERED;
         }
-        return fault(answer, outcome == AnswerLines.Outcome.TOO_LONG
-            ? Faults.tooLong(AnswerLines.LINE_LIMIT) : endText());
+        return fault(answer, outcome == AnswerReader.Outcome.TOO_LONG
+            ? FaultMessages.tooLong(AnswerReader.LINE_LIMIT) : endText());
     }
 
     private long due() {
@@ -213,7 +213,7 @@ public final class BotProcess implements Player {
             stderr.unlink();
         }
         input = started.process().getOutputStream();
-        output = new AnswerLines(started.process().getInputStream());
+        output = new AnswerReader(started.process().getInputStream());
         Watchdog.shared().add(deadline);
         group = started;
         if (over) {
@@ -244,13 +244,13 @@ public final class BotProcess implements Player {
     }
 
     private String lateText(long waited, int lines, int loose) {
-        return written ? Faults.late(limit, waited, lines, wanted, loose) : Faults.deaf(limit, waited);
+        return written ? FaultMessages.late(limit, waited, lines, wanted, loose) : FaultMessages.deaf(limit, waited);
     }
 
     /** Why the output has ended. The exit status may come a little later than the end of the output. */
     private String endText() {
         boolean exited = group.awaitExit(TimeUnit.MILLISECONDS.toNanos(EXIT_MS));
-        return exited ? Faults.exited(group.process().exitValue()) : "closed its output before answering";
+        return exited ? FaultMessages.exited(group.process().exitValue()) : "closed its output before answering";
     }
 
     private Ending fault(Answer answer, String reason) {
@@ -281,7 +281,7 @@ public final class BotProcess implements Player {
             closeInput();
         }, null);
         try {
-            SpareThreads.run(task);
+            DaemonThreadPool.run(task);
             writer = task;
         } catch (OutOfMemoryError e) {
             // No more threads: it is not told.

@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
-import steward.bot.command.Programs;
+import steward.bot.command.ProgramFinder;
 
 /**
  * A bot's process and all that it starts: a session and process group of its own, made by {@code setsid}, so that one
@@ -41,7 +41,7 @@ final class ProcessGroup {
         static final List<String> WORDS = find();
 
         private static List<String> find() {
-            Path program = Programs.find("setsid");
+            Path program = ProgramFinder.find("setsid");
             return program == null ? List.of() : List.of(program.toString());
         }
     }

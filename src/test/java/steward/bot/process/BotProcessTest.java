@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.bot.Answer;
 import steward.bot.Player;
-import steward.bot.command.Programs;
+import steward.bot.command.ProgramFinder;
 
 /** Bots that do as they should: what they are sent, and what comes back. */
 class BotProcessTest {
@@ -112,7 +112,7 @@ class BotProcessTest {
     @Test
     void spareThreadsKeepNoJvmAlive() throws InterruptedException {
         BlockingQueue<Thread> threads = new LinkedBlockingQueue<>();
-        SpareThreads.run(() -> threads.add(Thread.currentThread()));
+        DaemonThreadPool.run(() -> threads.add(Thread.currentThread()));
         assertTrue(threads.take().isDaemon());
     }
 
@@ -232,7 +232,7 @@ class BotProcessTest {
 
     @Test
     void aBotInPythonAnswers() {
-        assumeTrue(Programs.find("python3") != null, "there is no python3 on the PATH");
+        assumeTrue(ProgramFinder.find("python3") != null, "there is no python3 on the PATH");
         String script = "import sys\nfor line in sys.stdin:\n  print(line.strip().upper(), flush=True)";
         try (BotProcess bot = new BotProcess("py", List.of("python3", "-c", script))) {
             assertEquals("HELLO", ScriptedBots.reply(bot, "hello\n"));

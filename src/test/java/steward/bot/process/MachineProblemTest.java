@@ -14,7 +14,7 @@ import steward.bot.Answer;
 import steward.bot.Player;
 
 /** Trouble of the referee's own machine is no fault of a bot. */
-class BotTroubleTest {
+class MachineProblemTest {
 
     /** Run in a JVM of its own, because the folder for temporary files is looked up once. */
     static final class AskOnce {

@@ -18,7 +18,7 @@ import java.util.TreeMap;
  * <p>The class-path resource {@value #RESOURCE} lists them, one {@code NAME = main.Class} per line, with optional
  * arguments after the class, quoted as in {@link CommandLine}.
  */
-public final class Builtins {
+public final class BuiltinBots {
 
     /** Where the list is. */
     public static final String RESOURCE = "steward/bots/builtin.properties";
@@ -33,7 +33,7 @@ public final class Builtins {
     private final SortedMap<String, String> mains;
 
     /** @param mains by bot name: the main class, then optional arguments */
-    Builtins(Map<String, String> mains) {
+    BuiltinBots(Map<String, String> mains) {
         this.mains = Collections.unmodifiableSortedMap(new TreeMap<>(mains));
     }
 
@@ -42,9 +42,9 @@ public final class Builtins {
      *
      * @throws UncheckedIOException when the list cannot be read
      */
-    public static Builtins installed() {
+    public static BuiltinBots installed() {
         Properties properties = new Properties();
-        try (InputStream list = Builtins.class.getClassLoader().getResourceAsStream(RESOURCE)) {
+        try (InputStream list = BuiltinBots.class.getClassLoader().getResourceAsStream(RESOURCE)) {
             if (list != null) {
                 properties.load(list);
             }
@@ -53,7 +53,7 @@ public final class Builtins {
         }
         SortedMap<String, String> mains = new TreeMap<>();
         properties.stringPropertyNames().forEach(name -> mains.put(name, properties.getProperty(name)));
-        return new Builtins(mains);
+        return new BuiltinBots(mains);
     }
 
     /** The names, in alphabetical order. */

@@ -12,7 +12,7 @@ import steward.Internal;
  * as reads do: nothing that was written is lost, and the end of the stream comes after it.
  */
 @Internal
-public final class AnswerLines {
+public final class AnswerReader {
 
     /** The longest line, in bytes without its line end. */
     public static final int LINE_LIMIT = 64 * 1024;
@@ -45,7 +45,7 @@ public final class AnswerLines {
     /** How many lines had come when the last read began. */
     private volatile int lines;
 
-    public AnswerLines(InputStream stream) {
+    public AnswerReader(InputStream stream) {
         this.stream = stream;
     }
 

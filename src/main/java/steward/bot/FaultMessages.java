@@ -4,7 +4,7 @@ import steward.Internal;
 
 /** The words for the ways in which a player fails. */
 @Internal
-public final class Faults {
+public final class FaultMessages {
 
     /** Statuses above this are 128 + the number of the signal that ended the process. */
     private static final int SIGNALLED = 128;
@@ -17,7 +17,7 @@ public final class Faults {
 
     private static final int LAST_SIGNAL = 64;
 
-    private Faults() {
+    private FaultMessages() {
     }
 
     /** {@code no answer within 75 ms (waited 76 ms)}. */

@@ -7,7 +7,7 @@ import java.util.concurrent.Executors;
  * Daemon threads for work that may block for ever, kept for some time for who comes next: a match needs several, and
  * starting them is a good part of its start and end. Whoever gets stuck keeps its thread, and the others get new ones.
  */
-public final class SpareThreads {
+public final class DaemonThreadPool {
 
     private static final ExecutorService THREADS = Executors.newCachedThreadPool(work -> {
         Thread thread = new Thread(work, "steward-spare");
@@ -15,7 +15,7 @@ public final class SpareThreads {
         return thread;
     });
 
-    private SpareThreads() {
+    private DaemonThreadPool() {
     }
 
     /**

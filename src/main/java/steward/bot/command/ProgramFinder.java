@@ -7,16 +7,16 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** Finds programs the way the system does: by path when the name has a slash, otherwise along {@code PATH}. */
-public final class Programs {
+public final class ProgramFinder {
 
     private static final String FALLBACK_PATH = "/usr/bin:/bin";
 
-    private Programs() {
+    private ProgramFinder() {
     }
 
     /** The program's file, or {@code null} when the system would not find one that it may execute. */
     public static Path find(String program) {
-        return candidates(program).stream().filter(Programs::isExecutable).findFirst().orElse(null);
+        return candidates(program).stream().filter(ProgramFinder::isExecutable).findFirst().orElse(null);
     }
 
     /**
