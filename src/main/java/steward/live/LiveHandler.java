@@ -38,13 +38,13 @@ final class LiveHandler implements HttpHandler {
     private static final byte[] AFTER_LINE = bytes("\n\n");
     private static final byte[] END = bytes("event: end\ndata:\n\n");
 
-    private final HostNames names;
+    private final AllowedHosts names;
     private final byte[] page;
     private final String title;
     private final LiveRecording recording;
     private final Viewers viewers;
 
-    LiveHandler(HostNames names, byte[] page, String title, LiveRecording recording, Viewers viewers) {
+    LiveHandler(AllowedHosts names, byte[] page, String title, LiveRecording recording, Viewers viewers) {
         this.names = names;
         this.page = page;
         this.title = title;

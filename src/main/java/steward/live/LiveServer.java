@@ -68,7 +68,7 @@ public final class LiveServer implements AutoCloseable {
         ByteArrayOutputStream page = new ByteArrayOutputStream();
         ReplayPage.writeLive(page, title, LiveHandler.FEED, LiveHandler.COPY);
         LiveServer live = new LiveServer(HttpServer.create(new InetSocketAddress(address, port), 0));
-        HostNames names = new HostNames(host == null ? "localhost" : host, live.server.getAddress().getPort());
+        AllowedHosts names = new AllowedHosts(host == null ? "localhost" : host, live.server.getAddress().getPort());
         live.server.setExecutor(live.threads);
         live.server.createContext("/", new LiveHandler(names, page.toByteArray(), title, recording, live.viewers));
         live.server.start();

@@ -32,7 +32,7 @@ public final class Referee {
     private final DirectPlayer[] directs;
     private final boolean allDirect;
     private final Dialogue[] dialogues;
-    private final DataLines data;
+    private final DataLineCollector data;
     private final TimeControl time;
     private final MatchListener listener;
     private final CompletableFuture<MatchResult> result = new CompletableFuture<>();
@@ -80,7 +80,7 @@ public final class Referee {
         this.time = time;
         this.listener = listener;
         int count = players.size();
-        data = new DataLines(count);
+        data = new DataLineCollector(count);
         turn = new Turn(count);
         answers = new Answer[count];
         watches = new Stopwatch[count];

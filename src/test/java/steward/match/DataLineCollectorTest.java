@@ -6,9 +6,9 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 
 /** What bots report on stderr for rating tools. */
-class DataLinesTest {
+class DataLineCollectorTest {
 
-    private final DataLines data = new DataLines(2);
+    private final DataLineCollector data = new DataLineCollector(2);
 
     @Test
     void theLastValueCounts() {

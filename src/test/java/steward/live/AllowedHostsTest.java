@@ -8,9 +8,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Names by which a request may call a server on port 8123 that was told to listen on "Racing.example". */
-class HostNamesTest {
+class AllowedHostsTest {
 
-    private final HostNames names = new HostNames("Racing.example", 8123);
+    private final AllowedHosts names = new AllowedHosts("Racing.example", 8123);
 
     @ParameterizedTest
     @ValueSource(strings = {"localhost:8123", "LOCALHOST:8123", "127.0.0.1:8123", "[::1]:8123", "192.168.7.1:8123",
@@ -34,6 +34,6 @@ class HostNamesTest {
 
     @Test
     void theUsualPortNeedNotBeSaid() {
-        assertTrue(new HostNames("localhost", 80).accept("localhost"));
+        assertTrue(new AllowedHosts("localhost", 80).accept("localhost"));
     }
 }

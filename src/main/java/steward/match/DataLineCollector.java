@@ -10,7 +10,7 @@ import java.util.TreeMap;
  * {@code [PDATA] key = value} about the player (the last value counts), {@code [PDATA+] key = value} summed up.
  * Anything else is passed over. A line that has come in part only, when a turn ends, is read with the next.
  */
-final class DataLines {
+final class DataLineCollector {
 
     private static final String MATCH = "[TDATA]";
     private static final String PLAYER = "[PDATA]";
@@ -23,7 +23,7 @@ final class DataLines {
     private final String[] begun;
 
     @SuppressWarnings({"unchecked", "rawtypes"})
-    DataLines(int count) {
+    DataLineCollector(int count) {
         players = new Map[count];
         for (int player = 0; player < count; player++) {
             players[player] = new TreeMap<>();

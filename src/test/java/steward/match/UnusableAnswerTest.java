@@ -16,7 +16,7 @@ import steward.bot.InProcessPlayer;
 
 /** What is said of an answer that cannot be used: the field, the value, what was expected, and the line received. */
 @Timeout(20)
-class FaultsTest {
+class UnusableAnswerTest {
 
     /** A bot of one pod that gives the same answer every turn. */
     private record Saying(String answer) implements Bot {

@@ -12,7 +12,7 @@ import java.util.regex.Pattern;
  * @param given the name or address that the server was told to listen on
  * @param port  where it listens
  */
-record HostNames(String given, int port) {
+record AllowedHosts(String given, int port) {
 
     private static final Pattern HOST = Pattern.compile("(\\[[0-9a-f:.]+]|[^:\\[\\]]+)(?::(\\d{1,5}))?");
     private static final Pattern ADDRESS = Pattern.compile("\\[.*]|\\d{1,3}(\\.\\d{1,3}){3}");
