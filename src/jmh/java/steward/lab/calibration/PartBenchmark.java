@@ -42,14 +42,14 @@ public class PartBenchmark {
     @Param({"mad-pod-racing", "walled-race"})
     String scene;
 
-    @Param({PartSteps.EMPTY, "pair impacts", "walls", "restitution", "minimum impulse", "push-out", "batch window",
+    @Param({PartByPartPhysics.EMPTY, "pair impacts", "walls", "restitution", "minimum impulse", "push-out", "batch window",
         "infinite masses", "drag", "velocity rounding", "position rounding", "reactions", "broad phase"})
     String part;
 
     private final TurnLog log = new TurnLog();
     private Bodies[] states;
     private Bodies now;
-    private PartSteps.Step step;
+    private PartByPartPhysics.Step step;
     private int turn;
 
     /** Pods close enough to meet in some of the turns. */
@@ -61,7 +61,7 @@ public class PartBenchmark {
         states = new Bodies[STATES];
         Arrays.setAll(states, k -> state(random));
         now = new Bodies(BODIES);
-        step = PartSteps.of(setup, PartPrices.box(states)).stream().filter(each -> each.part().equals(part))
+        step = PartByPartPhysics.of(setup, PartPrices.box(states)).stream().filter(each -> each.part().equals(part))
             .findFirst().orElseThrow();
     }
 

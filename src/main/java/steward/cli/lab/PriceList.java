@@ -9,9 +9,9 @@ import java.util.function.LongSupplier;
 import steward.cli.shared.Games;
 import steward.cli.shared.Streams;
 import steward.game.GameSetup;
+import steward.lab.calibration.PartByPartPhysics;
 import steward.lab.calibration.PartPrices;
 import steward.lab.calibration.PartPrices.Price;
-import steward.lab.calibration.PartSteps;
 import steward.scene.Part;
 
 /** What the parts of a scene add to a turn, measured here and now. */
@@ -74,7 +74,7 @@ final class PriceList {
 
     /** What the numbers are. */
     String legend() {
-        return "A turn takes " + text(prices.turn()) + " ns here, " + text(byPart.get(PartSteps.EMPTY))
+        return "A turn takes " + text(prices.turn()) + " ns here, " + text(byPart.get(PartByPartPhysics.EMPTY))
             + " ns of them to fly straight; the parts add their prices (a broad phase saves), those left out would add "
             + "what is in brackets. "
             + "Measured now on " + setup.scene().accuracy() + ", medians of " + prices.rounds()

@@ -18,7 +18,7 @@ import steward.scene.Scene;
 
 /**
  * What each part of a scene's engine adds to a turn, in time, on this machine: states of seeded play are flown through
- * the {@link PartSteps} of the scene, all steps in turn, round after round; a price is the median over the rounds of
+ * the {@link PartByPartPhysics} of the scene, all steps in turn, round after round; a price is the median over the rounds of
  * the difference of two steps. The parts of the game have the price of what the game does before and after its bodies
  * fly, measured in games whose bodies stay where they are; those that work at the same time of a turn share a price.
  *
@@ -57,7 +57,7 @@ public final class PartPrices {
     /**
      * All that was measured.
      *
-     * @param prices first the empty scene's, then the parts' of the physics in the order of {@link PartSteps}, then the
+     * @param prices first the empty scene's, then the parts' of the physics in the order of {@link PartByPartPhysics}, then the
      *               game's
      * @param turn   a turn of the whole scene, in nanoseconds
      * @param rounds how many rounds count
@@ -85,13 +85,13 @@ public final class PartPrices {
         GameSetup still = types.open(scene.withObserver((parts, advance) -> (bodies, sink) -> { }));
         Bodies[] states = new Bodies[STATES];
         Arrays.setAll(states, k -> play.next());
-        List<PartSteps.Step> steps = PartSteps.of(setup, box(states));
+        List<PartByPartPhysics.Step> steps = PartByPartPhysics.of(setup, box(states));
         PartPrices prices = new PartPrices();
         prices.slices.add(flights(states, (bodies, sink) -> { }, new Motion(false, false, false)));
         steps.forEach(step -> prices.slices.add(flights(states, step.advance(), step.motion())));
         prices.slices.add(flights(states, (bodies, sink) -> { }, setup.plan().motion()));
-        prices.slices.add(new StillGames(still, null, GAMES, SEED));
-        prices.slices.add(new StillGames(still, script, GAMES, SEED));
+        prices.slices.add(new RulesOnlyTurns(still, null, GAMES, SEED));
+        prices.slices.add(new RulesOnlyTurns(still, script, GAMES, SEED));
         prices.time(work, wall, budget, progress);
         return prices.result(setup.plan().parts(), steps);
     }
@@ -152,11 +152,11 @@ public final class PartPrices {
         rounds.subList(0, warm).clear();
     }
 
-    private Prices result(List<Part> parts, List<PartSteps.Step> steps) {
+    private Prices result(List<Part> parts, List<PartByPartPhysics.Step> steps) {
         List<Price> prices = new ArrayList<>();
         int whole = 0;
         for (int k = 0; k < steps.size(); k++) {
-            PartSteps.Step step = steps.get(k);
+            PartByPartPhysics.Step step = steps.get(k);
             prices.add(difference(step.part(), 1 + k, step.in() ? k : whole));
             whole = step.in() ? 1 + k : whole;
         }

@@ -7,9 +7,9 @@ import steward.physics.ImpactLaw;
 import steward.physics.Wall;
 
 /**
- * A turn from the definitions in {@link Digits#COUNT} decimal digits: find the earliest touch of all pairs and walls,
+ * A turn from the definitions in {@link Decimals#COUNT} decimal digits: find the earliest touch of all pairs and walls,
  * fly there, let it react, look anew. Slow, and meant to be obviously right: nothing is kept from one impact to the
- * next, and only those who are too far apart to meet in the rest of the turn are not looked at ({@link OracleReach}).
+ * next, and only those who are too far apart to meet in the rest of the turn are not looked at ({@link OracleBroadPhase}).
  * It reads {@link ImpactLaw} and {@link Wall} as plain data and calls nothing of the physics.
  *
  * <p>Where the physics has to decide whether two rounded distances are equal, the oracle takes numbers that agree to
@@ -91,7 +91,7 @@ public final class Oracle {
         List<Touch> touches = new ArrayList<>();
         int size = bodies.size();
         boolean descending = law.scanOrder() == ImpactLaw.ScanOrder.DESCENDING;
-        OracleReach reach = new OracleReach(bodies);
+        OracleBroadPhase reach = new OracleBroadPhase(bodies);
         double time = left.doubleValue();
         for (int k = 0; k < size; k++) {
             int i = descending ? size - 1 - k : k;
@@ -105,7 +105,7 @@ public final class Oracle {
         for (int i = 0; i < size; i++) {
             for (int w = 0; w < walls.size() && bodies.get(i).mass != null; w++) {
                 if (!reach.apart(i, walls.get(w), time)) {
-                    add(touches, OracleTimes.wall(bodies.get(i), walls.get(w)), left, i, ~w);
+                    add(touches, OracleTimeOfImpact.wall(bodies.get(i), walls.get(w)), left, i, ~w);
                 }
             }
         }
@@ -125,10 +125,10 @@ public final class Oracle {
         BigDecimal dx = p.x.subtract(q.x);
         BigDecimal dy = p.y.subtract(q.y);
         BigDecimal touch = p.radius.add(q.radius);
-        if (law.separatingPairsReact() && OracleTimes.within(dx, dy, touch)) {
+        if (law.separatingPairsReact() && OracleTimeOfImpact.within(dx, dy, touch)) {
             return BigDecimal.ZERO;
         }
-        return OracleTimes.circle(dx, dy, p.vx.subtract(q.vx), p.vy.subtract(q.vy), touch);
+        return OracleTimeOfImpact.circle(dx, dy, p.vx.subtract(q.vx), p.vy.subtract(q.vy), touch);
     }
 
     /** What happens next: the earliest alone, ties to the lowest pair; or all within the window, in order. */
@@ -142,7 +142,7 @@ public final class Oracle {
             sorted.add(place, touch);
         }
         if (sorted.isEmpty() || law.batchWindow() > 0 || law.separatingPairsReact()) {
-            BigDecimal window = Digits.of(law.batchWindow()).add(Digits.SAME);
+            BigDecimal window = Decimals.of(law.batchWindow()).add(Decimals.SAME);
             return sorted.stream()
                 .filter(touch -> touch.until.subtract(sorted.get(0).until).compareTo(window) <= 0).toList();
         }
@@ -155,6 +155,6 @@ public final class Oracle {
 
     /** By more than rounding, a turn being 1. */
     private static boolean isLater(Touch one, Touch other) {
-        return one.until.subtract(other.until).compareTo(Digits.SAME) > 0;
+        return one.until.subtract(other.until).compareTo(Decimals.SAME) > 0;
     }
 }

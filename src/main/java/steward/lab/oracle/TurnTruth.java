@@ -55,7 +55,7 @@ public final class TurnTruth {
 
     private void keep(int k, BigDecimal value) {
         high[k] = value.doubleValue();
-        low[k] = value.subtract(Digits.of(high[k])).doubleValue();
+        low[k] = value.subtract(Decimals.of(high[k])).doubleValue();
     }
 
     /**

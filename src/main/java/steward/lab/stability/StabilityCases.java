@@ -2,13 +2,13 @@ package steward.lab.stability;
 
 import java.util.List;
 import steward.lab.stability.crowds.BulletCase;
-import steward.lab.stability.crowds.CollapseCase;
-import steward.lab.stability.crowds.CradleCase;
 import steward.lab.stability.crowds.CrowdCase;
 import steward.lab.stability.crowds.DensePackingCase;
+import steward.lab.stability.crowds.InelasticCollapseCase;
 import steward.lab.stability.crowds.LatticeCase;
 import steward.lab.stability.crowds.LongRunCase;
 import steward.lab.stability.crowds.MirrorCase;
+import steward.lab.stability.crowds.NewtonsCradleCase;
 import steward.lab.stability.crowds.OfficialHeapsCase;
 import steward.lab.stability.crowds.TimeReversalCase;
 import steward.lab.stability.pairs.ContactCase;
@@ -49,9 +49,9 @@ public final class StabilityCases {
             new RadiusRatioCase(),
             new LateTimesCase(),
             new CornerCase(),
-            new CradleCase(),
+            new NewtonsCradleCase(),
             new MirrorCase(),
-            new CollapseCase(),
+            new InelasticCollapseCase(),
             new LatticeCase(),
             new OfficialHeapsCase(),
             new OfficialEdgesCase(),

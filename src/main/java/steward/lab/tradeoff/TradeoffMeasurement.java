@@ -103,7 +103,7 @@ public final class TradeoffMeasurement {
             nanos[r] = cost[r].nanosPerTurn();
             off[r] = errors.get(r).quantile(0.99);
         }
-        boolean[] front = TradeoffFront.of(nanos, off);
+        boolean[] front = ParetoFront.of(nanos, off);
         List<TradeoffRow> rows = new ArrayList<>();
         for (int r = 0; r < cost.length; r++) {
             rows.add(errors.get(r).row(scene.name(), ladder.get(r).text(), impacts, costs.rounds(), cost[r],

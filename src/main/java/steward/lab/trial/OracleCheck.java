@@ -3,7 +3,7 @@ package steward.lab.trial;
 import java.math.BigDecimal;
 import java.util.List;
 import java.util.Locale;
-import steward.lab.oracle.Digits;
+import steward.lab.oracle.Decimals;
 import steward.lab.oracle.Oracle;
 import steward.lab.oracle.OracleBody;
 import steward.physics.Bodies;
@@ -88,9 +88,9 @@ public final class OracleCheck {
         for (int k = 0; k < truth.size(); k++) {
             OracleBody body = truth.get(k);
             worst = Math.max(worst, Math.max(
-                Math.max(Digits.relative(bodies.x[k], body.x, place), Digits.relative(bodies.y[k], body.y, place)),
-                Math.max(Digits.relative(bodies.vx[k], body.vx, speed),
-                    Digits.relative(bodies.vy[k], body.vy, speed))));
+                Math.max(Decimals.relative(bodies.x[k], body.x, place), Decimals.relative(bodies.y[k], body.y, place)),
+                Math.max(Decimals.relative(bodies.vx[k], body.vx, speed),
+                    Decimals.relative(bodies.vy[k], body.vy, speed))));
         }
         return worst;
     }

@@ -3,7 +3,7 @@ package steward.lab.stability.crowds;
 import java.math.BigDecimal;
 import java.util.Locale;
 import steward.lab.trial.Finding;
-import steward.lab.trial.Ledger;
+import steward.lab.trial.MomentumBalance;
 import steward.lab.trial.Probe;
 import steward.lab.trial.Progress;
 import steward.lab.trial.RunLength;
@@ -53,7 +53,7 @@ public final class LongRunCase implements StabilityCase {
         int small = bodies == 10 ? 100_000 : 20_000;
         long wanted = rung.isEvent() ? size.pick(small, 1_000_000, 10_000_000) : 1;
         Bodies gas = gas();
-        Ledger ledger = new Ledger(gas);
+        MomentumBalance ledger = new MomentumBalance(gas);
         Wall[] box = Wall.box(side(), side(), 1);
         Advance advance = bodies < CROWD ? rung.advance(ImpactLaw.PHYSICS, box)
             : rung.crowdAdvance(ImpactLaw.PHYSICS, box);
@@ -77,7 +77,7 @@ public final class LongRunCase implements StabilityCase {
         return Finding.of(rung.isEvent(), met, text(ledger, last, judged, gap));
     }
 
-    private static String text(Ledger ledger, double last, double atMillion, double gap) {
+    private static String text(MomentumBalance ledger, double last, double atMillion, double gap) {
         return String.format(Locale.ROOT, "%d impacts: energy %.1e%s, books %.1e", ledger.impacts, last,
             last == atMillion || Double.isNaN(atMillion) ? ""
                 : String.format(Locale.ROOT, " (%.1e after 10^6)", atMillion), gap);

@@ -2,7 +2,7 @@ package steward.lab.stability.pairs;
 
 import java.math.BigDecimal;
 import java.util.Locale;
-import steward.lab.oracle.Digits;
+import steward.lab.oracle.Decimals;
 import steward.lab.trial.Finding;
 import steward.lab.trial.Probe;
 import steward.lab.trial.Progress;
@@ -81,9 +81,9 @@ public final class LateTimesCase implements StabilityCase {
 
         @Override
         public void touched(int a, int b, double ax, double ay, double bx, double by) {
-            BigDecimal distance = Digits.length(Digits.of(bx).subtract(Digits.of(ax)),
-                Digits.of(by).subtract(Digits.of(ay)));
-            double overlap = Digits.of(2 * RADIUS).subtract(distance).doubleValue();
+            BigDecimal distance = Decimals.length(Decimals.of(bx).subtract(Decimals.of(ax)),
+                Decimals.of(by).subtract(Decimals.of(ay)));
+            double overlap = Decimals.of(2 * RADIUS).subtract(distance).doubleValue();
             ulps = Math.max(ulps, overlap / Math.ulp(Math.max(Math.abs(ax), Math.abs(bx))));
         }
     }

@@ -9,7 +9,7 @@ import java.math.RoundingMode;
  * Decimal arithmetic of 64 digits for the oracle. A double is a decimal, so it is taken over exactly; sums and products
  * ({@link #dot}, {@link #cross}) are exact, and only quotients, roots and what is stored as a new state are rounded.
  */
-public final class Digits {
+public final class Decimals {
 
     /** How many decimal digits a state keeps. */
     static final int COUNT = 64;
@@ -18,7 +18,7 @@ public final class Digits {
     /** Two numbers of a state nearer than this, relative to their size, differ by rounding only. */
     static final BigDecimal SAME = BigDecimal.ONE.movePointLeft(COUNT - 16);
 
-    private Digits() {
+    private Decimals() {
     }
 
     /** @throws NumberFormatException if the number is not finite */

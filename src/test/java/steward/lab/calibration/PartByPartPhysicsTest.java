@@ -29,7 +29,7 @@ import steward.scene.SceneFiles;
 import steward.scene.SceneReader;
 
 /** A turn put together part by part; and what a turn without a part is made of. */
-class PartStepsTest {
+class PartByPartPhysicsTest {
 
     /** Who looks for impacts, collects them, lets them happen, and says how strong they are. */
     private static final Set<String> ROLES = Set.of("Scan", "ImpactQueue", "Touch", "Impulse", "Wall");
@@ -39,8 +39,8 @@ class PartStepsTest {
             SceneReader.read(SceneFiles.load(scene), Accuracy.parse(rung)));
     }
 
-    private static List<PartSteps.Step> steps(String scene, String rung) {
-        return PartSteps.of(open(scene, rung), PartPrices.box(new Bodies[0]));
+    private static List<PartByPartPhysics.Step> steps(String scene, String rung) {
+        return PartByPartPhysics.of(open(scene, rung), PartPrices.box(new Bodies[0]));
     }
 
     /** With its last part added, a scene's own engine is complete: prices are of what is really played. */
@@ -48,8 +48,8 @@ class PartStepsTest {
     @ValueSource(strings = {"duel", "mad-pod-racing", "mad-pod-racing-silver", "walled-race"})
     void allPartsTogetherAreTheScene(String scene) {
         GameSetup setup = open(scene, "event/double");
-        List<PartSteps.Step> in = steps(scene, "event/double").stream().filter(PartSteps.Step::in).toList();
-        PartSteps.Step whole = in.get(in.size() - 1);
+        List<PartByPartPhysics.Step> in = steps(scene, "event/double").stream().filter(PartByPartPhysics.Step::in).toList();
+        PartByPartPhysics.Step whole = in.get(in.size() - 1);
         PhysicsParts wanted = setup.plan().physics(null);
         assertEquals(wanted.law(), whole.parts().law());
         assertEquals(wanted.walls(), whole.parts().walls());
@@ -58,10 +58,10 @@ class PartStepsTest {
         assertEquals(setup.plan().motion(), whole.motion());
         assertEquals(classes(setup.plan().advance(null)), classes(whole.advance()));
 
-        List<String> names = new ArrayList<>(List.of(PartSteps.EMPTY));
+        List<String> names = new ArrayList<>(List.of(PartByPartPhysics.EMPTY));
         setup.plan().parts().stream().filter(part -> part.in() && part.when() == Part.When.PHYSICS)
             .forEach(part -> names.add(part.name()));
-        assertEquals(names, in.stream().map(PartSteps.Step::part).toList());
+        assertEquals(names, in.stream().map(PartByPartPhysics.Step::part).toList());
     }
 
     /**
@@ -89,16 +89,16 @@ class PartStepsTest {
     /** Numbers alone say whether anything is done at the end of a turn or about an overlap. */
     @Test
     void whatIsNoObjectIsANumber() {
-        for (PartSteps.Step step : steps("walled-race", "event/double").subList(0, 6)) {
+        for (PartByPartPhysics.Step step : steps("walled-race", "event/double").subList(0, 6)) {
             assertEquals(new Motion(false, false, false), step.motion());
             assertTrue(Double.isNaN(step.parts().law().pushOut()));
         }
     }
 
-    private static String changes(List<PartSteps.Step> steps) {
+    private static String changes(List<PartByPartPhysics.Step> steps) {
         StringBuilder text = new StringBuilder();
         Set<String> before = new TreeSet<>();
-        for (PartSteps.Step step : steps) {
+        for (PartByPartPhysics.Step step : steps) {
             Set<String> now = classes(step.advance());
             text.append(step.part()).append(':');
             now.stream().filter(name -> !before.contains(name)).forEach(name -> text.append(" +").append(name));

@@ -10,7 +10,7 @@ import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 
 /** Newton's cradle of five: four rest in a row, in contact or nearly, the fifth comes. */
-public final class CradleCase implements StabilityCase {
+public final class NewtonsCradleCase implements StabilityCase {
 
     private static final int BALLS = 5;
     /** A power of two, small enough for gaps of 1e-15 to be stored beside it. */

@@ -10,7 +10,7 @@ import steward.physics.Wall;
  * and the longest way that they can come nearer. That is decided on doubles with a margin a million times their
  * rounding, so that whoever could possibly meet is always looked at in all digits.
  */
-final class OracleReach {
+final class OracleBroadPhase {
 
     /** Relative; the doubles are good to some 1e-15. */
     private static final double MARGIN = 1e-9;
@@ -30,7 +30,7 @@ final class OracleReach {
     private final double[] vy;
     private final double[] radius;
 
-    OracleReach(List<OracleBody> bodies) {
+    OracleBroadPhase(List<OracleBody> bodies) {
         x = bodies.stream().mapToDouble(body -> near(body.x)).toArray();
         y = bodies.stream().mapToDouble(body -> near(body.y)).toArray();
         vx = bodies.stream().mapToDouble(body -> near(body.vx)).toArray();

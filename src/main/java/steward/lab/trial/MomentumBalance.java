@@ -11,14 +11,14 @@ import steward.physics.Bodies;
  * The books of momentum: m (v after - v before) of every impact, from the stored velocities, summed in double-double
  * numbers; the walls' share is what the bodies got from them.
  */
-public final class Ledger extends Probe {
+public final class MomentumBalance extends Probe {
 
     private final double[] masses;
     private final Sum[] booked = {new Sum(), new Sum()};
     private final Sum[] start = {new Sum(), new Sum()};
     private double exchanged;
 
-    public Ledger(Bodies bodies) {
+    public MomentumBalance(Bodies bodies) {
         masses = java.util.Arrays.copyOf(bodies.mass, bodies.size());
         total(bodies, start);
     }

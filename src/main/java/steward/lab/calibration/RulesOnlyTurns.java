@@ -7,7 +7,7 @@ import steward.game.GameSetup;
 import steward.numerics.SplitMix64;
 
 /** A turn of many games whose bodies stay where they are: only what the game itself does is timed. */
-final class StillGames implements TimedTurns {
+final class RulesOnlyTurns implements TimedTurns {
 
     /** Before players who make no progress are out. */
     private static final int MOST_TURNS = 16;
@@ -20,7 +20,7 @@ final class StillGames implements TimedTurns {
     private long seed;
 
     /** @param script {@code null} for games without commands */
-    StillGames(GameSetup setup, SeededPlay.Script script, int games, long seed) {
+    RulesOnlyTurns(GameSetup setup, SeededPlay.Script script, int games, long seed) {
         this.setup = setup;
         this.script = script;
         this.seed = seed;

@@ -13,7 +13,7 @@ import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 
 /** The fast truth about pairs against the oracle, and by hand. */
-class PairTruthTest {
+class PairOracleTest {
 
     private static Bodies pair(double x, double y, double vx, double vy, double radius) {
         Bodies bodies = new Bodies(2);
@@ -25,17 +25,17 @@ class PairTruthTest {
 
     @Test
     void byHand() {
-        PairTruth half = new PairTruth(pair(-4, 0, 4, 0, 1));                 // gap 2, closing 4
+        PairOracle half = new PairOracle(pair(-4, 0, 4, 0, 1));                 // gap 2, closing 4
         assertTrue(half.hit());
         assertEquals(0, half.ulps(0.5));
         assertEquals(1, half.ulps(Math.nextUp(0.5)));
         assertEquals(2, half.ulps(0.5 + 2 * Math.ulp(0.5)));
-        assertFalse(new PairTruth(pair(-4, 0, 1.9999999999999998, 0, 1)).hit(), "just after the turn");
-        assertTrue(new PairTruth(pair(-4, 0, 2, 0, 1)).hit(), "at its very end");
-        assertFalse(new PairTruth(pair(-4, 2, 4, 0, 1)).hit(), "tangent");
-        assertTrue(new PairTruth(pair(-4, Math.nextDown(2.0), 4, 0, 1)).hit());
-        assertFalse(new PairTruth(pair(-1, 0, -4, 0, 1)).hit(), "receding");
-        assertTrue(new PairTruth(pair(-1, 0, 4, 0, 1)).hit(), "overlapping and approaching");
+        assertFalse(new PairOracle(pair(-4, 0, 1.9999999999999998, 0, 1)).hit(), "just after the turn");
+        assertTrue(new PairOracle(pair(-4, 0, 2, 0, 1)).hit(), "at its very end");
+        assertFalse(new PairOracle(pair(-4, 2, 4, 0, 1)).hit(), "tangent");
+        assertTrue(new PairOracle(pair(-4, Math.nextDown(2.0), 4, 0, 1)).hit());
+        assertFalse(new PairOracle(pair(-1, 0, -4, 0, 1)).hit(), "receding");
+        assertTrue(new PairOracle(pair(-1, 0, 4, 0, 1)).hit(), "overlapping and approaching");
     }
 
     /** Both must say the same about 2,000 pairs, a third of them grazing, over exponents of +-900. */
@@ -50,16 +50,16 @@ class PairTruthTest {
             Bodies bodies = PairSampler.passing(random, Math.scalb(1 + random.nextDouble(), random.nextInt(-900, 900)),
                 share,
                 0, 0.1 + random.nextDouble(), 0, 0);
-            PairTruth truth = new PairTruth(bodies);
+            PairOracle truth = new PairOracle(bodies);
             List<OracleImpact> impacts = oracle.turn(OracleBody.of(bodies));
             assertEquals(!impacts.isEmpty(), truth.hit(), "seed " + seed);
             if (truth.hit()) {
                 hits++;
                 BigDecimal time = impacts.get(0).time();
                 double near = time.doubleValue();
-                assertEquals(Digits.ulps(near, time), truth.ulps(near), 1e-12, "seed " + seed);
+                assertEquals(Decimals.ulps(near, time), truth.ulps(near), 1e-12, "seed " + seed);
                 double off2 = near + 3 * Math.ulp(near);
-                assertEquals(Digits.ulps(off2, time), truth.ulps(off2), 2, "seed " + seed);
+                assertEquals(Decimals.ulps(off2, time), truth.ulps(off2), 2, "seed " + seed);
             }
         }
         assertTrue(hits > 800, "hits " + hits);

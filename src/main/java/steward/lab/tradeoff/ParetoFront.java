@@ -1,9 +1,9 @@
 package steward.lab.tradeoff;
 
 /** The Pareto front of cost and error: whoever is on it can be had cheaper or better, but not both at once. */
-final class TradeoffFront {
+final class ParetoFront {
 
-    private TradeoffFront() {
+    private ParetoFront() {
     }
 
     /**

@@ -24,12 +24,12 @@ import steward.physics.Wall;
  * One number for all that is computed: the hash of every bit of worlds and games on every rung. It must be the same on
  * every machine, JDK, compiler level and garbage collector; where it is not, the parts tell which of them differ.
  */
-public final class Golden {
+public final class GoldenHash {
 
     private static final long SEED = 4;
     private static final ImpactLaw SOFT = ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM);
 
-    private Golden() {
+    private GoldenHash() {
     }
 
     /**

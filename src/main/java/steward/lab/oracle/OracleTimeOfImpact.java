@@ -21,25 +21,25 @@ import steward.physics.Wall;
  * approaches touches at 0; whoever touches but recedes or slides does not come back, for all the walls and circles here
  * are convex.
  */
-final class OracleTimes {
+final class OracleTimeOfImpact {
 
-    private OracleTimes() {
+    private OracleTimeOfImpact() {
     }
 
     /** Whether a point is within s of the origin; a distance that is s but for rounding counts. */
     static boolean within(BigDecimal px, BigDecimal py, BigDecimal s) {
-        return Digits.atMost(Digits.dot(px, py, px, py), Digits.square(s));
+        return Decimals.atMost(Decimals.dot(px, py, px, py), Decimals.square(s));
     }
 
     /** Whether p.v < 0; a slide that is one but for rounding is no approach. */
     static boolean approaches(BigDecimal px, BigDecimal py, BigDecimal vx, BigDecimal vy, boolean touching) {
-        BigDecimal approach = Digits.dot(px, py, vx, vy);
+        BigDecimal approach = Decimals.dot(px, py, vx, vy);
         if (approach.signum() >= 0 || !touching) {
             return approach.signum() < 0;
         }
-        BigDecimal most = Digits.square(Digits.SAME)
-            .multiply(Digits.dot(px, py, px, py)).multiply(Digits.dot(vx, vy, vx, vy));
-        return Digits.square(approach).compareTo(most) > 0;
+        BigDecimal most = Decimals.square(Decimals.SAME)
+            .multiply(Decimals.dot(px, py, px, py)).multiply(Decimals.dot(vx, vy, vx, vy));
+        return Decimals.square(approach).compareTo(most) > 0;
     }
 
     /**
@@ -56,13 +56,13 @@ final class OracleTimes {
         if (touching) {
             return BigDecimal.ZERO;
         }
-        BigDecimal discriminant = Digits.dot(vx, vy, vx, vy).multiply(Digits.square(s))
-            .subtract(Digits.square(Digits.cross(px, py, vx, vy)));
+        BigDecimal discriminant = Decimals.dot(vx, vy, vx, vy).multiply(Decimals.square(s))
+            .subtract(Decimals.square(Decimals.cross(px, py, vx, vy)));
         if (discriminant.signum() <= 0) {
             return null;                               // a tangent path is a miss
         }
-        BigDecimal c = Digits.dot(px, py, px, py).subtract(Digits.square(s));
-        return Digits.divide(c, Digits.root(discriminant).subtract(Digits.dot(px, py, vx, vy)));
+        BigDecimal c = Decimals.dot(px, py, px, py).subtract(Decimals.square(s));
+        return Decimals.divide(c, Decimals.root(discriminant).subtract(Decimals.dot(px, py, vx, vy)));
     }
 
     /** Of a body and a wall. */
@@ -74,63 +74,63 @@ final class OracleTimes {
     }
 
     private static BigDecimal halfPlane(OracleBody body, HalfPlane plane) {
-        BigDecimal[] n = OracleWall.normal(body, plane);
-        BigDecimal gap = OracleWall.gap(body, plane);
-        BigDecimal closing = Digits.dot(body.vx, body.vy, n[0], n[1]);
+        BigDecimal[] n = OracleWallGeometry.normal(body, plane);
+        BigDecimal gap = OracleWallGeometry.gap(body, plane);
+        BigDecimal closing = Decimals.dot(body.vx, body.vy, n[0], n[1]);
         if (closing.signum() <= 0) {
             return null;
         }
-        return gap.signum() <= 0 ? BigDecimal.ZERO : Digits.divide(gap, closing);
+        return gap.signum() <= 0 ? BigDecimal.ZERO : Decimals.divide(gap, closing);
     }
 
     /** From inside onto the circle of radius (arena - body); without room, to the point nearest the centre. */
     private static BigDecimal arena(OracleBody body, Arena arena) {
-        BigDecimal px = body.x.subtract(Digits.of(arena.x()));
-        BigDecimal py = body.y.subtract(Digits.of(arena.y()));
-        BigDecimal room = Digits.of(arena.radius()).subtract(body.radius).max(BigDecimal.ZERO);
-        BigDecimal a = Digits.dot(body.vx, body.vy, body.vx, body.vy);
-        BigDecimal b = Digits.dot(px, py, body.vx, body.vy);
+        BigDecimal px = body.x.subtract(Decimals.of(arena.x()));
+        BigDecimal py = body.y.subtract(Decimals.of(arena.y()));
+        BigDecimal room = Decimals.of(arena.radius()).subtract(body.radius).max(BigDecimal.ZERO);
+        BigDecimal a = Decimals.dot(body.vx, body.vy, body.vx, body.vy);
+        BigDecimal b = Decimals.dot(px, py, body.vx, body.vy);
         if (a.signum() == 0) {
             return null;
         }
-        BigDecimal c = Digits.dot(px, py, px, py).subtract(Digits.square(room));
-        boolean outside = Digits.atMost(Digits.square(room), Digits.dot(px, py, px, py));
+        BigDecimal c = Decimals.dot(px, py, px, py).subtract(Decimals.square(room));
+        boolean outside = Decimals.atMost(Decimals.square(room), Decimals.dot(px, py, px, py));
         if (outside && b.signum() > 0) {
             return BigDecimal.ZERO;
         }
-        BigDecimal discriminant = a.multiply(Digits.square(room))
-            .subtract(Digits.square(Digits.cross(px, py, body.vx, body.vy)));
+        BigDecimal discriminant = a.multiply(Decimals.square(room))
+            .subtract(Decimals.square(Decimals.cross(px, py, body.vx, body.vy)));
         if (discriminant.signum() <= 0) {
-            return Digits.divide(b.negate(), a).max(BigDecimal.ZERO);
+            return Decimals.divide(b.negate(), a).max(BigDecimal.ZERO);
         }
-        BigDecimal root = Digits.root(discriminant);
-        return b.signum() <= 0 ? Digits.divide(root.subtract(b), a) : Digits.divide(c.negate(), b.add(root));
+        BigDecimal root = Decimals.root(discriminant);
+        return b.signum() <= 0 ? Decimals.divide(root.subtract(b), a) : Decimals.divide(c.negate(), b.add(root));
     }
 
     /** The first of: its line, where the foot lies between the ends; and either end. */
     private static BigDecimal segment(OracleBody body, Segment wall) {
-        BigDecimal[] nearest = OracleWall.nearest(body, wall);
+        BigDecimal[] nearest = OracleWallGeometry.nearest(body, wall);
         BigDecimal px = body.x.subtract(nearest[0]);
         BigDecimal py = body.y.subtract(nearest[1]);
         boolean touching = within(px, py, body.radius);
         if (touching) {
             return approaches(px, py, body.vx, body.vy, true) ? BigDecimal.ZERO : null;
         }
-        BigDecimal alongX = Digits.of(wall.bx()).subtract(Digits.of(wall.ax()));
-        BigDecimal alongY = Digits.of(wall.by()).subtract(Digits.of(wall.ay()));
-        BigDecimal length = Digits.length(alongX, alongY);
-        BigDecimal side = Digits.cross(alongX, alongY, body.x.subtract(Digits.of(wall.ax())),
-            body.y.subtract(Digits.of(wall.ay())));                         // distance to the line, times the length
-        BigDecimal rise = Digits.cross(alongX, alongY, body.vx, body.vy);
+        BigDecimal alongX = Decimals.of(wall.bx()).subtract(Decimals.of(wall.ax()));
+        BigDecimal alongY = Decimals.of(wall.by()).subtract(Decimals.of(wall.ay()));
+        BigDecimal length = Decimals.length(alongX, alongY);
+        BigDecimal side = Decimals.cross(alongX, alongY, body.x.subtract(Decimals.of(wall.ax())),
+            body.y.subtract(Decimals.of(wall.ay())));                         // distance to the line, times the length
+        BigDecimal rise = Decimals.cross(alongX, alongY, body.vx, body.vy);
         BigDecimal closing = side.signum() < 0 ? rise : rise.negate();
         BigDecimal gap = side.abs().subtract(body.radius.multiply(length));
         BigDecimal first = null;
         if (gap.signum() >= 0 && closing.signum() > 0) {
-            BigDecimal time = Digits.divide(gap, closing);
-            BigDecimal foot = Digits.dot(alongX, alongY,
-                body.x.add(body.vx.multiply(time)).subtract(Digits.of(wall.ax())),
-                body.y.add(body.vy.multiply(time)).subtract(Digits.of(wall.ay())));
-            boolean between = foot.signum() >= 0 && foot.compareTo(Digits.dot(alongX, alongY, alongX, alongY)) <= 0;
+            BigDecimal time = Decimals.divide(gap, closing);
+            BigDecimal foot = Decimals.dot(alongX, alongY,
+                body.x.add(body.vx.multiply(time)).subtract(Decimals.of(wall.ax())),
+                body.y.add(body.vy.multiply(time)).subtract(Decimals.of(wall.ay())));
+            boolean between = foot.signum() >= 0 && foot.compareTo(Decimals.dot(alongX, alongY, alongX, alongY)) <= 0;
             first = between ? time : null;
         }
         first = earlier(first, end(body, wall.ax(), wall.ay()));
@@ -138,7 +138,7 @@ final class OracleTimes {
     }
 
     private static BigDecimal end(OracleBody body, double x, double y) {
-        return circle(body.x.subtract(Digits.of(x)), body.y.subtract(Digits.of(y)), body.vx, body.vy, body.radius);
+        return circle(body.x.subtract(Decimals.of(x)), body.y.subtract(Decimals.of(y)), body.vx, body.vy, body.radius);
     }
 
     private static BigDecimal earlier(BigDecimal one, BigDecimal other) {

@@ -17,7 +17,7 @@ import steward.physics.ImpactLaw;
  * e = 7 - 4 sqrt 3 = 0.072, and n bodies when n is above about ln(4 / (1 - e)) / (1 - e), 88 for e = 0.95
  * (S. McNamara and W. R. Young, "Inelastic collapse and clumping in a one-dimensional granular medium", 1992).
  */
-public final class CollapseCase implements StabilityCase {
+public final class InelasticCollapseCase implements StabilityCase {
 
     private static final ImpactLaw LAW = ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM);
 

@@ -27,7 +27,7 @@ import steward.scene.Scene;
  * that always answers {@code BOUNCE}; restitution is looked up but bodies keep what they have; a batch window cannot be
  * without a minimum impulse and a push-out, so it brings those that are missing.
  */
-public final class PartSteps {
+public final class PartByPartPhysics {
 
     /** The first step: bodies fly and meet nobody. */
     public static final String EMPTY = "flying straight";
@@ -63,12 +63,12 @@ public final class PartSteps {
     public record Step(String part, boolean in, PhysicsParts parts, Advance advance, Motion motion) {
     }
 
-    private PartSteps(GameSetup setup, List<Wall> someWalls) {
+    private PartByPartPhysics(GameSetup setup, List<Wall> someWalls) {
         scene = setup.scene();
         bodies = setup.plan().bodies();
         this.someWalls = someWalls;
         boolean asks = setup.plan().parts().stream().anyMatch(part -> part.name().equals(Part.REACTIONS) && part.in());
-        full = setup.plan().physics(asks ? PartSteps::bounce : null);
+        full = setup.plan().physics(asks ? PartByPartPhysics::bounce : null);
     }
 
     private static Reaction.Verdict bounce(double time, int a, int b, Bodies bodies) {
@@ -84,7 +84,7 @@ public final class PartSteps {
         List<Part> parts = setup.plan().parts().stream()
             .filter(part -> part.when() == Part.When.PHYSICS && (part.in() || !part.name().equals(Part.BROAD_PHASE)))
             .toList();
-        PartSteps whole = new PartSteps(setup, someWalls);
+        PartByPartPhysics whole = new PartByPartPhysics(setup, someWalls);
         List<Step> steps = new ArrayList<>();
         steps.add(whole.step(EMPTY, true));
         parts.stream().filter(Part::in).forEach(part -> {
@@ -92,7 +92,7 @@ public final class PartSteps {
             steps.add(whole.step(part.name(), true));
         });
         parts.stream().filter(part -> !part.in()).forEach(part -> {
-            PartSteps more = new PartSteps(setup, someWalls);
+            PartByPartPhysics more = new PartByPartPhysics(setup, someWalls);
             parts.stream().filter(Part::in).forEach(in -> more.add(in.name(), true));
             more.add(part.name(), false);
             steps.add(more.step(part.name(), false));
@@ -102,7 +102,7 @@ public final class PartSteps {
 
     private Step step(String part, boolean in) {
         PhysicsParts parts = new PhysicsParts(law, full.arithmetic(), contacts(), walls,
-            ask ? PartSteps::bounce : null, infiniteMasses);
+            ask ? PartByPartPhysics::bounce : null, infiniteMasses);
         Accuracy rung = scene.accuracy();
         return new Step(part, in, parts, broadPhase ? rung.advance(parts, bodies) : rung.advance(parts), motion);
     }
