@@ -124,7 +124,7 @@ final class CrowdSection implements Section {
     private static double advance(Advance advance, Gas gas, long impacts) {
         Meter meter = new Meter();
         Bodies bodies = gas.bodies();
-        ImpactCount count = new ImpactCount();
+        ImpactCounter count = new ImpactCounter();
         long start = meter.cpu(false);
         while (count.impacts() < impacts) {
             advance.turn(bodies, count);

@@ -21,12 +21,12 @@ final class FrameSection implements Section {
 
     private static final int PIECE = 1000;
 
-    private final MatchKit kit;
+    private final MatchFixture kit;
     private final Consumer<Game> next;
     private final byte[] answer;
 
     /** @param next puts the game into another state, at next to no cost: a frame of the same state is no work */
-    FrameSection(MatchKit kit, Consumer<Game> next, String answer) {
+    FrameSection(MatchFixture kit, Consumer<Game> next, String answer) {
         this.kit = kit;
         this.next = next;
         this.answer = answer.getBytes(StandardCharsets.UTF_8);

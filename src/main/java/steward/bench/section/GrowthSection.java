@@ -18,11 +18,11 @@ final class GrowthSection implements Section {
     private static final MatchListener NOBODY = new MatchListener() { };
     private static final int SEEDS = 20;
 
-    private final MatchKit kit;
+    private final MatchFixture kit;
     private final Map<String, GameSetup> scenes;
 
     /** @param scenes by what is told of them; the first is what the others are compared with */
-    GrowthSection(MatchKit kit, Map<String, GameSetup> scenes) {
+    GrowthSection(MatchFixture kit, Map<String, GameSetup> scenes) {
         this.kit = kit;
         this.scenes = scenes;
     }
@@ -47,7 +47,7 @@ final class GrowthSection implements Section {
     public void run(Effort effort, Consumer<String> about, Consumer<Row> rows) throws Exception {
         List<Contender> contenders = new ArrayList<>();
         scenes.forEach((name, setup) -> {
-            MatchKit other = new MatchKit(kit.types(), setup, kit.direct(), kit.lines(), kit.responder(),
+            MatchFixture other = new MatchFixture(kit.types(), setup, kit.direct(), kit.lines(), kit.responder(),
                 kit.launcher(), kit.plain());
             int[] next = new int[1];
             contenders.add(new Contender(name, () ->

@@ -30,11 +30,11 @@ final class MatchSection implements Section {
     private static final MatchListener NOBODY = new MatchListener() { };
     private static final double NANOS = 1e9;
 
-    private final MatchKit kit;
+    private final MatchFixture kit;
     private final int threads;
     private final int games;
 
-    MatchSection(MatchKit kit, int threads, int games) {
+    MatchSection(MatchFixture kit, int threads, int games) {
         this.kit = kit;
         this.threads = threads;
         this.games = games;
@@ -110,13 +110,13 @@ final class MatchSection implements Section {
         return 1;
     }
 
-    static ReplayHeader header(MatchKit kit, long seed) {
+    static ReplayHeader header(MatchFixture kit, long seed) {
         List<String> names = names(kit);
         return new ReplayHeader(kit.setup().scene().gameId(), kit.setup().scene().json(), seed, names, names,
             Double.POSITIVE_INFINITY);
     }
 
-    private static List<String> names(MatchKit kit) {
+    private static List<String> names(MatchFixture kit) {
         List<String> names = new ArrayList<>();
         for (int player = 0; player < kit.setup().scene().players(); player++) {
             names.add("bot-" + player);
@@ -128,7 +128,7 @@ final class MatchSection implements Section {
         return direct(kit);
     }
 
-    static List<Seat> direct(MatchKit kit) {
+    static List<Seat> direct(MatchFixture kit) {
         return names(kit).stream().map(name -> Seat.direct(name, kit.direct().get())).toList();
     }
 
@@ -141,7 +141,7 @@ final class MatchSection implements Section {
         return match(kit, seats, seed, listener);
     }
 
-    static MatchResult match(MatchKit kit, List<Seat> seats, long seed, MatchListener listener) {
+    static MatchResult match(MatchFixture kit, List<Seat> seats, long seed, MatchListener listener) {
         try {
             return Referee.of(kit.setup(), seed, seats, TimeControl.UNLIMITED, listener).play();
         } catch (InterruptedException interrupted) {

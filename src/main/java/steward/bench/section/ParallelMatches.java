@@ -19,7 +19,7 @@ public final class ParallelMatches {
      *
      * @return a hash of all results, in the order of seeds
      */
-    public static long play(MatchKit kit, int games, int threads) throws InterruptedException {
+    public static long play(MatchFixture kit, int games, int threads) throws InterruptedException {
         long[] results = new long[games];
         AtomicInteger next = new AtomicInteger();
         AtomicReference<RuntimeException> failure = new AtomicReference<>();

@@ -31,7 +31,7 @@ final class ProcessSection implements Section {
     /** As long as a turn frame of the official scene. */
     private static final int FRAME_BYTES = 480;
 
-    private final MatchKit kit;
+    private final MatchFixture kit;
     private final GameSetup longGame;
     private final int longTurns;
     private final GameSetup oneTurn;
@@ -43,7 +43,7 @@ final class ProcessSection implements Section {
      * @param oneTurn   a scene that is over after one turn
      * @param shell     a program that starts at once and answers every line with a good one
      */
-    ProcessSection(MatchKit kit, GameSetup longGame, int longTurns, GameSetup oneTurn, List<String> shell) {
+    ProcessSection(MatchFixture kit, GameSetup longGame, int longTurns, GameSetup oneTurn, List<String> shell) {
         this.kit = kit;
         this.longGame = longGame;
         this.longTurns = longTurns;
@@ -160,7 +160,7 @@ final class ProcessSection implements Section {
         private long wall;
 
         void start() {
-            tree = TreeClock.nanos();
+            tree = ProcessTreeClock.nanos();
             thread = meter.cpu(false);
             wall = System.nanoTime();
         }
@@ -168,7 +168,7 @@ final class ProcessSection implements Section {
         void stop() {
             wall = System.nanoTime() - wall;
             thread = meter.cpu(false) - thread;
-            tree = TreeClock.nanos() - tree;
+            tree = ProcessTreeClock.nanos() - tree;
         }
 
         /** In the order of {@link #CLOCKS}. */

@@ -14,7 +14,7 @@ public final class Sections {
     }
 
     /** Whole matches, and how they grow with threads. */
-    public static Section matches(MatchKit kit, int threads, int games) {
+    public static Section matches(MatchFixture kit, int threads, int games) {
         return new MatchSection(kit, threads, games);
     }
 
@@ -24,12 +24,12 @@ public final class Sections {
      * @param next   puts a game into another state, at next to no cost
      * @param answer a good one
      */
-    public static Section frames(MatchKit kit, Consumer<Game> next, String answer) {
+    public static Section frames(MatchFixture kit, Consumer<Game> next, String answer) {
         return new FrameSection(kit, next, answer);
     }
 
     /** Replays. */
-    public static Section verify(MatchKit kit) {
+    public static Section verify(MatchFixture kit) {
         return new VerifySection(kit);
     }
 
@@ -41,7 +41,7 @@ public final class Sections {
      * @param oneTurn   a scene that is over after one turn
      * @param shell     a program that starts at once and answers every line with a good one
      */
-    public static Section processes(MatchKit kit, GameSetup longGame, int longTurns, GameSetup oneTurn,
+    public static Section processes(MatchFixture kit, GameSetup longGame, int longTurns, GameSetup oneTurn,
                                     List<String> shell) {
         return new ProcessSection(kit, longGame, longTurns, oneTurn, shell);
     }
@@ -57,12 +57,12 @@ public final class Sections {
     }
 
     /** Other numbers of players and turns. */
-    public static Section growth(MatchKit kit, Map<String, GameSetup> scenes) {
+    public static Section growth(MatchFixture kit, Map<String, GameSetup> scenes) {
         return new GrowthSection(kit, scenes);
     }
 
     /** The start of the program. */
-    public static Section start(MatchKit kit) {
-        return new StartSection(kit);
+    public static Section start(MatchFixture kit) {
+        return new StartupSection(kit);
     }
 }

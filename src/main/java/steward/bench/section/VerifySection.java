@@ -29,9 +29,9 @@ final class VerifySection implements Section {
     private static final int MATCHES = 50;
     private static final double MEGABYTE = 1e6;
 
-    private final MatchKit kit;
+    private final MatchFixture kit;
 
-    VerifySection(MatchKit kit) {
+    VerifySection(MatchFixture kit) {
         this.kit = kit;
     }
 

@@ -121,7 +121,7 @@ public final class BenchCommand implements Callable<Integer> {
             crowds.add(MILLION);
         }
         try {
-            return BenchScenes.all(threads == null ? Runtime.getRuntime().availableProcessors() : threads,
+            return BenchSuite.all(threads == null ? Runtime.getRuntime().availableProcessors() : threads,
                 games == null ? quick ? 200 : 2000 : games, crowds);
         } catch (IllegalArgumentException problem) {
             throw new InputException("--bodies: " + problem.getMessage());

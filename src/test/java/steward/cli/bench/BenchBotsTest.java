@@ -13,7 +13,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import steward.bench.section.MatchKit;
+import steward.bench.section.MatchFixture;
 import steward.bench.section.ParallelMatches;
 import steward.bot.InProcessPlayer;
 import steward.game.FrameCodec;
@@ -36,14 +36,14 @@ import steward.replay.ReplayWriter;
 class BenchBotsTest {
 
     private static final MatchListener NOBODY = new MatchListener() { };
-    private final MatchKit kit = BenchScenes.kit();
+    private final MatchFixture kit = BenchSuite.kit();
 
     private Seat direct(String name) {
-        return Seat.direct(name, new BenchDirect());
+        return Seat.direct(name, new BenchDirectBot());
     }
 
     private Seat lines(String name) {
-        return new Seat(new InProcessPlayer(name, new BenchLines()), Protocol.JSON);
+        return new Seat(new InProcessPlayer(name, new BenchLineBot()), Protocol.JSON);
     }
 
     private ReplayWriter writer(OutputStream file, long seed) {
@@ -119,7 +119,7 @@ class BenchBotsTest {
 
     @Test
     void aMatchThatFailsIsNoResult() {
-        MatchKit failing = new MatchKit(kit.types(), kit.setup(), () -> {
+        MatchFixture failing = new MatchFixture(kit.types(), kit.setup(), () -> {
             throw new IllegalStateException("no bot today");
         }, kit.lines(), List.of(), null, List.of());
         assertEquals("no bot today", assertThrows(IllegalStateException.class,
@@ -178,7 +178,7 @@ class BenchBotsTest {
         Dialogue dialogue = Dialogue.of(Protocol.JSON, kit.setup(), game, kit.setup().codec(game));
         byte[] answer = "{\"pods\":[{\"x\":8000,\"y\":4500,\"thrust\":50},{\"x\":-80,\"y\":45,\"shield\":true}]}"
             .getBytes(StandardCharsets.UTF_8);
-        BenchStates states = new BenchStates(kit.setup());
+        BenchRaceStates states = new BenchRaceStates(kit.setup());
         long least = Long.MAX_VALUE;
         for (int count = 0; count < 30 && least > 0; count++) {
             long before = threads.getCurrentThreadAllocatedBytes();

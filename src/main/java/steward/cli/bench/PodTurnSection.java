@@ -13,7 +13,7 @@ import steward.game.podrace.simulator.ParallelBatch;
 import steward.game.podrace.simulator.PodRaceBatch;
 
 /** The turn of the official pod race, by everybody who can play it: {@link BenchPodGames}. */
-final class BenchPods implements Section {
+final class PodTurnSection implements Section {
 
     /** In a race and in a brawl. */
     private static final int CONTENDERS = 10;
@@ -22,7 +22,7 @@ final class BenchPods implements Section {
     private final int threads;
 
     /** @param threads how many play the batches of the last rows */
-    BenchPods(PodRaceType.PodRaceSetup setup, int threads) {
+    PodTurnSection(PodRaceType.PodRaceSetup setup, int threads) {
         this.setup = setup;
         this.threads = threads;
     }

@@ -3,7 +3,7 @@ package steward.bench.section;
 import steward.physics.TurnSink;
 
 /** Counts impacts and keeps none. */
-final class ImpactCount implements TurnSink {
+final class ImpactCounter implements TurnSink {
 
     private long impacts;
 

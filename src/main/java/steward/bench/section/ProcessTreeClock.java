@@ -13,11 +13,11 @@ import java.util.Iterator;
  * {@code /proc/PID/task/TID/schedstat}: nanoseconds, where the JDK's own figures come in ticks of 10 ms. What has ended
  * no longer counts, so look while the programs run.
  */
-final class TreeClock {
+final class ProcessTreeClock {
 
     private static final Path PROCESSES = Path.of("/proc");
 
-    private TreeClock() {
+    private ProcessTreeClock() {
     }
 
     /** In nanoseconds; NaN where the system does not tell. */

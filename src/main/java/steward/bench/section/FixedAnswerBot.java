@@ -12,9 +12,9 @@ import java.nio.charset.StandardCharsets;
  * A bot program without a thought: whatever comes in one piece, up to a line end, is answered with the same line. What
  * a match with it takes is the referee's work and the system's.
  */
-public final class Responder {
+public final class FixedAnswerBot {
 
-    private Responder() {
+    private FixedAnswerBot() {
     }
 
     /** @param arguments the answer, without line end */

@@ -16,14 +16,14 @@ import steward.bench.Section;
 import steward.bot.process.PipeRoundTrip;
 
 /** From the call of the program to the first line that a bot is sent. */
-final class StartSection implements Section {
+final class StartupSection implements Section {
 
     private static final double NANOS = 1e9;
     private static final double NANOS_PER_MS = 1e6;
 
-    private final MatchKit kit;
+    private final MatchFixture kit;
 
-    StartSection(MatchKit kit) {
+    StartupSection(MatchFixture kit) {
         this.kit = kit;
     }
 

@@ -8,8 +8,8 @@ import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;
 
-/** The bot of {@link BenchDirect}, by lines. */
-final class BenchLines implements Bot {
+/** The bot of {@link BenchDirectBot}, by lines. */
+final class BenchLineBot implements Bot {
 
     private final List<double[]> checkpoints = new ArrayList<>();
     private final double[] place = new double[2];
@@ -80,7 +80,7 @@ final class BenchLines implements Bot {
             answer.append(answer.charAt(answer.length() - 1) == '[' ? "" : ",")
                 .append("{\"x\":").append(checkpoints.get(next)[0] - place[0])
                 .append(",\"y\":").append(checkpoints.get(next)[1] - place[1])
-                .append(",\"thrust\":").append(BenchDirect.THRUST).append('}');
+                .append(",\"thrust\":").append(BenchDirectBot.THRUST).append('}');
         }
     }
 }

@@ -9,7 +9,7 @@ import steward.game.podrace.PodRace;
 import steward.game.podrace.PodState;
 
 /** The pods of a race turn by turn, put into another race of the same scene over and over: every turn all has moved. */
-final class BenchStates implements Consumer<Game> {
+final class BenchRaceStates implements Consumer<Game> {
 
     private static final int MOST = 256;
 
@@ -17,15 +17,15 @@ final class BenchStates implements Consumer<Game> {
     private int next;
 
     /** Plays the race. */
-    BenchStates(GameSetup setup) {
+    BenchRaceStates(GameSetup setup) {
         PodRace race = (PodRace) setup.create(1);
-        List<BenchDirect> bots = new ArrayList<>();
+        List<BenchDirectBot> bots = new ArrayList<>();
         for (int player = 0; player < race.players(); player++) {
-            bots.add(new BenchDirect());
+            bots.add(new BenchDirectBot());
             bots.get(player).start(race, player);
         }
         while (states.size() < MOST && !race.isOver()) {
-            bots.forEach(BenchDirect::turn);
+            bots.forEach(BenchDirectBot::turn);
             race.play();
             PodState[] pods = new PodState[race.settings().pods()];
             for (int pod = 0; pod < pods.length; pod++) {

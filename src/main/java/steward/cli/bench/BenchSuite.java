@@ -6,8 +6,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import steward.bench.Section;
-import steward.bench.section.MatchKit;
-import steward.bench.section.Responder;
+import steward.bench.section.FixedAnswerBot;
+import steward.bench.section.MatchFixture;
 import steward.bench.section.Sections;
 import steward.cli.shared.Games;
 import steward.game.GameSetup;
@@ -16,7 +16,7 @@ import steward.scene.SceneFiles;
 import steward.scene.SceneText;
 
 /** What {@code steward bench} measures. */
-final class BenchScenes {
+final class BenchSuite {
 
     /** The launcher tells where it stands. */
     static final String LAUNCHER = "steward.launcher";
@@ -35,17 +35,17 @@ final class BenchScenes {
     private static final List<String> QUICK_JVM = List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC",
         "-Xshare:auto", "-XX:-UsePerfData");
 
-    private BenchScenes() {
+    private BenchSuite() {
     }
 
     /** All parts, in the order of the table. */
     static List<Section> all(int threads, int games, List<Integer> bodies) {
-        MatchKit kit = kit();
+        MatchFixture kit = kit();
         List<Section> sections = new ArrayList<>();
-        sections.add(new BenchPods((PodRaceType.PodRaceSetup) kit.setup(), threads));
+        sections.add(new PodTurnSection((PodRaceType.PodRaceSetup) kit.setup(), threads));
         sections.add(Sections.matches(kit, threads, games));
         sections.add(Sections.growth(kit, growth()));
-        sections.add(Sections.frames(kit, new BenchStates(kit.setup()), ANSWER));
+        sections.add(Sections.frames(kit, new BenchRaceStates(kit.setup()), ANSWER));
         sections.add(Sections.verify(kit));
         sections.add(Sections.processes(kit,
             scene(TURNS_LEFT, TURNS_LEFT.replace("100", LONG), MAXIMUM, MAXIMUM.replace("500", LONG)),
@@ -56,12 +56,12 @@ final class BenchScenes {
         return sections;
     }
 
-    static MatchKit kit() {
+    static MatchFixture kit() {
         List<String> java = List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString());
         String classes = System.getProperty("java.class.path");
         List<String> responder = new ArrayList<>(java);
         responder.addAll(QUICK_JVM);
-        responder.addAll(List.of("-cp", classes, Responder.class.getName(), ANSWER));
+        responder.addAll(List.of("-cp", classes, FixedAnswerBot.class.getName(), ANSWER));
         List<String> plain = new ArrayList<>(java);
         // What the launcher puts on the boot class path is missing from the class path.
         for (String option : List.of("picocli")) {
@@ -69,7 +69,7 @@ final class BenchScenes {
         }
         plain.addAll(List.of("-cp", classes, MAIN_CLASS));
         String launcher = System.getProperty(LAUNCHER);
-        return new MatchKit(Games.types(), Games.open(SCENE), BenchDirect::new, BenchLines::new, responder,
+        return new MatchFixture(Games.types(), Games.open(SCENE), BenchDirectBot::new, BenchLineBot::new, responder,
             launcher == null ? null : List.of(launcher), plain);
     }
 
