@@ -5,7 +5,7 @@ import java.io.InputStream;
 import steward.Internal;
 
 /**
- * Reads a bot's answers, line by line, with blocking reads into one buffer. What comes beyond an answer stays here,
+ * Reads a bot's answers, line by line, with blocking reads into one buffer. Bytes beyond an answer stay in the buffer,
  * or in the pipe, for the next turn.
  *
  * <p>When a process exits, the JDK moves what is left in the pipe to memory. It does so holding the stream's monitor,
@@ -17,16 +17,16 @@ public final class AnswerReader {
     /** The longest line, in bytes without its line end. */
     public static final int LINE_LIMIT = 64 * 1024;
 
-    /** How much is read at once, in bytes: what the JDK reads without a copy and without allocating. */
+    /** How much is read at once, in bytes: the most that the JDK reads without a copy and without allocating. */
     private static final int READ = 8192;
 
     private static final byte[] NEWLINE = {'\n'};
 
     /** How waiting for an answer ended. */
     public enum Outcome {
-        /** The lines are there. */
+        /** All lines were received. */
         COMPLETE,
-        /** The stream ended before. */
+        /** The stream ended before that. */
         ENDED,
         /** A line is longer than {@link #LINE_LIMIT}. */
         TOO_LONG
@@ -42,14 +42,14 @@ public final class AnswerReader {
     /** The end of the last complete line of the answer that is being waited for. */
     private int afterLines;
 
-    /** How many lines had come when the last read began. */
+    /** Complete lines received when the last read began. */
     private volatile int lines;
 
     public AnswerReader(InputStream stream) {
         this.stream = stream;
     }
 
-    /** Waits until so many lines have come, of which {@link #take} can then be called. */
+    /** Waits for a number of lines; {@link #take} then moves them to the answer. */
     public Outcome await(int wanted) {
         int found = 0;
         int scanned = start;
@@ -85,7 +85,7 @@ public final class AnswerReader {
         }
     }
 
-    /** Where the next line end is, or {@code to}. A loop of its own, for the compiler's sake. */
+    /** Where the next line end is, or {@code to}. A method of its own, so that the compiler optimises the loop. */
     private static int newline(byte[] bytes, int from, int to) {
         for (int i = from; i < to; i++) {
             if (bytes[i] == '\n') {
@@ -101,10 +101,10 @@ public final class AnswerReader {
     }
 
     /**
-     * Reads what is there, or waits for something. A read of more than is there asks the system how much that is, twice
-     * over, which takes as long as the read itself: so we read one byte, find out by skipping how much has come with
-     * it into the stream's memory, and read that. Where a skip would wait, the line is neither complete nor too long,
-     * and so do we.
+     * Reads what is available, or waits for input. A read of more than is available asks the system twice how much
+     * there is, which takes as long as the read itself. So one byte is read; a skip tells how much came with it into
+     * the stream's memory; then that much is read. A skip would block only where the line is neither complete nor too
+     * long, and there the read has to wait as well.
      */
     private boolean read() {
         try {
@@ -125,7 +125,7 @@ public final class AnswerReader {
             stream.reset();
             return more == 0 || add(stream.read(buffer, end, more));
         } catch (IOException e) {
-            // The same to us: nothing more will come.
+            // As at the end of the stream: nothing more will be received.
             return false;
         }
     }
@@ -149,7 +149,7 @@ public final class AnswerReader {
         return moved;
     }
 
-    /** Moves the lines that were waited for to the answer, without carriage returns at their ends. */
+    /** Moves the awaited lines to the answer, without carriage returns at their ends. */
     public void take(int wanted, Answer answer) {
         for (int from = start; from < afterLines;) {
             int to = wanted == 1 ? afterLines - 1 : newline(buffer, from, afterLines);
@@ -166,24 +166,24 @@ public final class AnswerReader {
         }
     }
 
-    /** Shows what came in place of an answer, shortened to at most so many bytes. */
+    /** Copies what was received in place of an answer, shortened to at most {@code most} bytes. */
     public void show(Answer answer, int most) {
         int count = Math.min(most, end - start);
         answer.append(buffer, start, count < end - start ? Utf8.wholeCharacters(buffer, start, count) : count);
     }
 
-    /** How many lines of an incomplete answer have come; may be asked by any thread. */
-    public int come() {
+    /** Complete lines received of an incomplete answer; any thread may call this. */
+    public int linesReceived() {
         return lines;
     }
 
-    /** How many bytes have come after the last complete line of the answer. */
-    public int loose() {
+    /** Bytes received after the last complete line of the answer. */
+    public int partialBytes() {
         return end - afterLines;
     }
 
-    /** How many further complete lines have been read. */
-    public int extra() {
+    /** Further complete lines that have been read. */
+    public int extraLines() {
         int count = 0;
         for (int i = newline(buffer, start, end); i < end; i = newline(buffer, i + 1, end)) {
             count++;
@@ -196,7 +196,7 @@ public final class AnswerReader {
         try {
             stream.close();
         } catch (IOException e) {
-            // Nothing more is wanted from it.
+            // No further input is needed.
             return;
         }
     }

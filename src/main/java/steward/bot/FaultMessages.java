@@ -2,14 +2,14 @@ package steward.bot;
 
 import steward.Internal;
 
-/** The words for the ways in which a player fails. */
+/** Texts that say how a player failed. */
 @Internal
 public final class FaultMessages {
 
     /** Statuses above this are 128 + the number of the signal that ended the process. */
     private static final int SIGNALLED = 128;
 
-    /** Linux's names for the signals 1 to 31, but for those whose number depends on the processor. */
+    /** Linux's names for the signals 1 to 31, by their numbers on x86 and ARM. */
     private static final String[] SIGNALS = {
         "HUP", "INT", "QUIT", "ILL", "TRAP", "ABRT", "BUS", "FPE", "KILL", "USR1", "SEGV", "USR2", "PIPE", "ALRM",
         "TERM", "STKFLT", "CHLD", "CONT", "STOP", "TSTP", "TTIN", "TTOU", "URG", "XCPU", "XFSZ", "VTALRM", "PROF",
@@ -25,20 +25,20 @@ public final class FaultMessages {
         return "no answer within " + limit(limitNanos) + " (waited " + waited(waitedNanos) + ")";
     }
 
-    /** As {@link #late}, with what had come: {@code : 1 of 2 lines came}. */
-    public static String late(long limitNanos, long waitedNanos, int lines, int expected, int looseBytes) {
+    /** As {@link #late}, with what had been received: {@code : 1 of 2 lines came}. */
+    public static String late(long limitNanos, long waitedNanos, int lines, int expected, int partialBytes) {
         String fault = late(limitNanos, waitedNanos);
         if (lines >= expected) {
             return fault;
         }
-        if (expected > 1 && (lines > 0 || looseBytes > 0)) {
+        if (expected > 1 && (lines > 0 || partialBytes > 0)) {
             return fault + ": " + lines + " of " + expected + " lines came";
         }
-        return looseBytes == 0 ? fault : fault + ": " + looseBytes + " bytes came, without a line end";
+        return partialBytes == 0 ? fault : fault + ": " + partialBytes + " bytes came, without a line end";
     }
 
     /** {@code did not read its input within 75 ms (waited 76 ms)}. */
-    public static String deaf(long limitNanos, long waitedNanos) {
+    public static String inputUnread(long limitNanos, long waitedNanos) {
         return "did not read its input within " + limit(limitNanos) + " (waited " + waited(waitedNanos) + ")";
     }
 
@@ -62,14 +62,14 @@ public final class FaultMessages {
         return "exited with status " + status + " before answering" + meaning;
     }
 
-    /** Milliseconds as they were asked for: whole, or with up to three decimals. */
+    /** Milliseconds as they were configured: whole, or with up to three decimals. */
     static String limit(long nanos) {
         long micros = nanos / 1000;
         String fraction = String.valueOf(1000 + micros % 1000).substring(1).replaceAll("0+$", "");
         return micros / 1000 + (fraction.isEmpty() ? "" : "." + fraction) + " ms";
     }
 
-    /** Milliseconds rounded up, so that a wait beyond a limit never reads like the limit; below 10 one decimal. */
+    /** Milliseconds rounded up, so that a wait beyond a limit never prints as the limit; one decimal below 10. */
     static String waited(long nanos) {
         long tenths = Math.floorDiv(nanos + 99_999, 100_000L);
         if (tenths < 100) {

@@ -6,16 +6,16 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * Collects data that bots report on stderr, as rating tools know it: {@code [TDATA] key = value} about the match,
- * {@code [PDATA] key = value} about the player (the last value counts), {@code [PDATA+] key = value} summed up.
- * Anything else is passed over. A line that has come in part only, when a turn ends, is read with the next.
+ * Collects data that bots report on stderr, in the form that rating tools use: {@code [TDATA] key = value} about the
+ * match, {@code [PDATA] key = value} about the player (the last value counts), {@code [PDATA+] key = value} summed up.
+ * Other lines are skipped. A line that is incomplete when a turn ends is read with the next turn.
  */
 final class DataLineCollector {
 
     private static final String MATCH = "[TDATA]";
     private static final String PLAYER = "[PDATA]";
     private static final String PLAYER_SUM = "[PDATA+]";
-    /** How much is kept of a line without an end, in characters. */
+    /** How much of an incomplete line is kept, in characters. */
     private static final int LONGEST = 1000;
 
     private final Map<String, String> match = new TreeMap<>();
@@ -32,7 +32,7 @@ final class DataLineCollector {
         Arrays.fill(begun, "");
     }
 
-    /** Takes what a player wrote. */
+    /** Reads what a player wrote to stderr. */
     void read(int player, String stderr) {
         if (stderr == null) {
             return;
@@ -72,7 +72,7 @@ final class DataLineCollector {
         data.merge(key, value, (before, now) -> sum ? add(before, now) : now);
     }
 
-    /** The sum of two numbers, whole if both are; what is no number counts as 0. */
+    /** The sum of two numbers, whole if both are; anything but a number counts as 0. */
     private static String add(String one, String other) {
         double sum = number(one) + number(other);
         return sum == Math.rint(sum) && Math.abs(sum) < 0x1p53 ? Long.toString((long) sum) : Double.toString(sum);
@@ -87,7 +87,7 @@ final class DataLineCollector {
         }
     }
 
-    /** The match is over: what has been begun is all there is. */
+    /** The match is over: an incomplete line is read as it is. */
     void end() {
         for (int player = 0; player < begun.length; player++) {
             readLines(player, begun[player]);

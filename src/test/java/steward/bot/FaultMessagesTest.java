@@ -36,7 +36,7 @@ class FaultMessagesTest {
             FaultMessages.late(75 * MS, 76 * MS, 1, 2, 0));
         assertEquals("no answer within 75 ms (waited 76 ms): 3 bytes came, without a line end",
             FaultMessages.late(75 * MS, 76 * MS, 0, 1, 3));
-        assertEquals("did not read its input within 75 ms (waited 76 ms)", FaultMessages.deaf(75 * MS, 76 * MS));
+        assertEquals("did not read its input within 75 ms (waited 76 ms)", FaultMessages.inputUnread(75 * MS, 76 * MS));
     }
 
     @Test
@@ -49,7 +49,8 @@ class FaultMessagesTest {
         assertEquals("killed by signal 9 (SIGKILL) before answering", FaultMessages.exited(137));
         assertEquals("killed by signal 31 (SIGSYS) before answering", FaultMessages.exited(159));
         assertEquals("killed by signal 40 before answering", FaultMessages.exited(168));
-        assertEquals("exited with status 127 before answering (127: a command was not found)", FaultMessages.exited(127));
+        assertEquals("exited with status 127 before answering (127: a command was not found)",
+            FaultMessages.exited(127));
         assertEquals("exited with status 126 before answering (126: a command cannot be executed)",
             FaultMessages.exited(126));
     }

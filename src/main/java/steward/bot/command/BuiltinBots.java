@@ -13,20 +13,20 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 
 /**
- * The bots that come with the program: ordinary bot programs, started as processes of the JVM that runs the referee.
+ * The bots bundled with the program: ordinary bot programs, started as processes of the JVM that runs the referee.
  *
  * <p>The class-path resource {@value #RESOURCE} lists them, one {@code NAME = main.Class} per line, with optional
  * arguments after the class, quoted as in {@link CommandLine}.
  */
 public final class BuiltinBots {
 
-    /** Where the list is. */
+    /** Class-path resource with the list. */
     public static final String RESOURCE = "steward/bots/builtin.properties";
 
     /** The system property that replaces the JVM options with which builtin bots are started. */
     public static final String JVM_OPTIONS = "steward.bot.jvm";
 
-    /** Options for a short life: only the quick compiler, a collector without threads, no shared counters. */
+    /** Options for a short-lived JVM: only the quick compiler, a collector without threads, no shared counters. */
     private static final String SHORT_START =
         "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC -Xshare:auto -XX:-UsePerfData";
 
@@ -38,7 +38,7 @@ public final class BuiltinBots {
     }
 
     /**
-     * The bots that this installation has; none when it ships no list.
+     * The bots of this installation; none if it ships no list.
      *
      * @throws UncheckedIOException when the list cannot be read
      */
@@ -106,7 +106,7 @@ public final class BuiltinBots {
             + String.join(", ", mains.keySet());
     }
 
-    /** How many letters must be put in, taken out or replaced to turn one word into the other, whatever their case. */
+    /** The edit distance of two words: how many letters must be inserted, deleted or replaced, ignoring case. */
     static int distance(String one, String other) {
         int[] row = new int[other.length() + 1];
         for (int j = 0; j < row.length; j++) {

@@ -14,7 +14,7 @@ public final class ProgramFinder {
     private ProgramFinder() {
     }
 
-    /** The program's file, or {@code null} when the system would not find one that it may execute. */
+    /** The program's file, or {@code null} if the system would find none that it may execute. */
     public static Path find(String program) {
         return candidates(program).stream().filter(ProgramFinder::isExecutable).findFirst().orElse(null);
     }
@@ -70,7 +70,9 @@ public final class ProgramFinder {
         return Files.isRegularFile(file) && Files.isExecutable(file);
     }
 
-    /** The files that the name can mean, best first; an empty entry of {@code PATH} is the current directory. */
+    /**
+     * The files that the name can mean, in order of search; an empty entry of {@code PATH} is the current directory.
+     */
     private static List<Path> candidates(String program) {
         List<Path> files = new ArrayList<>();
         if (program.isEmpty()) {

@@ -4,8 +4,9 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 
 /**
- * Daemon threads for work that may block for ever, kept for some time for who comes next: a match needs several, and
- * starting them is a good part of its start and end. Whoever gets stuck keeps its thread, and the others get new ones.
+ * Daemon threads for work that may block for ever. Idle threads are kept for some time and reused: a match needs
+ * several, and starting them is a good part of its start and end. Blocked work keeps its thread; other work gets new
+ * ones.
  */
 public final class DaemonThreadPool {
 
@@ -19,7 +20,7 @@ public final class DaemonThreadPool {
     }
 
     /**
-     * Runs it at once, on a thread that does nothing else meanwhile.
+     * Runs the work at once, on a thread of its own.
      *
      * @throws OutOfMemoryError if there are no more threads
      */

@@ -129,13 +129,13 @@ class BotProcessTest {
         ScriptedBots.reply(one, "x\n");
         ScriptedBots.reply(other, "x\n");
         byte[] end = "over\n".getBytes(StandardCharsets.UTF_8);
-        one.farewell(end, end.length);
-        other.farewell(end, end.length);
+        one.sendLastLines(end, end.length);
+        other.sendLastLines(end, end.length);
         end[0] = '?';                                  // it was copied
         one.finish(end, end.length);
         other.finish(end, end.length);
 
-        assertEquals("bye\n", one.lastWords());
+        assertEquals("bye\n", one.finalStderr());
         assertEquals("over\n", Files.readString(heard));
     }
 

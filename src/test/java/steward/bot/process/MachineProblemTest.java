@@ -34,14 +34,14 @@ class MachineProblemTest {
 
     /** What came between the last answer and the exit was lost. */
     @Test
-    void lastWordsAreHeard() {
+    void stderrAfterTheLastAnswerIsCollected() {
         assumeTrue(Files.isExecutable(Path.of("/bin/sh")), "skipped: there is no /bin/sh");
         BotProcess bot = new BotProcess("sh",
             List.of("/bin/sh", "-c", "read x; echo y; while read x; do :; done; echo '[PDATA] last = 7' >&2"), 10_000);
         assertEquals(Player.Ending.ANSWERED, bot.ask(new byte[] {'\n'}, 1, 1, Long.MAX_VALUE, new Answer()));
         bot.finish(new byte[] {'e', '\n'}, 2);
 
-        assertEquals("[PDATA] last = 7\n", bot.lastWords());
+        assertEquals("[PDATA] last = 7\n", bot.finalStderr());
     }
 
     /** It was counted as both bots' fault, and a match without a result as a draw. */
