@@ -5,12 +5,12 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Which names a request may call this server by. A page from elsewhere can have its own name resolved to this machine
- * (DNS rebinding) and would then be allowed to read what is served here; the name it asks for gives it away. A numeric
- * address cannot be rebound, so those are fine.
+ * The host names that a request may use for this server. A foreign page can have its own name resolved to this machine
+ * (DNS rebinding) and would then be allowed to read what is served here; the {@code Host} header reveals that name. A
+ * numeric address cannot be rebound, so numeric addresses are accepted.
  *
  * @param given the name or address that the server was told to listen on
- * @param port  where it listens
+ * @param port  the server's port
  */
 record AllowedHosts(String given, int port) {
 
@@ -18,7 +18,7 @@ record AllowedHosts(String given, int port) {
     private static final Pattern ADDRESS = Pattern.compile("\\[.*]|\\d{1,3}(\\.\\d{1,3}){3}");
     private static final String USUAL_PORT = "80";
 
-    /** @param header the header {@code Host}, or {@code null} if there is none */
+    /** @param header the value of the header {@code Host}, or {@code null} */
     boolean accept(String header) {
         Matcher host = HOST.matcher(header == null ? "" : header.toLowerCase(Locale.ROOT));
         if (!host.matches()) {
