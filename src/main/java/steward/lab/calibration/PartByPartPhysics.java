@@ -20,21 +20,21 @@ import steward.scene.Scene;
 
 /**
  * The physics of a scene put together one part at a time, from an empty scene where bodies only fly: what each part
- * adds can then be measured. The parts that the scene has come first, each on top of those before; then, each on top
- * of the whole scene, those that it has not, with settings such as scenes have.
+ * adds can then be measured. The parts that the scene has come first, each added to those before; then the parts that
+ * it does not have, each added to the whole scene, with typical settings.
  *
- * <p>Caveats: a broad phase comes last and takes work away, so that its price is below 0; reactions are those of a game
- * that always answers {@code BOUNCE}; restitution is looked up but bodies keep what they have; a batch window cannot be
- * without a minimum impulse and a push-out, so it brings those that are missing.
+ * <p>Caveats: a broad phase comes last and saves work, so its price is below 0; reactions are those of a game that
+ * always answers {@code BOUNCE}; restitution is looked up but bodies keep their values; a batch window needs a minimum
+ * impulse and a push-out, so it adds those if they are missing.
  */
 public final class PartByPartPhysics {
 
-    /** The first step: bodies fly and meet nobody. */
+    /** The first step: bodies fly without impacts. */
     public static final String EMPTY = "flying straight";
 
-    /** A minimum impulse to try: it counts in weak impacts only. */
+    /** A trial minimum impulse: it matters in weak impacts only. */
     private static final double SOME_IMPULSE = 1;
-    /** As in the official games. */
+    /** The batch window of the official games. */
     private static final double SOME_WINDOW = 1e-5;
     private static final double SOME_PUSH_OUT = 1e-5;
 
@@ -52,13 +52,13 @@ public final class PartByPartPhysics {
     private Motion motion = new Motion(false, false, false);
 
     /**
-     * A turn made of some parts.
+     * A turn made of a subset of the parts.
      *
-     * @param part    that it has and the step before (or the whole scene) has not
+     * @param part    the part that the previous step (or the whole scene) does not have
      * @param in      whether the scene has it
      * @param parts   of the physics
-     * @param advance made of them, on the scene's rung
-     * @param motion  at the end of a turn
+     * @param advance made of these parts, on the scene's rung
+     * @param motion  the end of a turn
      */
     public record Step(String part, boolean in, PhysicsParts parts, Advance advance, Motion motion) {
     }
@@ -78,7 +78,7 @@ public final class PartByPartPhysics {
     /**
      * The steps of a scene.
      *
-     * @param someWalls to try where the scene has none
+     * @param someWalls trial walls for a scene without walls
      */
     public static List<Step> of(GameSetup setup, List<Wall> someWalls) {
         List<Part> parts = setup.plan().parts().stream()
@@ -107,7 +107,7 @@ public final class PartByPartPhysics {
         return new Step(part, in, parts, broadPhase ? rung.advance(parts, bodies) : rung.advance(parts), motion);
     }
 
-    /** What the scene says; where it does not ask yet, or does not meet at all, something simpler. */
+    /** The scene's contacts; simpler ones where the scene does not ask yet, or where nothing meets. */
     private Contacts contacts() {
         Contacts from = full.contacts();
         Contacts contacts = new Contacts(from.kinds());
@@ -126,7 +126,7 @@ public final class PartByPartPhysics {
             : ask && (stated == Meaning.ASK || !full.contacts().ask()) ? Meaning.ASK : Meaning.BOUNCE;
     }
 
-    /** @param in whether the scene says how; otherwise some usual setting is tried */
+    /** @param in whether the scene has the part; otherwise a typical setting is used */
     private void add(String part, boolean in) {
         ImpactLaw wanted = full.law();
         switch (part) {

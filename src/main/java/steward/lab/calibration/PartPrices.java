@@ -17,27 +17,27 @@ import steward.scene.Part;
 import steward.scene.Scene;
 
 /**
- * What each part of a scene's engine adds to a turn, in time, on this machine: states of seeded play are flown through
- * the {@link PartByPartPhysics} of the scene, all steps in turn, round after round; a price is the median over the rounds of
- * the difference of two steps. The parts of the game have the price of what the game does before and after its bodies
- * fly, measured in games whose bodies stay where they are; those that work at the same time of a turn share a price.
+ * The time that each part of a scene's engine adds to a turn on this machine. States of seeded play are played with the
+ * {@link PartByPartPhysics} of the scene, all steps in turn, round after round; a price is the median over the rounds
+ * of the difference of two steps. The price of the game's parts is the time of the game before and after its bodies
+ * fly, measured in games whose bodies do not move; parts that work at the same point of a turn share a price.
  *
  * <p>Caveat: all steps share a JVM, whose compiler sees more kinds of parts at one place than a match ever does, so
- * that prices are a little high; the benchmark {@code Part} gives each step a JVM of its own.
+ * prices are a little high; the benchmark {@code Part} gives each step a JVM of its own.
  */
 public final class PartPrices {
 
     private static final int STATES = 256;
-    /** A slice of so many turns is long enough for the clock. */
+    /** Turns of a slice, long enough for the clock. */
     private static final int TURNS = 1024;
     private static final int GAMES = 64;
     private static final long SEED = 1;
-    /** Of the time, for the compiler. */
+    /** Share of the time that is spent on warming up the compiler. */
     private static final double WARM_UP = 0.4;
     private static final int LEAST_ROUNDS = 5;
-    /** Half-planes to try stand so many times farther off than any state reaches: looked at, not met. */
+    /** Distance of the trial half-planes, as a multiple of the farthest point of any state: tested, but not touched. */
     private static final double FAR = 2;
-    /** A standard deviation, of the median absolute deviation of what is normal; and one of a median, of that. */
+    /** Standard deviation of a normal distribution from its median absolute deviation; and that of a median from it. */
     private static final double NORMAL = 1.4826;
     private static final double OF_MEDIAN = 1.2533;
 
@@ -48,19 +48,19 @@ public final class PartPrices {
      * The price of a part.
      *
      * @param part  its name
-     * @param nanos a turn; may be below 0
-     * @param error of that: two standard errors
+     * @param nanos nanoseconds a turn; may be below 0
+     * @param error two standard errors of that
      */
     public record Price(String part, double nanos, double error) {
     }
 
     /**
-     * All that was measured.
+     * The results.
      *
-     * @param prices first the empty scene's, then the parts' of the physics in the order of {@link PartByPartPhysics}, then the
-     *               game's
+     * @param prices first that of the empty scene, then those of the physics' parts in the order of
+     *               {@link PartByPartPhysics}, then those of the game's parts
      * @param turn   a turn of the whole scene, in nanoseconds
-     * @param rounds how many rounds count
+     * @param rounds how many rounds were used
      */
     public record Prices(List<Price> prices, Price turn, int rounds) {
     }
@@ -69,15 +69,15 @@ public final class PartPrices {
     }
 
     /**
-     * Measures.
+     * Measures the prices.
      *
      * @param types    to open the scene with
      * @param play     of states of the scene
      * @param script   of its players
-     * @param work     the clock that prices are read from, best one that stands still while others have the processor
-     * @param wall     the clock of those who wait; both in nanoseconds, from anywhere
-     * @param budget   for all rounds together, on the second; five rounds are made in any case
-     * @param progress told after each round what share of the budget is spent
+     * @param work     the clock for the prices, preferably one that stops while other processes have the processor
+     * @param wall     the wall clock; both in nanoseconds from any origin
+     * @param budget   for all rounds together, on the wall clock; five rounds are made in any case
+     * @param progress receives the spent share of the budget after each round
      */
     public static Prices measure(Scene scene, GameTypes types, SeededPlay play, SeededPlay.Script script,
                                  LongSupplier work, LongSupplier wall, long budget, DoubleConsumer progress) {
@@ -96,7 +96,7 @@ public final class PartPrices {
         return prices.result(setup.plan().parts(), steps);
     }
 
-    /** Far walls on all sides of all states. */
+    /** Distant walls on all sides of all states. */
     static List<Wall> box(Bodies[] states) {
         double far = 0;
         for (Bodies bodies : states) {

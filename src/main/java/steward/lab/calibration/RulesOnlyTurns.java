@@ -6,10 +6,10 @@ import steward.game.Game;
 import steward.game.GameSetup;
 import steward.numerics.SplitMix64;
 
-/** A turn of many games whose bodies stay where they are: only what the game itself does is timed. */
+/** One turn of many games whose bodies do not move: only the game's own rules are timed. */
 final class RulesOnlyTurns implements TimedTurns {
 
-    /** Before players who make no progress are out. */
+    /** Fewer turns than players without progress may play. */
     private static final int MOST_TURNS = 16;
 
     private final GameSetup setup;
@@ -36,7 +36,7 @@ final class RulesOnlyTurns implements TimedTurns {
                 games[k] = setup.create(seed++);
                 codecs[k] = setup.codec(games[k]);
             }
-            games[k].play();                           // so that all it needs is near the processor
+            games[k].play();                           // so that its data are in the processor's cache
             for (int player = 0; script != null && player < games[k].players(); player++) {
                 if (games[k].isIn(player)) {
                     byte[] answer = script.answer(games[k], player, random).getBytes(StandardCharsets.UTF_8);

@@ -6,16 +6,17 @@ import java.math.MathContext;
 import java.math.RoundingMode;
 
 /**
- * Decimal arithmetic of 64 digits for the oracle. A double is a decimal, so it is taken over exactly; sums and products
- * ({@link #dot}, {@link #cross}) are exact, and only quotients, roots and what is stored as a new state are rounded.
+ * Decimal arithmetic of 64 digits for the oracle. Every double is a decimal number and is converted exactly; sums and
+ * products ({@link #dot}, {@link #cross}) are exact, and only quotients, roots and what is stored as a new state are
+ * rounded.
  */
 public final class Decimals {
 
-    /** How many decimal digits a state keeps. */
+    /** Significant decimal digits of a stored state. */
     static final int COUNT = 64;
-    /** Rounds to that many. */
+    /** Rounds to {@link #COUNT} digits. */
     static final MathContext ROUND = new MathContext(COUNT);
-    /** Two numbers of a state nearer than this, relative to their size, differ by rounding only. */
+    /** Two numbers of a state that are nearer than this, relative to their size, differ only by rounding. */
     static final BigDecimal SAME = BigDecimal.ONE.movePointLeft(COUNT - 16);
 
     private Decimals() {
@@ -40,7 +41,7 @@ public final class Decimals {
         return value.multiply(value);
     }
 
-    /** To 64 digits; a zero loses the scale it has gathered, which would slow down everything after it. */
+    /** To 64 digits; a zero loses its accumulated scale, which would slow down all later operations. */
     static BigDecimal round(BigDecimal value) {
         return value.signum() == 0 ? BigDecimal.ZERO : value.round(ROUND);
     }
@@ -49,7 +50,7 @@ public final class Decimals {
         return a.signum() == 0 ? BigDecimal.ZERO : a.divide(b, ROUND);
     }
 
-    /** The root to 64 digits or a few more: that of the whole number which the digits make when there are enough. */
+    /** The square root to 64 digits or a few more: the integer square root of the unscaled value with enough digits. */
     static BigDecimal root(BigDecimal value) {
         if (value.signum() == 0) {
             return BigDecimal.ZERO;
@@ -64,12 +65,12 @@ public final class Decimals {
         return root(dot(x, y, x, y));
     }
 
-    /** Whether a is at most b but for rounding; both at least 0. */
+    /** Whether a is at most b except for rounding; both at least 0. */
     static boolean atMost(BigDecimal a, BigDecimal b) {
         return a.compareTo(b) <= 0 || a.subtract(b).compareTo(b.multiply(SAME)) <= 0;
     }
 
-    /** How far a double is from the true number, in units in the last place of the double nearest to the truth. */
+    /** The distance of a double from the true number, in units in the last place of the double nearest to the truth. */
     public static double ulps(double found, BigDecimal truth) {
         double nearest = truth.doubleValue();
         if (!Double.isFinite(found) || !Double.isFinite(nearest)) {

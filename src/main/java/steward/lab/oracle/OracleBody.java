@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import steward.physics.Bodies;
 
-/** A body of the oracle: a circle with a place and a velocity of {@link Decimals#COUNT} digits. */
+/** A body of the oracle: a circle with a position and a velocity of {@link Decimals#COUNT} digits. */
 public final class OracleBody {
 
     public BigDecimal x;
@@ -27,7 +27,7 @@ public final class OracleBody {
         restitution = Decimals.of(from.restitution[k]);
     }
 
-    /** All bodies, exactly as stored. */
+    /** All bodies, with the stored values converted exactly. */
     public static List<OracleBody> of(Bodies bodies) {
         List<OracleBody> all = new ArrayList<>();
         for (int k = 0; k < bodies.size(); k++) {
@@ -41,7 +41,7 @@ public final class OracleBody {
         return mass == null ? BigDecimal.ZERO : Decimals.divide(BigDecimal.ONE, mass);
     }
 
-    /** Flies straight. */
+    /** Moves the body along a straight line. */
     void fly(BigDecimal time) {
         move(vx.multiply(time), vy.multiply(time));
     }
@@ -51,7 +51,7 @@ public final class OracleBody {
         y = Decimals.round(y.add(dy));
     }
 
-    /** Takes an impulse along a unit vector; an infinite mass does not notice. */
+    /** Applies an impulse along a unit vector; an infinite mass does not change. */
     void push(BigDecimal impulse, BigDecimal nx, BigDecimal ny) {
         if (mass != null) {
             BigDecimal change = Decimals.divide(impulse, mass);
@@ -60,13 +60,13 @@ public final class OracleBody {
         }
     }
 
-    /** Turns the velocity round. */
+    /** Reverses the velocity. */
     void reverse() {
         vx = vx.negate();
         vy = vy.negate();
     }
 
-    /** m v.v / 2, exact; 0 for an infinite mass. */
+    /** Kinetic energy m v.v / 2, exact; 0 for an infinite mass. */
     public BigDecimal energy() {
         return mass == null ? BigDecimal.ZERO
             : Decimals.dot(vx, vy, vx, vy).multiply(mass).divide(BigDecimal.valueOf(2));

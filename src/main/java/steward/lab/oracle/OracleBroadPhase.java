@@ -6,15 +6,15 @@ import steward.physics.HalfPlane;
 import steward.physics.Wall;
 
 /**
- * Spares the oracle those who are too far apart to meet in what is left of a turn: the distance is more than both radii
- * and the longest way that they can come nearer. That is decided on doubles with a margin a million times their
- * rounding, so that whoever could possibly meet is always looked at in all digits.
+ * Excludes pairs that are too far apart to meet in the rest of a turn: their distance is more than both radii plus the
+ * longest way by which they can come nearer. This is decided in doubles with a margin a million times their rounding,
+ * so that every pair that could possibly meet is examined in all digits.
  */
 final class OracleBroadPhase {
 
-    /** Relative; the doubles are good to some 1e-15. */
+    /** Relative margin; the doubles are accurate to some 1e-15. */
     private static final double MARGIN = 1e-9;
-    /** Below, and above its inverse, squares may have lost digits or left the range: nobody is spared. */
+    /** Below this, and above its inverse, squares may have lost digits or left the range: nothing is excluded. */
     private static final double LEAST = 1e-140;
     private static final double[] TENTH = new double[300];
 
@@ -38,7 +38,7 @@ final class OracleBroadPhase {
         radius = bodies.stream().mapToDouble(body -> near(body.radius)).toArray();
     }
 
-    /** A double within a few units in the last place, without the price of the nearest; or NaN. */
+    /** A double within a few units in the last place, cheaper than the nearest one; or NaN. */
     private static double near(BigDecimal value) {
         int scale = value.scale();
         return scale < 0 || scale >= TENTH.length ? Double.NaN
@@ -57,7 +57,7 @@ final class OracleBroadPhase {
         return beyond(Math.sqrt(dx * dx + dy * dy), near, size);
     }
 
-    /** Whether a body cannot come to a wall within a time; only straight walls are ever spared. */
+    /** Whether a body cannot reach a wall within a time; only straight walls are ever excluded. */
     boolean apart(int i, Wall wall, double time) {
         if (!(wall instanceof HalfPlane plane)) {
             return false;

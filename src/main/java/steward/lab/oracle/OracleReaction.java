@@ -7,8 +7,8 @@ import steward.physics.Wall;
 
 /**
  * What an impact does in the oracle's arithmetic: the first step of the impulse stops the approach, the second gives
- * back the share e of it or what the law's minimum asks for, and then the push-out. Source: the description of the
- * impulse in the law ({@link ImpactLaw}); momentum and energy follow and are tested.
+ * back the share e of it or the law's minimum, and then comes the push-out. Source: the description of the impulse in
+ * the law ({@link ImpactLaw}); conservation of momentum and energy follows and is tested.
  */
 final class OracleReaction {
 
@@ -72,7 +72,7 @@ final class OracleReaction {
             BigDecimal.ZERO);
     }
 
-    /** e times the first step; the minimum raises it, or only its magnitude when that is beyond the dead zone. */
+    /** e times the first step, raised to the minimum; or only in magnitude when it exceeds the dead zone. */
     private BigDecimal second(BigDecimal first, BigDecimal restitution, boolean withMinimum) {
         BigDecimal back = law.restitution() == ImpactLaw.Restitution.ELASTIC ? first : restitution.multiply(first);
         BigDecimal minimum = Decimals.of(law.minimumImpulse());

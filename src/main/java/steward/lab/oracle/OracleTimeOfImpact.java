@@ -7,31 +7,31 @@ import steward.physics.Segment;
 import steward.physics.Wall;
 
 /*
- * A point p that flies with v comes to the distance s from the origin when |p + v t| = s:
+ * A point p that flies with v reaches the distance s from the origin when |p + v t| = s:
  *
  *     (v.v) t^2 + 2 (p.v) t + (p.p - s^2) = 0,     D = (p.v)^2 - (v.v)(p.p - s^2) = (v.v) s^2 - (p x v)^2,
  *
- * the last by Lagrange's identity. The signs of p.v, p.p - s^2 and D decide; they are computed exactly from the numbers
- * as they stand. From outside the first touch is c / (sqrt D - p.v), from inside the last (sqrt D - p.v) / (v.v):
- * neither subtracts two numbers of the same sign when it matters.
+ * the last by Lagrange's identity. The signs of p.v, p.p - s^2 and D decide; they are computed exactly from the stored
+ * numbers. From outside the first touch is c / (sqrt D - p.v), from inside the last (sqrt D - p.v) / (v.v): neither
+ * subtracts two numbers of the same sign when it matters.
  */
 
 /**
- * When circles first touch in the oracle's arithmetic, from the definitions. {@code null} is never. Whoever touches and
- * approaches touches at 0; whoever touches but recedes or slides does not come back, for all the walls and circles here
- * are convex.
+ * Times of impact in the oracle's arithmetic, from the definitions. {@code null} is never. A body that touches and
+ * approaches has the time 0; a body that touches but recedes or slides does not come back, because all the walls and
+ * circles here are convex.
  */
 final class OracleTimeOfImpact {
 
     private OracleTimeOfImpact() {
     }
 
-    /** Whether a point is within s of the origin; a distance that is s but for rounding counts. */
+    /** Whether a point is within s of the origin; a distance equal to s except for rounding counts. */
     static boolean within(BigDecimal px, BigDecimal py, BigDecimal s) {
         return Decimals.atMost(Decimals.dot(px, py, px, py), Decimals.square(s));
     }
 
-    /** Whether p.v < 0; a slide that is one but for rounding is no approach. */
+    /** Whether p.v < 0; a slide, except for rounding, is no approach. */
     static boolean approaches(BigDecimal px, BigDecimal py, BigDecimal vx, BigDecimal vy, boolean touching) {
         BigDecimal approach = Decimals.dot(px, py, vx, vy);
         if (approach.signum() >= 0 || !touching) {
@@ -43,10 +43,8 @@ final class OracleTimeOfImpact {
     }
 
     /**
-     * From outside onto the circle of radius s around the origin.
-     *
-     * @param p from the centre of the circle to the point
-     * @param v velocity of the point relative to the circle
+     * From outside onto a circle of radius s; (px, py) points from the centre of the circle to the point, (vx, vy) is
+     * the velocity of the point relative to the circle.
      */
     static BigDecimal circle(BigDecimal px, BigDecimal py, BigDecimal vx, BigDecimal vy, BigDecimal s) {
         boolean touching = within(px, py, s);
@@ -83,7 +81,9 @@ final class OracleTimeOfImpact {
         return gap.signum() <= 0 ? BigDecimal.ZERO : Decimals.divide(gap, closing);
     }
 
-    /** From inside onto the circle of radius (arena - body); without room, to the point nearest the centre. */
+    /**
+     * From inside onto the circle of radius (arena - body); if the body has no room, at the point nearest the centre.
+     */
     private static BigDecimal arena(OracleBody body, Arena arena) {
         BigDecimal px = body.x.subtract(Decimals.of(arena.x()));
         BigDecimal py = body.y.subtract(Decimals.of(arena.y()));
@@ -107,7 +107,7 @@ final class OracleTimeOfImpact {
         return b.signum() <= 0 ? Decimals.divide(root.subtract(b), a) : Decimals.divide(c.negate(), b.add(root));
     }
 
-    /** The first of: its line, where the foot lies between the ends; and either end. */
+    /** The earliest touch of a segment: with its line, where the foot is between the ends, or with either end. */
     private static BigDecimal segment(OracleBody body, Segment wall) {
         BigDecimal[] nearest = OracleWallGeometry.nearest(body, wall);
         BigDecimal px = body.x.subtract(nearest[0]);

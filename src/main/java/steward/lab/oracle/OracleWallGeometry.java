@@ -6,13 +6,13 @@ import steward.physics.HalfPlane;
 import steward.physics.Segment;
 import steward.physics.Wall;
 
-/** Where a wall is, in the oracle's arithmetic: the unit vector from a body straight to it, and the gap between. */
+/** Geometry of walls in the oracle's arithmetic: the unit vector from a body to the wall, and the gap between them. */
 final class OracleWallGeometry {
 
     private OracleWallGeometry() {
     }
 
-    /** From the centre of the body to the wall, of length 1; along x for a body in the middle of an arena. */
+    /** Unit vector from the centre of the body to the wall; along x for a body in the middle of an arena. */
     static BigDecimal[] normal(OracleBody body, Wall wall) {
         if (wall instanceof HalfPlane plane) {
             return unit(Decimals.of(-plane.insideX()), Decimals.of(-plane.insideY()));
@@ -33,11 +33,12 @@ final class OracleWallGeometry {
             : unit(dx, dy);
     }
 
-    /** From the edge of the body to the wall; 0 or less when they touch. */
+    /** Distance from the edge of the body to the wall; 0 or less when they touch. */
     static BigDecimal gap(OracleBody body, Wall wall) {
         if (wall instanceof HalfPlane plane) {
             BigDecimal[] n = normal(body, plane);
-            return Decimals.dot(n[0], n[1], Decimals.of(plane.x()).subtract(body.x), Decimals.of(plane.y()).subtract(body.y))
+            return Decimals
+                .dot(n[0], n[1], Decimals.of(plane.x()).subtract(body.x), Decimals.of(plane.y()).subtract(body.y))
                 .subtract(body.radius);
         }
         if (wall instanceof Arena arena) {
@@ -48,7 +49,9 @@ final class OracleWallGeometry {
         return Decimals.length(nearest[0].subtract(body.x), nearest[1].subtract(body.y)).subtract(body.radius);
     }
 
-    /** The point of a segment nearest to a body's centre: its foot on the line, or the end beyond which that lies. */
+    /**
+     * The point of a segment nearest to a body's centre: the foot on the line, or the end beyond which the foot lies.
+     */
     static BigDecimal[] nearest(OracleBody body, Segment wall) {
         BigDecimal ax = Decimals.of(wall.ax());
         BigDecimal ay = Decimals.of(wall.ay());

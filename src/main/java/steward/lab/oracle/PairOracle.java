@@ -4,17 +4,18 @@ import java.math.BigInteger;
 import steward.physics.Bodies;
 
 /*
- * Doubles are whole numbers times a power of two. With all lengths as whole numbers of one small unit and all speeds of
- * another, the quadratic's coefficients are whole numbers,
+ * Doubles are integers times a power of two. With all lengths as integer multiples of one small unit and all speeds of
+ * another, the quadratic's coefficients are integers,
  *
  *     a = v.v,   b = d.v,   c = d.d - s^2,   D = a s^2 - (d x v)^2,
  *
- * whose signs are known, and t = c / (sqrt D - b) follows to any number of bits from a whole root and a whole quotient.
+ * whose signs are known, and t = c / (sqrt D - b) follows to any number of bits from an integer root and an integer
+ * quotient.
  */
 
 /**
- * The truth about the first touch of two bodies within a turn, in whole numbers: a second oracle for pairs alone, some
- * fifty times faster than {@link Oracle}, for campaigns of millions.
+ * The exact first touch of two bodies within a turn, in integer arithmetic: a second oracle for single pairs, some
+ * fifty times faster than {@link Oracle}, for millions of pairs.
  */
 public final class PairOracle {
 
@@ -24,7 +25,7 @@ public final class PairOracle {
     private final int exponent;
     private final boolean hit;
 
-    /** Looks at bodies 0 and 1. */
+    /** Takes bodies 0 and 1. */
     public PairOracle(Bodies bodies) {
         double[] x = bodies.x;
         double[] y = bodies.y;
@@ -53,7 +54,7 @@ public final class PairOracle {
         exponent = unit - speedUnit - m;
     }
 
-    /** The first touch is within the turn if they overlap at its end, or were nearest to each other before. */
+    /** Whether the first touch is within the turn: they overlap at its end, or were nearest to each other before. */
     private static boolean withinTurn(BigInteger dx, BigInteger dy, BigInteger vx, BigInteger vy, BigInteger s,
                                       int unit, int speedUnit) {
         int common = Math.min(unit, speedUnit);
@@ -70,7 +71,7 @@ public final class PairOracle {
         return hit;
     }
 
-    /** How far a double is from the time of the touch, in its own units in the last place. */
+    /** The distance of a double from the time of the touch, in its own units in the last place. */
     public double ulps(double found) {
         if (!Double.isFinite(found)) {
             return Double.POSITIVE_INFINITY;
@@ -96,7 +97,7 @@ public final class PairOracle {
         return value.multiply(value);
     }
 
-    /** Of the lowest bit that the number's format can have; large for 0, which has none. */
+    /** Exponent of the lowest bit that the number's format can have; large for 0, which has none. */
     private static int exponent(double value) {
         return value == 0 ? Double.MAX_EXPONENT : Math.max(Math.getExponent(value), Double.MIN_EXPONENT) - 52;
     }

@@ -21,8 +21,8 @@ import steward.physics.TurnLog;
 import steward.physics.Wall;
 
 /**
- * One number for all that is computed: the hash of every bit of worlds and games on every rung. It must be the same on
- * every machine, JDK, compiler level and garbage collector; where it is not, the parts tell which of them differ.
+ * One number for all computed results: the hash of every bit of worlds and games on every rung. It must be the same on
+ * every machine, JDK, compiler level and garbage collector; where it differs, the hashes of the parts show where.
  */
 public final class GoldenHash {
 
@@ -33,19 +33,19 @@ public final class GoldenHash {
     }
 
     /**
-     * A hash with the name of what it is of.
+     * A named hash.
      *
      * @param name unique in the suite
-     * @param hash of all its bits
+     * @param hash of all bits of the part
      */
     public record Part(String name, long hash) {
     }
 
-    /** What the players of a game answer, as the line they would send. */
+    /** A player's answers in a game, each as the line it would send. */
     @FunctionalInterface
     public interface Script {
 
-        /** @param random the player's own, the same whenever the game is played */
+        /** @param random the player's own generator, the same in every play of the game */
         String answer(int player, SplitMix64 random);
     }
 
@@ -139,10 +139,10 @@ public final class GoldenHash {
     }
 
     /**
-     * A game whose players answer by a script: the hashes of all its turns.
+     * A game whose players answer by a script: a part with the hashes of all its turns.
      *
      * @param name  of the part
-     * @param turns at most so many
+     * @param turns at most this many turns
      * @throws IllegalArgumentException if an answer is refused
      */
     public static Part game(String name, GameSetup setup, Script script, int turns) {

@@ -25,7 +25,7 @@ import steward.lab.stability.pairs.RandomPairsCase;
 import steward.lab.stability.pairs.RoundingCase;
 import steward.lab.trial.StabilityCase;
 
-/** The rows of the stability table, in its order: the one place that lists them. */
+/** The rows of the stability table, in order; the only place that lists them. */
 public final class StabilityCases {
 
     private StabilityCases() {
@@ -36,7 +36,7 @@ public final class StabilityCases {
         return all(0);
     }
 
-    /** @param crowdImpacts how many impacts each crowd is played for, or 0 for what the size says */
+    /** @param crowdImpacts how many impacts each crowd is played for, or 0 for the number of the run length */
     public static List<StabilityCase> all(long crowdImpacts) {
         return List.of(
             new PiBlocksCase(),

@@ -1,14 +1,16 @@
 package steward.lab.tradeoff;
 
-/** The Pareto front of cost and error: whoever is on it can be had cheaper or better, but not both at once. */
+/**
+ * The Pareto front of cost and error: a point on it can be improved in one of them only at the expense of the other.
+ */
 final class ParetoFront {
 
     private ParetoFront() {
     }
 
     /**
-     * Which points are on the front: none that is beaten by another in one respect without being better in the other.
-     * Equal points are on it together; NaN never is.
+     * Which points are on the front: those that no other point beats in one respect while being at least as good in the
+     * other. Equal points are on it together; NaN never is.
      */
     static boolean[] of(double[] cost, double[] error) {
         boolean[] front = new boolean[cost.length];

@@ -3,13 +3,13 @@ package steward.lab.trial;
 import steward.physics.Bodies;
 
 /*
- * Products of doubles are kept whole as p + e with p = fl(a b), e = fma(a, b, -p); sums by Knuth's two-sum. A sum of n
- * such terms is off by about n 2^-105 of its largest partial sum.
+ * Products of doubles are kept exactly as p + e with p = fl(a b), e = fma(a, b, -p); sums by Knuth's two-sum. A sum of
+ * n such terms has an error of about n 2^-105 of its largest partial sum.
  */
 
 /**
- * The books of momentum: m (v after - v before) of every impact, from the stored velocities, summed in double-double
- * numbers; the walls' share is what the bodies got from them.
+ * Sums the change of momentum of every impact, m (v after - v before), from the stored velocities, in double-double
+ * arithmetic; the walls' share is what the bodies received from them.
  */
 public final class MomentumBalance extends Probe {
 
@@ -50,7 +50,9 @@ public final class MomentumBalance extends Probe {
         }
     }
 
-    /** What the bodies have, less what they had, less what is booked: of all momentum that was exchanged. */
+    /**
+     * The bodies' momentum now, less that at the start, less the summed changes: as a share of all momentum exchanged.
+     */
     public double gap(Bodies bodies) {
         Sum[] now = {new Sum(), new Sum()};
         total(bodies, now);
@@ -63,7 +65,7 @@ public final class MomentumBalance extends Probe {
         return exchanged == 0 ? 0 : worst / exchanged;
     }
 
-    /** A sum of two doubles. */
+    /** A double-double sum. */
     private static final class Sum {
 
         private double high;

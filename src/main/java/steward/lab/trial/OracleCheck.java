@@ -11,13 +11,13 @@ import steward.physics.ImpactLaw;
 import steward.physics.Wall;
 
 /**
- * Plays one turn of many small worlds on a rung and by the oracle: the engine must come to the same impacts and, to a
- * tolerance relative to the largest number of its kind in the world, the same end; or, where that is allowed, refuse by
- * an exception that names what it cannot do. NaN, infinity and another answer are failures.
+ * Plays one turn of many small worlds on a rung and by the oracle. The engine must find the same impacts and, to a
+ * tolerance relative to the largest number of its kind in the world, the same final state; or, where that is allowed,
+ * throw an exception that names what it cannot do. NaN, infinity and a different result are failures.
  */
 public final class OracleCheck {
 
-    /** So many failures are told in full. */
+    /** How many failures are reported in full. */
     private static final int NAMED = 3;
 
     private final Rung rung;
@@ -33,12 +33,12 @@ public final class OracleCheck {
         this.tolerance = tolerance;
     }
 
-    /** It must be right. @param what names the world if it fails */
+    /** The result must be right. @param what names the world if it fails */
     public void add(String what, ImpactLaw law, Bodies bodies, Wall... walls) {
         add(false, what, law, bodies, walls);
     }
 
-    /** It must be right, or refused by naming the body, what was found and what was expected. */
+    /** The result must be right, or refused by naming the body, what was found and what was expected. */
     public void addOrRefused(String what, ImpactLaw law, Bodies bodies, Wall... walls) {
         add(true, what, law, bodies, walls);
     }

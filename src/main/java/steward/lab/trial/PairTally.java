@@ -14,8 +14,8 @@ import steward.physics.ImpactLaw;
 import steward.physics.TurnLog;
 
 /**
- * Plays the first impact of many pairs on a rung and counts what is not as {@link PairOracle} and {@link Oracle} say:
- * wrong decisions, and the worst errors in units in the last place.
+ * Plays the first impact of many pairs on a rung and compares it with {@link PairOracle} and {@link Oracle}: counts
+ * wrong decisions, and keeps the worst errors in units in the last place.
  */
 public final class PairTally {
 
@@ -40,7 +40,7 @@ public final class PairTally {
         advance = rung.advance(ImpactLaw.PHYSICS);
     }
 
-    /** Decision and time of impact. @param whole whether positions, impulse and velocities are compared as well */
+    /** Decision and time of impact. @param whole whether to compare positions, impulse and velocities as well */
     public void add(Bodies bodies, boolean whole) {
         PairOracle truth = new PairOracle(bodies);
         List<OracleBody> state = whole && truth.hit() ? OracleBody.of(bodies) : null;
@@ -85,7 +85,7 @@ public final class PairTally {
             b.x[1], b.y[1], b.radius[1], b.vx[1], b.vy[1], b.mass[1]);
     }
 
-    /** On the exact rung no decision may be wrong and nothing off by more than {@link Rung#EXACT_ULPS}. */
+    /** The result; on the exact rung no decision may be wrong and no error above {@link Rung#EXACT_ULPS}. */
     public Finding seen() {
         boolean met = isRight()
             && Math.max(Math.max(timeUlps, positionUlps), Math.max(impulseUlps, velocityUlps)) <= Rung.EXACT_ULPS;

@@ -48,7 +48,8 @@ class PartByPartPhysicsTest {
     @ValueSource(strings = {"duel", "mad-pod-racing", "mad-pod-racing-silver", "walled-race"})
     void allPartsTogetherAreTheScene(String scene) {
         GameSetup setup = open(scene, "event/double");
-        List<PartByPartPhysics.Step> in = steps(scene, "event/double").stream().filter(PartByPartPhysics.Step::in).toList();
+        List<PartByPartPhysics.Step> in = steps(scene, "event/double").stream()
+            .filter(PartByPartPhysics.Step::in).toList();
         PartByPartPhysics.Step whole = in.get(in.size() - 1);
         PhysicsParts wanted = setup.plan().physics(null);
         assertEquals(wanted.law(), whole.parts().law());
@@ -66,10 +67,10 @@ class PartByPartPhysicsTest {
 
     /**
      * What each part brings into a turn and takes out of it, by the classes of the objects that do its work:
-     * where a part is absent, there is nobody to look at it.
+     * where a part is absent, no object does its work.
      */
     @Test
-    void aTurnHasNobodyToLookAtWhatTheSceneHasNot() {
+    void partsThatTheSceneDoesNotHaveAreNotInTheTurn() {
         assertEquals("""
             flying straight: +Bounce +Elastic +OneAtATime
             pair impacts: +AscendingPairs

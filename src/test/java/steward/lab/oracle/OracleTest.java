@@ -47,7 +47,8 @@ class OracleTest {
     /** sqrt 2 to 60 digits, as published. */
     @Test
     void theRootOfTwo() {
-        assertNear("1.41421356237309504880168872420969807856967187537694807317667974", Decimals.root(new BigDecimal(2)));
+        assertNear("1.41421356237309504880168872420969807856967187537694807317667974",
+            Decimals.root(new BigDecimal(2)));
         assertNear("1e-155", Decimals.root(new BigDecimal("1e-310")));
         assertEquals(0, new BigDecimal("1e160").compareTo(Decimals.root(new BigDecimal("1e320"))));
     }

@@ -185,8 +185,8 @@ class StabilityTest {
             throw new IllegalStateException("on purpose");
         });
         List<StabilityRow> rows = new ArrayList<>();
-        StabilityRow.tryAll(List.of(new NewtonsCradleCase()), List.of(broken, real), RunLength.SMALL, (each, rung) -> { },
-            Progress.NONE, rows::add);
+        StabilityRow.tryAll(List.of(new NewtonsCradleCase()), List.of(broken, real), RunLength.SMALL,
+            (each, rung) -> { }, Progress.NONE, rows::add);
         assertTrue(rows.get(0).failed() && rows.get(0).seen().text().contains("on purpose"));
         assertFalse(rows.get(1).failed());
     }

@@ -118,7 +118,7 @@ class TradeoffTest {
 
     /** B is dearer than A and no better, D is beaten by C; equal points stand together, NaN nowhere. */
     @Test
-    void theFrontIsWhomNobodyBeats() {
+    void theFrontHasAllPointsThatAreNotBeaten() {
         double nan = Double.NaN;
         assertArrayEquals(new boolean[] {true, false, true, false}, ParetoFront.of(
             new double[] {1, 2, 3, 4}, new double[] {5, 5, 1, 2}));

@@ -43,7 +43,7 @@ public final class InelasticCollapseCase implements StabilityCase {
         return Finding.demanded(!text.contains("!"), text);
     }
 
-    /** @param mustReach whether the bound is below what a collapse has */
+    /** @param mustReach whether the limit is below the number of impacts of a collapse */
     private static String collapse(Rung rung, int count, double restitution, int turns, int bound,
                                    boolean mustReach) {
         Bodies bodies = new Bodies(count);

@@ -9,11 +9,11 @@ import steward.lab.trial.StabilityCase;
 import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 
-/** Newton's cradle of five: four rest in a row, in contact or nearly, the fifth comes. */
+/** Newton's cradle of five: four at rest in a row, in contact or nearly, hit by the fifth. */
 public final class NewtonsCradleCase implements StabilityCase {
 
     private static final int BALLS = 5;
-    /** A power of two, small enough for gaps of 1e-15 to be stored beside it. */
+    /** A power of two, small enough that gaps of 1e-15 can be stored beside it. */
     private static final double RADIUS = 0x1p-10;
 
     @Override
@@ -46,7 +46,7 @@ public final class NewtonsCradleCase implements StabilityCase {
         return Finding.of(rung.isEvent(), met, met ? "exact with each gap and speed" : text.substring(2));
     }
 
-    /** From the left, or for a negative speed from the right. */
+    /** The fifth comes from the left, or for a negative speed from the right. */
     private static Bodies row(double gap, double speed) {
         Bodies bodies = new Bodies(BALLS);
         double step = 2 * RADIUS + gap;
