@@ -9,8 +9,8 @@ import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 
 /**
- * A bot program without a thought: whatever comes in one piece, up to a line end, is answered with the same line. What
- * a match with it takes is the referee's work and the system's.
+ * A bot program that does no work: each piece of input, up to a line end, is answered with the same line. The time of a
+ * match with it is that of the referee and the system.
  */
 public final class FixedAnswerBot {
 
@@ -29,7 +29,7 @@ public final class FixedAnswerBot {
                 }
             }
         } catch (IOException gone) {
-            // The referee does not listen to the end of a match; nothing is lost.
+            // The referee no longer reads at the end of a match; nothing is lost.
             return;
         }
     }

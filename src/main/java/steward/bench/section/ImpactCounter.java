@@ -2,7 +2,7 @@ package steward.bench.section;
 
 import steward.physics.TurnSink;
 
-/** Counts impacts and keeps none. */
+/** Counts impacts and stores none. */
 final class ImpactCounter implements TurnSink {
 
     private long impacts;

@@ -8,16 +8,16 @@ import steward.game.GameTypes;
 import steward.match.DirectBot;
 
 /**
- * What whole matches are measured with: the games are known to the command line alone.
+ * What is needed to measure whole matches; supplied by the command line, which alone knows the games.
  *
  * @param types     the games
  * @param setup     the scene
- * @param direct    makes a bot that looks at the game itself
- * @param lines     makes a bot of the same commands that reads and writes lines
- * @param responder a program that answers everything with the same good line, see {@link FixedAnswerBot}
- * @param launcher  the command that starts this program as a person does, or {@code null}
- * @param plain     the command that starts it without any preparation
+ * @param direct    makes a bot that reads the game itself
+ * @param lines     makes a bot with the same commands that reads and writes lines
+ * @param responder a program that answers everything with the same valid line, see {@link FixedAnswerBot}
+ * @param launcher  the command that starts this program through its launcher, or {@code null}
+ * @param plain     the command that starts it without the launcher's preparation
  */
 public record MatchFixture(GameTypes types, GameSetup setup, Supplier<DirectBot> direct, Supplier<Bot> lines,
-                       List<String> responder, List<String> launcher, List<String> plain) {
+                           List<String> responder, List<String> launcher, List<String> plain) {
 }

@@ -9,9 +9,9 @@ import java.nio.file.Path;
 import java.util.Iterator;
 
 /**
- * CPU time of this JVM and the programs it has started, all threads together, by what Linux counts for each thread in
- * {@code /proc/PID/task/TID/schedstat}: nanoseconds, where the JDK's own figures come in ticks of 10 ms. What has ended
- * no longer counts, so look while the programs run.
+ * CPU time of this JVM and the programs it has started, all threads together, from Linux's count for each thread in
+ * {@code /proc/PID/task/TID/schedstat}: nanoseconds, while the JDK's own figures come in ticks of 10 ms. Threads and
+ * programs that have ended no longer count, so read it while the programs run.
  */
 final class ProcessTreeClock {
 
@@ -20,7 +20,7 @@ final class ProcessTreeClock {
     private ProcessTreeClock() {
     }
 
-    /** In nanoseconds; NaN where the system does not tell. */
+    /** In nanoseconds; NaN where the system does not provide it. */
     static double nanos() {
         ProcessHandle self = ProcessHandle.current();
         try {
@@ -51,7 +51,7 @@ final class ProcessTreeClock {
             return Double.parseDouble(Files.readString(file, StandardCharsets.US_ASCII).split(" ")[0]);
         } catch (NoSuchFileException ended) {
             if (Files.exists(file.getParent())) {
-                throw ended;                           // a system that does not count so
+                throw ended;                           // a system without this count
             }
             return 0;
         }

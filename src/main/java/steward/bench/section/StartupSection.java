@@ -15,16 +15,16 @@ import steward.bench.Row;
 import steward.bench.Section;
 import steward.bot.process.PipeRoundTrip;
 
-/** From the call of the program to the first line that a bot is sent. */
+/** From the program's start to the first line that a bot is sent. */
 final class StartupSection implements Section {
 
     private static final double NANOS = 1e9;
     private static final double NANOS_PER_MS = 1e6;
 
-    private final MatchFixture kit;
+    private final MatchFixture fixture;
 
-    StartupSection(MatchFixture kit) {
-        this.kit = kit;
+    StartupSection(MatchFixture fixture) {
+        this.fixture = fixture;
     }
 
     @Override
@@ -50,12 +50,12 @@ final class StartupSection implements Section {
         double[] launched = new double[rounds];
         for (int round = 0; round < rounds; round++) {
             about.accept("round " + (round + 1));
-            plain[round] = start(kit.plain());
-            launched[round] = kit.launcher() == null ? Double.NaN : start(kit.launcher());
+            plain[round] = start(fixture.plain());
+            launched[round] = fixture.launcher() == null ? Double.NaN : start(fixture.launcher());
         }
         double one = Meter.median(plain);
         rows.accept(row("java -cp", one, 1));
-        if (kit.launcher() != null) {
+        if (fixture.launcher() != null) {
             rows.accept(row("launcher", Meter.median(launched), one / Meter.median(launched)));
         }
     }

@@ -40,7 +40,7 @@ public final class BenchCommand implements Callable<Integer> {
     private static final List<Integer> QUICK_BODIES = List.of(100, 1000);
     private static final int MILLION = 1_000_000;
 
-    /** How long what was measured so far may take to be told, in milliseconds. */
+    /** How long an interrupted run may take to report its results so far, in milliseconds. */
     private static final long PATIENCE_MS = 2000;
 
     private final Streams streams;
@@ -150,7 +150,7 @@ public final class BenchCommand implements Callable<Integer> {
         }
     }
 
-    /** By Ctrl-C: the thread that measures tells what it knows, unless that takes long. */
+    /** After Ctrl-C: the measuring thread reports what it has, unless that takes too long. */
     private String stopped(String kept) {
         interrupted = true;
         measuring.interrupt();
@@ -206,7 +206,7 @@ public final class BenchCommand implements Callable<Integer> {
         return status;
     }
 
-    /** @return {@code null} where nobody watches */
+    /** @return {@code null} without a terminal */
     private ProgressLine progress(String task, int steps) {
         return streams.errTerminal() ? new ProgressLine(streams.err(), task, steps) : null;
     }

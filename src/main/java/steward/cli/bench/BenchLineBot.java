@@ -8,7 +8,7 @@ import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;
 
-/** The bot of {@link BenchDirectBot}, by lines. */
+/** The same bot as {@link BenchDirectBot}, but exchanging lines. */
 final class BenchLineBot implements Bot {
 
     private final List<double[]> checkpoints = new ArrayList<>();

@@ -8,7 +8,9 @@ import steward.game.GameSetup;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodState;
 
-/** The pods of a race turn by turn, put into another race of the same scene over and over: every turn all has moved. */
+/**
+ * The pods of a race turn by turn, copied into another race of the same scene over and over, so that all have moved.
+ */
 final class BenchRaceStates implements Consumer<Game> {
 
     private static final int MOST = 256;
@@ -16,7 +18,7 @@ final class BenchRaceStates implements Consumer<Game> {
     private final List<PodState[]> states = new ArrayList<>();
     private int next;
 
-    /** Plays the race. */
+    /** Plays the race once. */
     BenchRaceStates(GameSetup setup) {
         PodRace race = (PodRace) setup.create(1);
         List<BenchDirectBot> bots = new ArrayList<>();

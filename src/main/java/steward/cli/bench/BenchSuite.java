@@ -15,21 +15,21 @@ import steward.game.podrace.protocol.PodRaceType;
 import steward.scene.SceneFiles;
 import steward.scene.SceneText;
 
-/** What {@code steward bench} measures. */
+/** The sections that {@code steward bench} measures. */
 final class BenchSuite {
 
-    /** The launcher tells where it stands. */
+    /** Property in which the launcher passes its own path. */
     static final String LAUNCHER = "steward.launcher";
 
-    /** What the launcher starts; a class above this room, so it is named and not imported. */
+    /** The class that the launcher starts; it is in a package above this one, so it is named and not imported. */
     private static final String MAIN_CLASS = "steward.cli.Main";
     private static final String SCENE = "mad-pod-racing";
-    /** A good answer for two pods, which never arrive. */
+    /** A valid answer for two pods, which never reach a checkpoint. */
     private static final String ANSWER = "{\"pods\":[{\"x\":8000,\"y\":4500,\"thrust\":50},"
         + "{\"x\":8000,\"y\":4500,\"thrust\":50}]}";
     private static final String TURNS_LEFT = "\"turnsWithoutCheckpoint\": 100";
     private static final String MAXIMUM = "\"maximumTurns\": 500";
-    /** Turns of a match in which a JVM that plays it gets warm. */
+    /** Turns of a match long enough to warm up the JVM that plays it. */
     private static final String LONG = "5000";
     private static final String PLAYERS = "\"players\": 2";
     private static final List<String> QUICK_JVM = List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC",
@@ -38,32 +38,32 @@ final class BenchSuite {
     private BenchSuite() {
     }
 
-    /** All parts, in the order of the table. */
+    /** All sections, in the order of the table. */
     static List<Section> all(int threads, int games, List<Integer> bodies) {
-        MatchFixture kit = kit();
+        MatchFixture fixture = fixture();
         List<Section> sections = new ArrayList<>();
-        sections.add(new PodTurnSection((PodRaceType.PodRaceSetup) kit.setup(), threads));
-        sections.add(Sections.matches(kit, threads, games));
-        sections.add(Sections.growth(kit, growth()));
-        sections.add(Sections.frames(kit, new BenchRaceStates(kit.setup()), ANSWER));
-        sections.add(Sections.verify(kit));
-        sections.add(Sections.processes(kit,
+        sections.add(new PodTurnSection((PodRaceType.PodRaceSetup) fixture.setup(), threads));
+        sections.add(Sections.matches(fixture, threads, games));
+        sections.add(Sections.growth(fixture, growth()));
+        sections.add(Sections.frames(fixture, new BenchRaceStates(fixture.setup()), ANSWER));
+        sections.add(Sections.verify(fixture));
+        sections.add(Sections.processes(fixture,
             scene(TURNS_LEFT, TURNS_LEFT.replace("100", LONG), MAXIMUM, MAXIMUM.replace("500", LONG)),
             Integer.parseInt(LONG), scene(MAXIMUM, MAXIMUM.replace("500", "1")),
             List.of("sh", "-c", "while read -r line; do echo '" + ANSWER + "'; done")));
-        sections.add(Sections.start(kit));
+        sections.add(Sections.start(fixture));
         sections.add(Sections.crowds(bodies));
         return sections;
     }
 
-    static MatchFixture kit() {
+    static MatchFixture fixture() {
         List<String> java = List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString());
         String classes = System.getProperty("java.class.path");
         List<String> responder = new ArrayList<>(java);
         responder.addAll(QUICK_JVM);
         responder.addAll(List.of("-cp", classes, FixedAnswerBot.class.getName(), ANSWER));
         List<String> plain = new ArrayList<>(java);
-        // What the launcher puts on the boot class path is missing from the class path.
+        // The entries that the launcher puts on the boot class path are not on the class path.
         for (String option : List.of("picocli")) {
             plain.addAll(boot(option));
         }
@@ -92,7 +92,7 @@ final class BenchSuite {
         return scenes;
     }
 
-    /** The official scene with some things changed: what, and into what. */
+    /** The official scene with some texts replaced: pairs of old and new text. */
     private static GameSetup scene(String... changes) {
         SceneText text = SceneFiles.load(SCENE);
         String changed = text.text();

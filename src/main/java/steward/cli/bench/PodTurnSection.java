@@ -12,16 +12,16 @@ import steward.game.podrace.protocol.PodRaceType;
 import steward.game.podrace.simulator.ParallelBatch;
 import steward.game.podrace.simulator.PodRaceBatch;
 
-/** The turn of the official pod race, by everybody who can play it: {@link BenchPodGames}. */
+/** The turn of the official pod race, by every implementation that can play it: {@link BenchPodGames}. */
 final class PodTurnSection implements Section {
 
-    /** In a race and in a brawl. */
+    /** Number of contenders, in a race and in a brawl. */
     private static final int CONTENDERS = 10;
 
     private final PodRaceType.PodRaceSetup setup;
     private final int threads;
 
-    /** @param threads how many play the batches of the last rows */
+    /** @param threads how many threads play the batches of the last rows */
     PodTurnSection(PodRaceType.PodRaceSetup setup, int threads) {
         this.setup = setup;
         this.threads = threads;
