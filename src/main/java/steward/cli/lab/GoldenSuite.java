@@ -13,7 +13,7 @@ import steward.numerics.SplitMix64;
 import steward.physics.Arithmetic;
 import steward.scene.SceneFiles;
 
-/** What the golden hash is taken over: worlds on every rung, and every shipped scene with every arithmetic. */
+/** What the golden hash covers: worlds on every rung, and every shipped scene with every arithmetic. */
 final class GoldenSuite {
 
     private static final String ACCURACY = "\"accuracy\"\\s*:\\s*\\{[^}]*}";
@@ -42,7 +42,7 @@ final class GoldenSuite {
         return GoldenHash.game(scene + ", " + rung, setup, (player, random) -> crowd(pods, random), turns);
     }
 
-    /** Every pod makes for somewhere in the middle, so that they meet; now and then one raises its shield. */
+    /** Every pod heads for a random place near the middle, so that they meet; now and then one raises its shield. */
     private static String crowd(int pods, SplitMix64 random) {
         StringJoiner all = new StringJoiner(",", "{\"pods\":[", "]}");
         for (int pod = 0; pod < pods; pod++) {

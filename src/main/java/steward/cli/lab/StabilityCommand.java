@@ -24,7 +24,7 @@ import steward.lab.trial.StabilityCase;
 import steward.numerics.StateHash;
 import steward.text.NearestName;
 
-/** {@code steward stability}: what the physics does at the numerical extremes, held against what is demanded. */
+/** {@code steward stability}: the physics at the numerical extremes, compared with what is demanded. */
 @Command(name = "stability", description = "Tries the physics at the numerical extremes, on every rung of accuracy, "
     + "and says what was demanded and what was seen.",
     footer = {"", "Examples:", "  steward stability",
