@@ -8,9 +8,9 @@ import tools.jackson.core.JsonToken;
  * Reads the frames that the referee sends, one JSON object a line, token by token into {@link Race} and {@link Pods}.
  * Fields that no bot here uses, or that a later version adds, are skipped.
  */
-final class Frame {
+final class FrameReader {
 
-    /** What a line was. */
+    /** The type of a line. */
     enum Type { SETUP, TURN, END, OTHER }
 
     final Race race = new Race();

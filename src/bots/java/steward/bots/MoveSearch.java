@@ -1,23 +1,23 @@
 package steward.bots;
 
 /**
- * The look ahead for one pod. A first move is a steering angle and a thrust (or shield, or boost), kept for a few
+ * The search for one pod's command. A first move is a steering angle and a thrust (or shield, or boost), kept for a few
  * turns; after it the pod drives by rule, as all pods near it are expected to do. The number of pods and of turns
- * looked at is fixed, so that an answer takes the same short time in any race.
+ * simulated is fixed, so that an answer takes the same short time in any race.
  */
-final class Search {
+final class MoveSearch {
 
-    /** Instead of an angle: as {@link Driver} steers. */
+    /** Instead of an angle: as {@link RuleDriver} steers. */
     private static final int BY_RULE = -1;
     /** Instead of an enemy: the pod races. */
-    static final int NOBODY = -1;
+    static final int NO_ENEMY = -1;
 
-    /** The pod itself, the enemy it guards and the nearest others. */
+    /** How many pods are simulated: the pod itself, the enemy it guards and the nearest others. */
     private static final int LOOKED_AT = 6;
     private static final int TURNS = 10;
-    /** Worth of a guard's own distance to its station, against the enemy's distance to its checkpoint. */
+    /** Weight of a guard's own distance to its station, against the enemy's distance to its checkpoint. */
     private static final double STATION_WORTH = 0.3;
-    /** Share of what every turn on the way is worth, against the last: sooner is better, so that nothing is put off. */
+    /** Weight of every turn on the way, against the last: earlier progress counts more, so that nothing is put off. */
     private static final double EARLY_WORTH = 0.05;
     /** Cosines and sines of the angles tried: 18, 9, 0, -9, -18 degrees. */
     private static final double[] COSINES = {Forecast.TURN_COSINE, 0.9876883405951378, 1, 0.9876883405951378,
@@ -42,7 +42,7 @@ final class Search {
     private double bestY;
     private int bestThrust;
 
-    Search(Race race) {
+    MoveSearch(Race race) {
         this.race = race;
         forecast = new Forecast(race, LOOKED_AT);
     }
@@ -50,11 +50,11 @@ final class Search {
     /**
      * Chooses the command of a pod.
      *
-     * @param guarded the enemy in whose way it shall be, or {@link #NOBODY}
+     * @param guarded the enemy that it blocks, or {@link #NO_ENEMY}
      */
     void choose(Pods all, int pod, int guarded, Commands commands) {
         gather(all, pod, guarded);
-        if (enemy != NOBODY) {
+        if (enemy != NO_ENEMY) {
             placeStation();
         }
         bestWorth = Double.NEGATIVE_INFINITY;
@@ -80,8 +80,8 @@ final class Search {
         start.clear();
         chosen[0] = pod;
         start.add(all, pod);
-        enemy = NOBODY;
-        if (guarded != NOBODY) {
+        enemy = NO_ENEMY;
+        if (guarded != NO_ENEMY) {
             enemy = start.size;
             chosen[start.size] = guarded;
             start.add(all, guarded);
@@ -112,7 +112,7 @@ final class Search {
         return false;
     }
 
-    /** The checkpoint that the enemy passes next, or the one after it if the enemy is there before the guard. */
+    /** The checkpoint that the enemy passes next, or the one after it if the enemy reaches that before the guard. */
     private void placeStation() {
         int checkpoint = start.next[enemy];
         double dx = race.checkpointX[checkpoint] - start.x[0];
@@ -125,7 +125,7 @@ final class Search {
         stationY = race.checkpointY[checkpoint];
     }
 
-    /** Plays one first move forward and remembers it if it is the best so far. */
+    /** Simulates one first move and keeps it if it is the best so far. */
     private void consider(int angle, int thrust, int kept) {
         pods.set(start);
         double x = 0;
@@ -134,7 +134,7 @@ final class Search {
         double worth = 0;
         for (int turn = 0; turn < TURNS; turn++) {
             for (int pod = 1; pod < pods.size; pod++) {
-                Driver.race(race, pods, pod, moves);
+                RuleDriver.race(race, pods, pod, moves);
             }
             if (turn >= kept || angle == BY_RULE) {
                 byRule();
@@ -162,15 +162,15 @@ final class Search {
     }
 
     private void byRule() {
-        if (enemy == NOBODY) {
-            Driver.race(race, pods, 0, moves);
+        if (enemy == NO_ENEMY) {
+            RuleDriver.race(race, pods, 0, moves);
         } else {
-            Driver.steer(race, pods, 0, stationX, stationY, moves);
+            RuleDriver.steer(race, pods, 0, stationX, stationY, moves);
         }
     }
 
     private double worth() {
-        if (enemy == NOBODY) {
+        if (enemy == NO_ENEMY) {
             return pods.progress(race, 0);
         }
         double dx = stationX - pods.x[0];

@@ -2,20 +2,20 @@ package steward.bots;
 
 /**
  * Drives one pod along the course by rule: it aims at the checkpoint less a few turns of its own velocity, so that the
- * drift carries it there, and turns towards the checkpoint after as soon as coasting alone will pass the next.
+ * drift carries it there, and turns towards the checkpoint after the next as soon as coasting alone will pass the next.
  */
-final class Driver {
+final class RuleDriver {
 
     /** How many turns of velocity the aim is moved back; 3 lost races to the plain bot, 4 to 6 were about equal. */
     static final double DRIFT_TURNS = 5;
-    /** For how many turns of coasting a pass is foreseen. */
+    /** How many turns of coasting are predicted. */
     private static final int COAST_TURNS = 6;
-    /** Share of the checkpoint radius that a foreseen pass must hit. */
+    /** Share of the checkpoint radius within which a predicted pass must lie. */
     private static final double SURE_SHARE = 0.85;
     /** Cosine of the angle to the aim above which the engine runs at full thrust: 75 degrees. */
     private static final double THRUST_COSINE = 0.26;
 
-    private Driver() {
+    private RuleDriver() {
     }
 
     /** Gives a pod its command. */

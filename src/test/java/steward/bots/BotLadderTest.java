@@ -16,7 +16,7 @@ import steward.game.GameSetup;
 import steward.match.MatchResult;
 
 /** The ladder of bundled bots: each step beats the one below without a fault, and needs no more than it is sent now. */
-class LadderTest {
+class BotLadderTest {
 
     /** From the weakest to the strongest. */
     private static final List<Supplier<PodBot>> LADDER =
@@ -29,7 +29,7 @@ class LadderTest {
     @ParameterizedTest
     @ValueSource(strings = {"mad-pod-racing", "mad-pod-racing-silver", "walled-race", "duel"})
     void everyStepBeatsTheOneBelow(String name) {
-        GameSetup scene = Matches.scene(name);
+        GameSetup scene = BundledBotMatches.scene(name);
         for (int step = 1; step < LADDER.size(); step++) {
             int won = 0;
             for (long seed = 1; seed <= 20; seed++) {
@@ -40,7 +40,7 @@ class LadderTest {
     }
 
     private static int wins(GameSetup scene, long seed, int first, int second, int player) {
-        MatchResult result = Matches.play(scene, seed, LADDER.get(first).get(), LADDER.get(second).get());
+        MatchResult result = BundledBotMatches.play(scene, seed, LADDER.get(first).get(), LADDER.get(second).get());
         assertFalse(result.anyFault(), result.toString());
         return result.winner() == player ? 1 : 0;
     }
@@ -56,7 +56,7 @@ class LadderTest {
         for (int player = 0; player < players; player++) {
             bots[player] = player % 2 == 0 ? new Contender() : new Regular();
         }
-        MatchResult result = Matches.play(Matches.scene("mad-pod-racing", change), 5, bots);
+        MatchResult result = BundledBotMatches.play(BundledBotMatches.scene("mad-pod-racing", change), 5, bots);
         assertFalse(result.anyFault(), result.toString());
         assertEquals(players, result.players().size());
     }
@@ -65,7 +65,8 @@ class LadderTest {
     @Test
     void anAnswerFollowsFromTheSetupAndTheTurnAlone() {
         for (Supplier<PodBot> step : LADDER) {
-            MatchResult result = Matches.play(Matches.scene("duel"), 1, new Doubled(step), Matches.asBot(new Racer()));
+            MatchResult result = BundledBotMatches.play(BundledBotMatches.scene("duel"), 1, new Doubled(step),
+                BundledBotMatches.asBot(new Racer()));
             assertFalse(result.anyFault(), result.toString());
         }
     }

@@ -16,9 +16,9 @@ import steward.scene.SceneFiles;
 import steward.scene.SceneText;
 
 /** Plays bundled bots against each other inside this JVM, without deadlines. */
-final class Matches {
+final class BundledBotMatches {
 
-    private Matches() {
+    private BundledBotMatches() {
     }
 
     /** A shipped scene. */
@@ -39,7 +39,7 @@ final class Matches {
 
     /** Plays one match that somebody follows. */
     static MatchResult play(GameSetup scene, long seed, MatchListener listener, PodBot... bots) {
-        return play(scene, seed, listener, Stream.of(bots).map(Matches::asBot).toArray(Bot[]::new));
+        return play(scene, seed, listener, Stream.of(bots).map(BundledBotMatches::asBot).toArray(Bot[]::new));
     }
 
     /** Plays one match, one bot of any sort per player. */

@@ -15,12 +15,13 @@ import steward.bot.Bot;
 import steward.match.MatchResult;
 
 /** The Python starter plays whole races as a program of its own; skipped where there is no Python 3. */
-class StarterTest {
+class PythonStarterTest {
 
     @Test
     void itFinishesARaceWithoutAFaultAndEndsByItself() throws Exception {
         try (Starter starter = new Starter()) {
-            MatchResult result = Matches.play(Matches.scene("mad-pod-racing"), 3, starter, Matches.asBot(new Racer()));
+            MatchResult result = BundledBotMatches.play(BundledBotMatches.scene("mad-pod-racing"), 3, starter,
+                BundledBotMatches.asBot(new Racer()));
             assertFalse(result.anyFault(), result.toString());
             assertTrue(result.ending().startsWith("finished"), result.toString());
             assertEquals(0, starter.status());
