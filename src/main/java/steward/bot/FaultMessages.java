@@ -62,7 +62,7 @@ public final class FaultMessages {
         return "exited with status " + status + " before answering" + meaning;
     }
 
-    /** Milliseconds as they were configured: whole, or with up to three decimals. */
+    /** Milliseconds as they were asked for: whole, or with up to three decimals. */
     static String limit(long nanos) {
         long micros = nanos / 1000;
         String fraction = String.valueOf(1000 + micros % 1000).substring(1).replaceAll("0+$", "");

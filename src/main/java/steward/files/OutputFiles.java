@@ -81,7 +81,7 @@ public final class OutputFiles {
         }
     }
 
-    /** Whether both paths are the same file, existing or not; {@code null} is the same as no file. */
+    /** Whether both are the same file, there already or about to be; nothing is the same as no file. */
     public static boolean isSame(Path one, Path other) {
         if (one == null || other == null) {
             return false;

@@ -106,7 +106,7 @@ public final class BuiltinBots {
             + String.join(", ", mains.keySet());
     }
 
-    /** The edit distance of two words: how many letters must be inserted, deleted or replaced, ignoring case. */
+    /** How many letters must be put in, taken out or replaced to turn one word into the other, whatever their case. */
     static int distance(String one, String other) {
         int[] row = new int[other.length() + 1];
         for (int j = 0; j < row.length; j++) {

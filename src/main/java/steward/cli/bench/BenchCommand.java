@@ -150,7 +150,7 @@ public final class BenchCommand implements Callable<Integer> {
         }
     }
 
-    /** After Ctrl-C: the measuring thread reports what it has, unless that takes too long. */
+    /** By Ctrl-C: the thread that measures tells what it knows, unless that takes long. */
     private String stopped(String kept) {
         interrupted = true;
         measuring.interrupt();
@@ -206,7 +206,7 @@ public final class BenchCommand implements Callable<Integer> {
         return status;
     }
 
-    /** @return {@code null} without a terminal */
+    /** @return {@code null} where nobody watches */
     private ProgressLine progress(String task, int steps) {
         return streams.errTerminal() ? new ProgressLine(streams.err(), task, steps) : null;
     }

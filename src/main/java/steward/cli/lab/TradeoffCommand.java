@@ -140,7 +140,7 @@ public final class TradeoffCommand implements Callable<Integer> {
         }
     }
 
-    /** @return {@code null} without a terminal */
+    /** @return {@code null} where nobody watches */
     private ProgressLine progress(String task, int steps) {
         return streams.errTerminal() ? new ProgressLine(streams.err(), task, steps) : null;
     }

@@ -117,7 +117,7 @@ final class MatchDisplay implements AutoCloseable {
         return file == null ? recording : new TeeOutputStream(file, recording);
     }
 
-    /** Prints where the match can be watched, and waits for a viewer: until Enter on a terminal, else a limited time. */
+    /** Prints where the match can be watched and waits for a viewer: until Enter on a terminal, else a limited time. */
     void awaitViewer() throws InterruptedException {
         if (server == null) {
             return;

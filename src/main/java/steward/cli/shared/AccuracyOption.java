@@ -6,7 +6,7 @@ import picocli.CommandLine.TypeConversionException;
 import steward.game.GameSetup;
 import steward.scene.Accuracy;
 
-/** The option that selects another rung of accuracy than the scene's. */
+/** The option that takes another rung of accuracy than the scene's. */
 public final class AccuracyOption {
 
     @Option(names = "--accuracy", paramLabel = "RUNG", converter = Rung.class,
@@ -14,17 +14,17 @@ public final class AccuracyOption {
             + "official, double, compensated, exact (event/exact is the same). A replay holds it.")
     private Accuracy accuracy;
 
-    /** Opens a scene by its path or shipped name, on the selected rung if there is one. */
+    /** Opens a scene by its path or shipped name, on this rung if one is called for. */
     public GameSetup open(String scene) {
         return Games.open(scene, accuracy);
     }
 
-    /** The option as it would be typed, with a blank before it; empty if it was not given. */
+    /** As it would be typed, with a blank before it; nothing where there is no such option. */
     public String words() {
         return accuracy == null ? "" : " --accuracy " + accuracy.text();
     }
 
-    /** Converts the option's value to a rung. */
+    /** Reads a rung. */
     static final class Rung implements ITypeConverter<Accuracy> {
 
         @Override

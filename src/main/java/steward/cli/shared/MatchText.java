@@ -22,7 +22,7 @@ public final class MatchText {
             + scene + ", seed " + seed + ")");
     }
 
-    /** The whole result. */
+    /** Everything about the result. */
     public static void print(PrintStream out, String scene, long seed, MatchResult result) {
         out.println(headline(scene, seed, result));
         out.println();

@@ -28,7 +28,7 @@ public final class ProgressLine implements AutoCloseable {
             .setConsumer(new ConsoleProgressBarConsumer(terminal, WIDTH)).build();
     }
 
-    /** Counts one more step; any thread may call this. */
+    /** One more; by any thread. */
     public void step() {
         bar.step();
     }

@@ -3,7 +3,7 @@ package steward.cli.shared;
 import java.util.Iterator;
 import steward.scene.SceneFiles;
 
-/** The names of the scenes bundled with the program, for help and completion. */
+/** The names of the scenes that come with the program, for help and completion. */
 public final class ShippedScenes implements Iterable<String> {
 
     @Override

@@ -13,7 +13,7 @@ public final class TimeLimitOptions {
     @Option(names = "--no-deadline", description = "Wait for answers without end.")
     private boolean noDeadline;
 
-    /** The factor of the limits; {@code POSITIVE_INFINITY} for none. */
+    /** By what the limits are multiplied; {@code POSITIVE_INFINITY} for none. */
     public double factor(CommandSpec spec) {
         if (noDeadline && timeFactor != null) {
             throw new ParameterException(spec.commandLine(), "--no-deadline and --time-factor exclude each other");

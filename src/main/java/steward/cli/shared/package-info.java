@@ -1,4 +1,7 @@
-/** What several commands share: streams and terminals, options, error messages and exit statuses, the list of games. */
+/**
+ * What several commands share: streams and terminals, options, messages of errors and their exit status, the list of
+ * games.
+ */
 @Internal
 package steward.cli.shared;
 

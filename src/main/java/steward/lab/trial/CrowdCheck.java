@@ -13,7 +13,7 @@ import steward.physics.TurnSink;
  * when they are checked, half a unit in the last place of the side each time. Together less than 2^-52 u + 8 ulp(side),
  * u at most the sum of their speeds. A deeper overlap means that an impact was missed.
  *
- * The official expressions lose more: D = b^2 - a c, with b^2 and a c up to a d^2, has an error of up to 2^-51 a d^2, the
+ * The official expressions lose more: D = b^2 - a c, with b^2 and a c up to a d^2, is wrong by up to 2^-51 a d^2, the
  * time by 1 / (2 a sqrt D) of that, and the distance, which changes at sqrt D / s when they touch at s = 2, by 2^-53
  * d^2. No distance is longer than the diagonal: 2^-52 side^2.
  */
