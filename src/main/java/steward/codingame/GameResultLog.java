@@ -35,7 +35,7 @@ import tools.jackson.core.ObjectWriteContext;
  */
 public final class GameResultLog implements MatchListener {
 
-    /** As many as 500 turns of 16 KiB each are: more than any bot needs that is not gone mad. */
+    /** As many as 500 turns of 16 KiB each: more than any working bot needs. */
     static final int MOST_CHARACTERS = 8 << 20;
 
     private static final String REFEREE = "referee";

@@ -20,8 +20,8 @@ import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 
 /**
- * What looking for the impact of one pair costs, in every arithmetic; in {@code EXACT} that is the lower bound with
- * its exact decision, and {@code exactTimes} is the time itself, which only impacts that happen pay:
+ * The cost of computing the time of impact of one pair, in every arithmetic; in {@code EXACT} that is the lower bound
+ * with its exact decision, and {@code exactTimes} is the exact time, needed only for impacts that happen:
  * {@code ./gradlew jmh -Pbench=TimeOfImpact}.
  */
 @State(Scope.Benchmark)

@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The textbook baseline: the official turn of the pod race as a contestant writes it down from the rules, pod objects,
- * {@link StrictMath}, every pair's quadratic each time. It shares no code with the engine, so that it can be measured
- * against, and checked against. Without elimination and without the bound on impacts.
+ * The textbook baseline: the official turn of the pod race as a contestant writes it from the rules: pod objects,
+ * {@link StrictMath}, every pair's quadratic each time. It shares no code with the engine, so that the engine can be
+ * measured and checked against it. Without elimination and without the bound on impacts.
  *
  * <p>Units: u, turns, radians, pod masses.
  */
@@ -25,7 +25,7 @@ public final class TextbookPodRace {
     private static final double WINDOW = 1e-5;
     private static final double MINIMUM_IMPULSE = 120;
 
-    /** A pod, and where it has been in this turn. */
+    /** A pod and its path in this turn. */
     public static final class Pod {
         public double x;
         public double y;
@@ -71,12 +71,12 @@ public final class TextbookPodRace {
         }
     }
 
-    /** To read and to write between turns. */
+    /** A pod, to read and write between turns. */
     public Pod pod(int k) {
         return pods[k];
     }
 
-    /** Plays one turn: per pod a target and a thrust, {@link #SHIELD}, {@link #BOOST} or {@link #NO_COMMAND}. */
+    /** Plays one turn with a target and a thrust per pod, {@link #SHIELD}, {@link #BOOST} or {@link #NO_COMMAND}. */
     public void play(double[] targetX, double[] targetY, int[] thrust) {
         for (int k = 0; k < pods.length; k++) {
             pods[k].path = 0;

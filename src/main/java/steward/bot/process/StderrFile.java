@@ -16,22 +16,22 @@ import java.util.concurrent.ThreadLocalRandom;
 import steward.bot.Utf8;
 
 /**
- * Where a bot's stderr goes: a file without a name, open here and in the bot. A bot can never block on it, no thread
- * has to drain it, and what a bot wrote before its answer is there when the answer is read, every time.
+ * A bot's stderr: a file without a name, open in this process and in the bot. A bot can never block on it, no thread
+ * has to drain it, and whatever a bot wrote before its answer is in the file when the answer is read.
  *
- * <p>The bot appends, so the file may be cut to nothing at any time: that bounds it. A bot that opens
- * {@code /dev/stderr} anew, without appending, cuts the file itself; what it wrote since the last look is then
- * found only if the file has another length than before.
+ * <p>The bot appends, so the file may be truncated at any time, which bounds it. A bot that opens {@code /dev/stderr}
+ * anew, without appending, truncates the file itself; what it wrote since the last read is then found only if the
+ * length of the file has changed.
  */
 final class StderrFile {
 
-    /** What is kept of one turn, in bytes. */
+    /** How much of one turn is kept, in bytes. */
     static final int KEPT = 16 * 1024;
 
-    /** The file is cut when it is longer than this after having been looked at, in bytes. */
+    /** The file is truncated after a read that left it longer than this, in bytes. */
     static final long CUT_AFTER_READING = 16L << 20;
 
-    /** The file is cut when it is longer than this while the bot is thinking, in bytes. */
+    /** The file is truncated when it grows longer than this while the bot is computing, in bytes. */
     static final long CUT_UNREAD = 256L << 20;
 
     private static final Set<StandardOpenOption> NEW =
@@ -53,7 +53,7 @@ final class StderrFile {
     /**
      * A new file in the directory for temporary files, readable by this user alone.
      *
-     * @throws IOException when there is none to be had
+     * @throws IOException when none can be created
      */
     static StderrFile create() throws IOException {
         Path folder = Path.of(System.getProperty("java.io.tmpdir"));
@@ -78,12 +78,12 @@ final class StderrFile {
             PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rw-------"))};
     }
 
-    /** The file by name, for as long as it has one. */
+    /** The file by name, for as long as it has a name. */
     File file() {
         return path.toFile();
     }
 
-    /** Takes the name away; the file itself goes with its last user. */
+    /** Removes the name; the file itself is deleted with its last user. */
     void unlink() {
         if (unlinked) {
             return;
@@ -92,15 +92,15 @@ final class StderrFile {
             Files.deleteIfExists(path);
             unlinked = true;
         } catch (IOException e) {
-            // A system that keeps the names of open files: the attempt at the end will do.
+            // The system does not delete open files: the attempt at the end will delete it.
             return;
         }
     }
 
     /**
-     * What has been written since the last call: its first {@value #KEPT} bytes, a line that says how many more
-     * there were, and of those the lines with data that {@link DataLineScan} finds. A character of which
-     * only a part has been written is left for the next call.
+     * What has been written since the last call: its first {@value #KEPT} bytes, a line that says how many more there
+     * were, and of those the data lines that {@link DataLineScan} finds. An incomplete character is left for the next
+     * call.
      *
      * @param last whether there is no next call
      * @return {@code null} when nothing has been written
@@ -163,7 +163,7 @@ final class StderrFile {
         position = 0;
     }
 
-    /** Cuts a file that has grown out of all proportion before anybody came to read it. */
+    /** Truncates a file that has grown far too long before it was read. */
     void bound() {
         try {
             if (file.length() <= CUT_UNREAD) {
@@ -174,17 +174,17 @@ final class StderrFile {
                 cut();
             }
         } catch (IOException e) {
-            // Closed meanwhile: nothing to bound.
+            // Closed in the meantime: nothing to bound.
             return;
         }
     }
 
-    /** Closes the file here. */
+    /** Closes the file in this process. */
     synchronized void close() {
         try {
             file.close();
         } catch (IOException e) {
-            // Nothing was written through it that could be lost.
+            // Nothing was written through this handle, so nothing is lost.
             return;
         } finally {
             unlink();

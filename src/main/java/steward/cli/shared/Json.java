@@ -11,8 +11,8 @@ import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;
 
 /**
- * Small JSON values read whole, without the weight of a data-binding library: objects are maps in their written order,
- * arrays are lists, numbers are doubles, null is null.
+ * Small JSON values read as a whole, without the start-up cost of a data-binding library: objects are maps in their
+ * written order, arrays are lists, numbers are doubles, null is null.
  */
 public final class Json {
 
@@ -91,7 +91,7 @@ public final class Json {
         return value instanceof Double number ? number : Double.NaN;
     }
 
-    /** A scalar as a word for people; {@code -} for nothing. */
+    /** A scalar as readable text; {@code -} for nothing. */
     public static String word(Object value, int decimals) {
         if (value instanceof Double number) {
             return TextFormat.number(number, decimals);

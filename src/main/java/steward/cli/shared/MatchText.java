@@ -8,13 +8,13 @@ import steward.match.MatchResult;
 import steward.match.MatchResult.PlayerResult;
 import steward.text.TextFormat;
 
-/** The result of a match for people. */
+/** The result of a match as readable text. */
 public final class MatchText {
 
     private MatchText() {
     }
 
-    /** One line: who won, why, when. */
+    /** One line: the winner, the ending, the turn. */
     public static String headline(String scene, long seed, MatchResult result) {
         int winner = result.winner();
         String who = winner >= 0 ? result.players().get(winner).name() + " wins" : "a draw";

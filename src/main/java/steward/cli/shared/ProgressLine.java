@@ -6,10 +6,12 @@ import me.tongfei.progressbar.ProgressBar;
 import me.tongfei.progressbar.ProgressBarBuilder;
 import me.tongfei.progressbar.ProgressBarStyle;
 
-/** How many games or other steps are done and how long the rest will take, on one line of a terminal; then gone. */
+/**
+ * How many games or other steps are done and how long the rest will take, on one line of a terminal, erased at the end.
+ */
 public final class ProgressLine implements AutoCloseable {
 
-    /** Given, because finding out the terminal's width would load a library of its own. */
+    /** Fixed, because finding the terminal's width would need another library. */
     private static final int WIDTH = 79;
     private static final int REFRESH_MS = 250;
 
@@ -19,7 +21,7 @@ public final class ProgressLine implements AutoCloseable {
         this(terminal, "games", games);
     }
 
-    /** @param task what the steps are of */
+    /** @param task what is being done */
     public ProgressLine(PrintStream terminal, String task, int steps) {
         bar = new ProgressBarBuilder().setTaskName(task).setInitialMax(steps).setStyle(ProgressBarStyle.ASCII)
             .setUpdateIntervalMillis(REFRESH_MS).clearDisplayOnFinish()

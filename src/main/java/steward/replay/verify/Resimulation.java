@@ -71,7 +71,7 @@ public final class Resimulation {
         return difference;
     }
 
-    /** All of a turn but playing it: commands are read, and who failed is out. */
+    /** Everything of a turn except playing it: commands are read, and players that failed are out. */
     public Difference prepare(RecordedTurn turn) {
         int expected = game.turn() + 1;
         if (game.isOver()) {
@@ -99,7 +99,7 @@ public final class Resimulation {
     }
 
     /**
-     * Reads the commands of a turn in which nobody failed.
+     * Reads the commands of a turn in which no player failed.
      *
      * @return how many bytes there are behind them; negative if there is anything wrong or unusual about them
      */

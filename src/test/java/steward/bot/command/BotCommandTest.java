@@ -108,7 +108,7 @@ class BotCommandTest {
 
     @Test
     void builtinBotsStartTheJvmThatIsRunning() {
-        Builtins builtins = new Builtins(Map.of("racer", "a.b.Racer --mild 'x y'"));
+        BuiltinBots builtins = new BuiltinBots(Map.of("racer", "a.b.Racer --mild 'x y'"));
         List<String> command = BotCommand.parse("builtin:racer --fast").resolve(builtins);
         assertEquals(Path.of(System.getProperty("java.home"), "bin", "java").toString(), command.get(0));
         int end = command.size();
@@ -120,27 +120,27 @@ class BotCommandTest {
 
     @Test
     void theJvmOptionsOfBuiltinBotsCanBeReplaced() {
-        String before = System.getProperty(Builtins.JVM_OPTIONS);
+        String before = System.getProperty(BuiltinBots.JVM_OPTIONS);
         try {
-            System.setProperty(Builtins.JVM_OPTIONS, "-Xmx64m '-Dx=a b'");
-            List<String> command = new Builtins(Map.of("racer", "Racer")).command("racer", List.of());
+            System.setProperty(BuiltinBots.JVM_OPTIONS, "-Xmx64m '-Dx=a b'");
+            List<String> command = new BuiltinBots(Map.of("racer", "Racer")).command("racer", List.of());
             assertEquals(List.of("-Xmx64m", "-Dx=a b", "-cp"), command.subList(1, 4));
-            System.setProperty(Builtins.JVM_OPTIONS, "'");
+            System.setProperty(BuiltinBots.JVM_OPTIONS, "'");
             Exception e = assertThrows(IllegalArgumentException.class,
-                () -> new Builtins(Map.of("racer", "Racer")).command("racer", List.of()));
+                () -> new BuiltinBots(Map.of("racer", "Racer")).command("racer", List.of()));
             assertEquals("system property steward.bot.jvm, column 1: the single quote is never closed", e.getMessage());
         } finally {
             if (before == null) {
-                System.clearProperty(Builtins.JVM_OPTIONS);
+                System.clearProperty(BuiltinBots.JVM_OPTIONS);
             } else {
-                System.setProperty(Builtins.JVM_OPTIONS, before);
+                System.setProperty(BuiltinBots.JVM_OPTIONS, before);
             }
         }
     }
 
     @Test
     void anUnknownBuiltinBotIsAnErrorThatKnowsBetter() {
-        Builtins builtins = new Builtins(Map.of("racer", "R", "blocker", "B", "plain", "P"));
+        BuiltinBots builtins = new BuiltinBots(Map.of("racer", "R", "blocker", "B", "plain", "P"));
         assertEquals(List.of("blocker", "plain", "racer"), builtins.names());
         Exception near = assertThrows(IllegalArgumentException.class,
             () -> BotCommand.parse("builtin:Racr").resolve(builtins));
@@ -149,17 +149,17 @@ class BotCommandTest {
         Exception far = assertThrows(IllegalArgumentException.class, () -> builtins.command("zzz", List.of()));
         assertEquals("there is no builtin bot 'zzz'; there are: blocker, plain, racer", far.getMessage());
         Exception none = assertThrows(IllegalArgumentException.class,
-            () -> new Builtins(Map.of()).command("racer", List.of()));
+            () -> new BuiltinBots(Map.of()).command("racer", List.of()));
         assertEquals("there is no builtin bot 'racer': this installation has none"
             + " (no steward/bots/builtin.properties on the class path)", none.getMessage());
     }
 
     @Test
     void distanceCountsLettersToChange() {
-        assertEquals(0, Builtins.distance("racer", "Racer"));
-        assertEquals(1, Builtins.distance("racr", "racer"));
-        assertEquals(5, Builtins.distance("", "racer"));
-        assertEquals(3, Builtins.distance("kitten", "sitting"));
+        assertEquals(0, BuiltinBots.distance("racer", "Racer"));
+        assertEquals(1, BuiltinBots.distance("racr", "racer"));
+        assertEquals(5, BuiltinBots.distance("", "racer"));
+        assertEquals(3, BuiltinBots.distance("kitten", "sitting"));
     }
 
     @Test

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.bot.Answer;
-import steward.bot.command.Programs;
+import steward.bot.command.ProgramFinder;
 
 /** What a bot writes to its stderr belongs to the turn in which it was written, and never blocks it. */
 class BotStderrTest {
@@ -118,7 +118,7 @@ class BotStderrTest {
 
     @Test
     void aTracebackIsThere() {
-        assumeTrue(Programs.find("python3") != null, "there is no python3 on the PATH");
+        assumeTrue(ProgramFinder.find("python3") != null, "there is no python3 on the PATH");
         String script = "import sys\nfor line in sys.stdin:\n  print(1 // (len(line) - 2), flush=True)";
         try (BotProcess bot = new BotProcess("py", List.of("python3", "-c", script))) {
             assertEquals("1", ScriptedBots.reply(bot, "ab\n"));

@@ -96,7 +96,7 @@ class BenchCommandTest {
     @Test
     void everyPartIsThere() {
         Map<String, Integer> names = new java.util.TreeMap<>();
-        BenchScenes.all(1, 1, List.of(10)).forEach(section -> names.merge(section.name(), 1, Integer::sum));
+        BenchSuite.all(1, 1, List.of(10)).forEach(section -> names.merge(section.name(), 1, Integer::sum));
 
         assertTrue(names.keySet().containsAll(List.of("pods", "matches", "growth", "frames", "verify", "processes",
             "start", "crowds")), names::toString);

@@ -15,8 +15,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import steward.lab.stability.crowds.CradleCase;
 import steward.lab.stability.crowds.MirrorCase;
+import steward.lab.stability.crowds.NewtonsCradleCase;
 import steward.lab.stability.crowds.TimeReversalCase;
 import steward.lab.stability.pairs.OfficialEdgesCase;
 import steward.lab.stability.pairs.RadiusRatioCase;
@@ -185,8 +185,8 @@ class StabilityTest {
             throw new IllegalStateException("on purpose");
         });
         List<StabilityRow> rows = new ArrayList<>();
-        StabilityRow.tryAll(List.of(new CradleCase()), List.of(broken, real), RunLength.SMALL, (each, rung) -> { },
-            Progress.NONE, rows::add);
+        StabilityRow.tryAll(List.of(new NewtonsCradleCase()), List.of(broken, real), RunLength.SMALL,
+            (each, rung) -> { }, Progress.NONE, rows::add);
         assertTrue(rows.get(0).failed() && rows.get(0).seen().text().contains("on purpose"));
         assertFalse(rows.get(1).failed());
     }

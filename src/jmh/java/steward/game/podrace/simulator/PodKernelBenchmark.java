@@ -24,8 +24,9 @@ import steward.scene.SceneReader;
 import steward.scene.SceneText;
 
 /**
- * The official turn of four pods on every road to the same bits: {@code ./gradlew jmh -Pbench=PodKernel}. One operation
- * is one turn, from a given state that is put in (or copied in) first; {@code states} costs the putting in alone.
+ * The official turn of four pods by every implementation, all with the same bits:
+ * {@code ./gradlew jmh -Pbench=PodKernel}. One operation is one turn, from a given state that is set (or copied) first;
+ * {@code states} measures only the setting.
  *
  * <p>{@code race}: turns of four pods on an official map, each steered at its next checkpoint less three times its
  * speed, and up to 500 u beside it; {@code brawl}: each is steered at another pod. A start every 100 turns.
@@ -116,7 +117,7 @@ public class PodKernelBenchmark {
         return sum;
     }
 
-    /** {@link PodRace} with the event loop that every scene can have. */
+    /** {@link PodRace} with the event loop that is available to every scene. */
     @Benchmark
     @OperationsPerInvocation(STATES)
     public double plain() {
@@ -125,7 +126,7 @@ public class PodKernelBenchmark {
         return play(plain);
     }
 
-    /** {@link PodRace} as matches and verification play it. */
+    /** {@link PodRace} as matches and verification use it. */
     @Benchmark
     @OperationsPerInvocation(STATES)
     public double match() {
@@ -164,7 +165,7 @@ public class PodKernelBenchmark {
         return sum;
     }
 
-    /** Copying a state into a {@link PodRaceSimulator} alone. */
+    /** Only copies a state into a {@link PodRaceSimulator}. */
     @Benchmark
     @OperationsPerInvocation(STATES)
     public double states() {
@@ -176,7 +177,7 @@ public class PodKernelBenchmark {
         return sum;
     }
 
-    /** {@link PodRaceBatch}, one thread; states are put in. */
+    /** {@link PodRaceBatch}, one thread; states are set first. */
     @Benchmark
     @OperationsPerInvocation(STATES)
     public double batch() {
@@ -185,7 +186,7 @@ public class PodKernelBenchmark {
         return batch.x(0, 0);
     }
 
-    /** Putting the states into a {@link PodRaceBatch} alone. */
+    /** Only sets the states of a {@link PodRaceBatch}. */
     @Benchmark
     @OperationsPerInvocation(STATES)
     public double batchStates() {
