@@ -21,7 +21,8 @@ import steward.scene.Scene;
  * them. Sources: the published official referee and official recordings of 2016 and 2026; with the official law and
  * arithmetic, positions, speeds, headings, impact times and impulses agree with them to the last bit.
  *
- * <p>A player who is out keeps the pods on the field: they get no commands, drift, and can be hit.
+ * <p>A player who is out keeps the pods on the field: they get no commands, drift, and can be hit; a pod whose shield
+ * was up stays as heavy. What of a faulty answer was given before the fault takes effect in that turn.
  *
  * <p>A little over 400 lines, because the steps of a turn belong side by side and half of it is read by codecs.
  */
@@ -139,7 +140,7 @@ public final class PodRace implements Game {
         for (int pod = 0; pod < settings.pods(); pod++) {
             startX[pod] = bodies.x[pod];
             startY[pod] = bodies.y[pod];
-            steer(pod, isIn(playerOf(pod)) ? thrust[pod] : NO_COMMAND);
+            steer(pod, thrust[pod]);
             thrust[pod] = NO_COMMAND;
         }
         advance.turn(bodies, log);
@@ -152,10 +153,16 @@ public final class PodRace implements Game {
         judge();
     }
 
-    /** Shield, boost, heading and thrust of one pod: step 1 of the official turn. */
+    /**
+     * Shield, boost, heading and thrust of one pod: step 1 of the official turn. A pod without a command keeps the mass
+     * it had.
+     */
     private void steer(int pod, int command) {
         shieldTimer[pod] = command == SHIELD ? PodRaceSettings.SHIELD_TURNS : Math.max(0, shieldTimer[pod] - 1);
-        bodies.setMass(pod, command == SHIELD ? PodRaceSettings.SHIELD_MASS_FACTOR * settings.mass() : settings.mass());
+        if (command != NO_COMMAND) {
+            bodies.setMass(pod, command == SHIELD ? PodRaceSettings.SHIELD_MASS_FACTOR * settings.mass()
+                : settings.mass());
+        }
         int power = Math.max(0, command);
         if (command == BOOST) {
             power = boostLeft[pod] ? PodRaceSettings.BOOST_THRUST : settings.maximumThrust();
@@ -182,7 +189,7 @@ public final class PodRace implements Game {
         int after = 0;
         for (int pod = player * settings.podsPerPlayer(); pod < (player + 1) * settings.podsPerPlayer(); pod++) {
             before += passed[pod];
-            while (passed[pod] < toFinish() && passesNext(pod)) {
+            for (int most = checkpoints.length; most > 0 && passesNext(pod); most--) {
                 passed[pod]++;
                 markCheckpoint(pod);
             }
@@ -295,7 +302,7 @@ public final class PodRace implements Game {
     }
 
     /**
-     * Order: turn; per pod x, y, vx, vy, heading, shield timer, boost left, checkpoints passed; per player turns left
+     * Order: turn; per pod x, y, vx, vy, heading, shield timer, boost left, checkpoints passed, mass; per player turns left
      * and the turn of elimination (2^31 - 1 while in).
      */
     @Override
@@ -303,7 +310,7 @@ public final class PodRace implements Game {
         hash.reset().add(turn);
         for (int pod = 0; pod < settings.pods(); pod++) {
             hash.add(bodies.x[pod]).add(bodies.y[pod]).add(bodies.vx[pod]).add(bodies.vy[pod]).add(heading[pod])
-                .add(shieldTimer[pod]).add(boostLeft[pod]).add(passed[pod]);
+                .add(shieldTimer[pod]).add(boostLeft[pod]).add(passed[pod]).add(bodies.mass[pod]);
         }
         for (int player = 0; player < settings.players(); player++) {
             hash.add(turnsLeft[player]).add(outTurn[player]);
@@ -332,14 +339,24 @@ public final class PodRace implements Game {
             shieldTimer[pod], boostLeft[pod], passed[pod]);
     }
 
-    /** Puts a pod into a state, for tests of the rules and for simulators. */
+    /**
+     * Puts a pod into a state, for tests of the rules and for simulators. Right after the turn of a shield (timer 4) it
+     * is heavy until its next command.
+     */
     public void setPod(int pod, PodState state) {
         bodies.setPosition(pod, state.x(), state.y());
         bodies.setVelocity(pod, state.vx(), state.vy());
         heading[pod] = state.heading();
         shieldTimer[pod] = state.shieldTimer();
+        bodies.setMass(pod, state.shieldTimer() == PodRaceSettings.SHIELD_TURNS
+            ? PodRaceSettings.SHIELD_MASS_FACTOR * settings.mass() : settings.mass());
         boostLeft[pod] = state.boostLeft();
         passed[pod] = state.passed();
+    }
+
+    /** Says how many turns a player has left to pass a checkpoint, for tests of the rules and for simulators. */
+    public void setTurnsLeft(int player, int turns) {
+        turnsLeft[player] = turns;
     }
 
     public int playerOf(int pod) {
@@ -384,11 +401,6 @@ public final class PodRace implements Game {
     /** Checkpoints that a pod has passed. */
     public int passed(int pod) {
         return passed[pod];
-    }
-
-    /** The turn in which a player went out, 2^31 - 1 while in. */
-    int outTurn(int player) {
-        return outTurn[player];
     }
 
     /** How many checkpoints make the race. */

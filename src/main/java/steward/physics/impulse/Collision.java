@@ -11,7 +11,7 @@ import steward.physics.time.TimeOfImpact;
  * Lets a pair, or a body and a wall, react under a law: impulse, push-out, record. As it is, with the expressions of
  * the published official referee in their order.
  */
-public sealed class Collision permits CarefulCollision {
+public sealed class Collision permits CarefulCollision, OfficialCollision {
 
     /** A body so far behind a wall, relative to its coordinates, is there by rounding: some units in the last place. */
     private static final double ROUNDING = 0x1p-46;
@@ -37,8 +37,10 @@ public sealed class Collision permits CarefulCollision {
 
     /** The reactions of an arithmetic other than {@code EXACT}, which needs to know more. */
     public static Collision of(ImpactLaw law, Arithmetic arithmetic, Wall[] walls) {
-        return arithmetic == Arithmetic.OFFICIAL || law.minimumImpulse() > 0
-            ? new Collision(law, walls) : new CarefulCollision(law, walls);
+        if (arithmetic == Arithmetic.OFFICIAL) {
+            return new OfficialCollision(law, walls);
+        }
+        return law.minimumImpulse() > 0 ? new Collision(law, walls) : new CarefulCollision(law, walls);
     }
 
     /** @param b an index, or {@code ~wall} */
