@@ -1,5 +1,6 @@
 package steward.game.podrace;
 
+import steward.numerics.SineCosine;
 import steward.numerics.StrictAngles;
 
 /**
@@ -75,7 +76,7 @@ public final class Headings {
     /** How many numbers a heading takes. */
     public static final int NUMBERS = 5;
 
-    private final StrictAngles angles = new StrictAngles();
+    private final SineCosine direction = new SineCosine();
     private double directionX;
     private double directionY;
 
@@ -96,9 +97,9 @@ public final class Headings {
 
     /** As the game does it. */
     private void point(double angle) {
-        angles.turn(angle);
-        double cos = angles.cos();
-        double sin = angles.sin();
+        direction.turn(angle);
+        double cos = direction.cos();
+        double sin = direction.sin();
         double length = Math.sqrt(cos * cos + sin * sin);
         directionX = cos / length;
         directionY = sin / length;

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import steward.game.Game;
 import steward.game.TurnEvent;
+import steward.numerics.SineCosine;
 import steward.numerics.SplitMix64;
 import steward.numerics.StateHash;
 import steward.numerics.StrictAngles;
@@ -45,7 +46,7 @@ public final class PodRace implements Game {
     private final TurnLog log = new TurnLog();
     private final List<TurnEvent> events = new ArrayList<>();
     private final StateHash hash = new StateHash();
-    private final StrictAngles angles = new StrictAngles();
+    private final SineCosine direction = new SineCosine();
     private final RaceStanding standing = new RaceStanding(this);
 
     private final double[] heading;
@@ -175,9 +176,9 @@ public final class PodRace implements Game {
         }
         heading[pod] = Headings.turned(heading[pod], StrictAngles.atan2(dy, dx));
         if (shieldTimer[pod] == 0) {
-            angles.turn(heading[pod]);
-            double cos = angles.cos();
-            double sin = angles.sin();
+            direction.turn(heading[pod]);
+            double cos = direction.cos();
+            double sin = direction.sin();
             double length = Math.sqrt(cos * cos + sin * sin);
             bodies.vx[pod] += cos / length * power;
             bodies.vy[pod] += sin / length * power;
