@@ -136,11 +136,11 @@ class RefereeTest {
     }
 
     @Test
-    void threePlayersAreRankedByTheTurnInWhichTheyFailed() throws InterruptedException {
+    void ofThreePlayersThoseWhoFailedShareTheLastRank() throws InterruptedException {
         MatchResult result = play(3, NOBODY, player("A", k -> k < 3 ? ScriptedPlayer.idle(k) : LATE),
             player("B", k -> k < 2 ? ScriptedPlayer.idle(k) : LATE), player("C", ScriptedPlayer::idle));
 
-        assertEquals(List.of(1, 2, 0), result.players().stream().map(MatchResult.PlayerResult::rank).toList());
+        assertEquals(List.of(1, 1, 0), result.players().stream().map(MatchResult.PlayerResult::rank).toList());
         assertEquals(2, result.winner());
     }
 

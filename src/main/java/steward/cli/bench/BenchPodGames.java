@@ -111,7 +111,7 @@ final class BenchPodGames {
     private long playTextbook() {
         StateHash hash = new StateHash();
         for (int game = 0; game < GAMES; game++) {
-            TextbookPodRace race = new TextbookPodRace(map, PODS, LAPS);
+            TextbookPodRace race = new TextbookPodRace(map, PODS);
             for (int pod = 0; pod < PODS; pod++) {
                 race.pod(pod).x = start.x(pod);
                 race.pod(pod).y = start.y(pod);

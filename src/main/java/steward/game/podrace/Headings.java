@@ -1,5 +1,6 @@
 package steward.game.podrace;
 
+import steward.numerics.SineCosine;
 import steward.numerics.StrictAngles;
 
 /**
@@ -78,7 +79,7 @@ public final class Headings {
     /** The size of a heading in the array. */
     public static final int NUMBERS = 5;
 
-    private final StrictAngles angles = new StrictAngles();
+    private final SineCosine direction = new SineCosine();
     private double directionX;
     private double directionY;
 
@@ -99,9 +100,9 @@ public final class Headings {
 
     /** Computes the direction of an angle as the game does. */
     private void computeDirection(double angle) {
-        angles.turn(angle);
-        double cos = angles.cos();
-        double sin = angles.sin();
+        direction.turn(angle);
+        double cos = direction.cos();
+        double sin = direction.sin();
         double length = Math.sqrt(cos * cos + sin * sin);
         directionX = cos / length;
         directionY = sin / length;

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import steward.game.Game;
 import steward.game.TurnEvent;
+import steward.numerics.SineCosine;
 import steward.numerics.SplitMix64;
 import steward.numerics.StateHash;
 import steward.numerics.StrictAngles;
@@ -21,7 +22,8 @@ import steward.scene.Scene;
  * Sources: the published official referee and official recordings of 2016 and 2026; with the official law and
  * arithmetic, positions, speeds, headings, impact times and impulses agree with them to the last bit.
  *
- * <p>The pods of an eliminated player stay on the field: they get no commands, drift, and can be hit.
+ * <p>The pods of an eliminated player stay on the field: they get no commands, drift, and can be hit; a pod whose shield
+ * was raised stays heavy. Commands that stand in a faulty answer before the fault take effect in that turn.
  *
  * <p>A little over 400 lines, because the steps of a turn belong together and half of the class are accessors for
  * codecs.
@@ -45,7 +47,7 @@ public final class PodRace implements Game {
     private final TurnLog log = new TurnLog();
     private final List<TurnEvent> events = new ArrayList<>();
     private final StateHash hash = new StateHash();
-    private final StrictAngles angles = new StrictAngles();
+    private final SineCosine direction = new SineCosine();
     private final RaceStanding standing = new RaceStanding(this);
 
     private final double[] heading;
@@ -140,7 +142,7 @@ public final class PodRace implements Game {
         for (int pod = 0; pod < settings.pods(); pod++) {
             startX[pod] = bodies.x[pod];
             startY[pod] = bodies.y[pod];
-            steer(pod, isIn(playerOf(pod)) ? thrust[pod] : NO_COMMAND);
+            steer(pod, thrust[pod]);
             thrust[pod] = NO_COMMAND;
         }
         advance.turn(bodies, log);
@@ -153,10 +155,16 @@ public final class PodRace implements Game {
         decideOutcome();
     }
 
-    /** Shield, boost, heading and thrust of one pod: step 1 of the official turn. */
+    /**
+     * Shield, boost, heading and thrust of one pod: step 1 of the official turn. A pod without a command keeps the mass
+     * it had.
+     */
     private void steer(int pod, int command) {
         shieldTimer[pod] = command == SHIELD ? PodRaceSettings.SHIELD_TURNS : Math.max(0, shieldTimer[pod] - 1);
-        bodies.setMass(pod, command == SHIELD ? PodRaceSettings.SHIELD_MASS_FACTOR * settings.mass() : settings.mass());
+        if (command != NO_COMMAND) {
+            bodies.setMass(pod, command == SHIELD ? PodRaceSettings.SHIELD_MASS_FACTOR * settings.mass()
+                : settings.mass());
+        }
         int power = Math.max(0, command);
         if (command == BOOST) {
             power = boostLeft[pod] ? PodRaceSettings.BOOST_THRUST : settings.maximumThrust();
@@ -169,9 +177,9 @@ public final class PodRace implements Game {
         }
         heading[pod] = Headings.turned(heading[pod], StrictAngles.atan2(dy, dx));
         if (shieldTimer[pod] == 0) {
-            angles.turn(heading[pod]);
-            double cos = angles.cos();
-            double sin = angles.sin();
+            direction.turn(heading[pod]);
+            double cos = direction.cos();
+            double sin = direction.sin();
             double length = Math.sqrt(cos * cos + sin * sin);
             bodies.vx[pod] += cos / length * power;
             bodies.vy[pod] += sin / length * power;
@@ -183,7 +191,7 @@ public final class PodRace implements Game {
         int after = 0;
         for (int pod = player * settings.podsPerPlayer(); pod < (player + 1) * settings.podsPerPlayer(); pod++) {
             before += passed[pod];
-            while (passed[pod] < toFinish() && passesNext(pod)) {
+            for (int most = checkpoints.length; most > 0 && passesNext(pod); most--) {
                 passed[pod]++;
                 markCheckpoint(pod);
             }
@@ -296,15 +304,15 @@ public final class PodRace implements Game {
     }
 
     /**
-     * Order: turn; per pod x, y, vx, vy, heading, shield timer, boost left, checkpoints passed; per player turns left
-     * and the turn of elimination (2^31 - 1 if not eliminated).
+     * Order: turn; per pod x, y, vx, vy, heading, shield timer, boost left, checkpoints passed, mass; per player turns
+     * left and the turn of elimination (2^31 - 1 if not eliminated).
      */
     @Override
     public long hash() {
         hash.reset().add(turn);
         for (int pod = 0; pod < settings.pods(); pod++) {
             hash.add(bodies.x[pod]).add(bodies.y[pod]).add(bodies.vx[pod]).add(bodies.vy[pod]).add(heading[pod])
-                .add(shieldTimer[pod]).add(boostLeft[pod]).add(passed[pod]);
+                .add(shieldTimer[pod]).add(boostLeft[pod]).add(passed[pod]).add(bodies.mass[pod]);
         }
         for (int player = 0; player < settings.players(); player++) {
             hash.add(turnsLeft[player]).add(outTurn[player]);
@@ -333,14 +341,24 @@ public final class PodRace implements Game {
             shieldTimer[pod], boostLeft[pod], passed[pod]);
     }
 
-    /** Sets the state of a pod, for tests of the rules and for simulators. */
+    /**
+     * Sets the state of a pod, for tests of the rules and for simulators. Right after the turn of a shield (timer 4) it
+     * is heavy until its next command.
+     */
     public void setPod(int pod, PodState state) {
         bodies.setPosition(pod, state.x(), state.y());
         bodies.setVelocity(pod, state.vx(), state.vy());
         heading[pod] = state.heading();
         shieldTimer[pod] = state.shieldTimer();
+        bodies.setMass(pod, state.shieldTimer() == PodRaceSettings.SHIELD_TURNS
+            ? PodRaceSettings.SHIELD_MASS_FACTOR * settings.mass() : settings.mass());
         boostLeft[pod] = state.boostLeft();
         passed[pod] = state.passed();
+    }
+
+    /** Says how many turns a player has left to pass a checkpoint, for tests of the rules and for simulators. */
+    public void setTurnsLeft(int player, int turns) {
+        turnsLeft[player] = turns;
     }
 
     public int playerOf(int pod) {
@@ -385,11 +403,6 @@ public final class PodRace implements Game {
     /** Checkpoints that a pod has passed. */
     public int passed(int pod) {
         return passed[pod];
-    }
-
-    /** The turn in which a player was eliminated, 2^31 - 1 if not. */
-    int outTurn(int player) {
-        return outTurn[player];
     }
 
     /** The number of checkpoints of the whole race. */

@@ -1,8 +1,9 @@
 package steward.game.podrace;
 
 /**
- * The standing of a pod race. A player is ahead by having finished, else by a later elimination, else by more
- * checkpoints passed by the best pod, else by being nearer to the next.
+ * Which player is ahead in a pod race: one who is in, then the one whose best pod has passed more checkpoints (counting
+ * on behind the finish), then the one whose best pod is nearer to its next. All players who
+ * are out share the last rank.
  */
 final class RaceStanding {
 
@@ -12,7 +13,7 @@ final class RaceStanding {
         this.race = race;
     }
 
-    /** For each player, the number of players ahead. */
+    /** Per player how many others are ahead. */
     int[] ranks() {
         int[] ranks = new int[race.players()];
         for (int player = 0; player < ranks.length; player++) {
@@ -24,16 +25,13 @@ final class RaceStanding {
     }
 
     private boolean isAhead(int one, int other) {
-        if (hasFinished(one) || hasFinished(other)) {
-            return hasFinished(one) && !hasFinished(other);
-        }
         if (!race.isIn(one) || !race.isIn(other)) {
-            return race.outTurn(one) > race.outTurn(other);
+            return race.isIn(one) && !race.isIn(other);
         }
         return isBetter(bestPod(one), bestPod(other));
     }
 
-    /** For each player, the checkpoints passed by the best pod; -1 after an elimination. */
+    /** Per player the checkpoints passed by the best pod, -1 for one who is out. */
     double[] scores() {
         double[] scores = new double[race.players()];
         for (int player = 0; player < scores.length; player++) {

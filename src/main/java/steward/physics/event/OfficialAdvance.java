@@ -375,10 +375,10 @@ public final class OfficialAdvance implements Advance {
         double step = (nx * (vax - vbx) + ny * (vay - vby)) / inverse;
         double back = Math.max(minimum, step);
         double impulse = step + back;
-        bodies.vx[a] = vax - nx * impulse / massA;
-        bodies.vy[a] = vay - ny * impulse / massA;
-        bodies.vx[b] = vbx + nx * impulse / massB;
-        bodies.vy[b] = vby + ny * impulse / massB;
+        bodies.vx[a] = vax - nx * impulse * bodies.inverseMass[a];
+        bodies.vy[a] = vay - ny * impulse * bodies.inverseMass[a];
+        bodies.vx[b] = vbx + nx * impulse * bodies.inverseMass[b];
+        bodies.vy[b] = vby + ny * impulse * bodies.inverseMass[b];
         sink.impact(time, bodies.id(a), bodies.id(b), ax, ay, bx, by, nx, ny, impulse,
             inverse * (back * back - step * step) / 2, massA, massB,
             vax, vay, bodies.vx[a], bodies.vy[a], vbx, vby, bodies.vx[b], bodies.vy[b]);

@@ -11,7 +11,7 @@ import steward.physics.time.TimeOfImpact;
  * The reaction of a pair, or of a body and a wall, under a law: impulse, positional correction, record. This class
  * itself uses the expressions of the published official referee in their order.
  */
-public sealed class Collision permits CompensatedCollision {
+public sealed class Collision permits CompensatedCollision, OfficialCollision {
 
     /**
      * A wall penetration below this, relative to the coordinates, is a rounding error: some units in the last place.
@@ -39,8 +39,10 @@ public sealed class Collision permits CompensatedCollision {
 
     /** The reactions of an arithmetic other than {@code EXACT}, for which see {@link ExactCollision#of}. */
     public static Collision of(ImpactLaw law, Arithmetic arithmetic, Wall[] walls) {
-        return arithmetic == Arithmetic.OFFICIAL || law.minimumImpulse() > 0
-            ? new Collision(law, walls) : new CompensatedCollision(law, walls);
+        if (arithmetic == Arithmetic.OFFICIAL) {
+            return new OfficialCollision(law, walls);
+        }
+        return law.minimumImpulse() > 0 ? new Collision(law, walls) : new CompensatedCollision(law, walls);
     }
 
     /** @param b an index, or {@code ~wall} */

@@ -49,7 +49,7 @@ public class PodKernelBenchmark {
     private final PodCommands[] commands = new PodCommands[STATES];
     private final PodState[][] pods = new PodState[STATES][4];
     private final PodRaceSimulator simulator = new PodRaceSimulator(MAP);
-    private final TextbookPodRace textbook = new TextbookPodRace(MAP, 4, 3);
+    private final TextbookPodRace textbook = new TextbookPodRace(MAP, 4);
     private final PodRaceBatch batch = new PodRaceBatch(MAP, STATES);
     private final PodRaceBatch.Commands batchCommands = new PodRaceBatch.Commands(STATES);
     private PodRaceType.PodRaceSetup setup;
@@ -108,6 +108,7 @@ public class PodKernelBenchmark {
                 to.vy = from.vy();
                 to.heading = from.heading();
                 to.shieldTimer = from.shieldTimer();
+                to.mass = from.shieldTimer() == 4 ? 10 : 1;
                 to.boostLeft = from.boostLeft();
                 to.passed = from.passed();
             }

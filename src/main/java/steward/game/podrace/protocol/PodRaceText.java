@@ -4,6 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import steward.game.TextCodec;
 import steward.game.podrace.PodRace;
@@ -12,23 +13,25 @@ import steward.game.podrace.PodState;
 
 /**
  * CodinGame's line protocols of the pod race. Where each player has several pods (the upper leagues), the setup is
- * laps, number of checkpoints and their coordinates, and a turn shows each pod, own ones first, as
- * {@code x y vx vy angle nextCheckPointId}. Where each has one (the lower leagues) there is no setup, and a turn is
- * {@code x y nextX nextY nextDist nextAngle} and a line {@code x y} per opponent.
+ * laps, number of checkpoints and their places, and a turn shows each pod, own ones first, as {@code x y vx vy angle
+ * nextCheckPointId}. Where each has one (the lower leagues) there is no setup, and a turn is {@code x y nextX nextY
+ * nextDist nextAngle} and a line {@code x y} per opponent.
  *
  * <p>Answers are one line per pod, {@code X Y THRUST|SHIELD|BOOST message}. They are read as leniently as real bots
- * require: any number of blanks, a carriage return, decimals in X and Y, lower-case words, and no third word, which
- * means full thrust.
+ * need it: any number of blanks, a carriage return, decimals and a plus in X and Y, lower-case words, blanks at the end,
+ * and no third word, which means full thrust; the published referee refuses all of these but blanks between the words,
+ * and a blank behind Y. Where two blanks stand behind Y, what follows may be a message and the thrust is full. Lines
+ * before a bad one take effect.
  */
 public final class PodRaceText implements TextCodec {
 
     private static final int FULL_TURN = 360;
 
-    /**
-     * Decimal numbers as programming languages print them; {@code Double.parseDouble} alone would also accept 1d,
-     * 0x1p3, NaN and Infinity.
-     */
+    /** What languages print for a double; Java alone would also read 1d, 0x1p3, NaN and Infinity. */
     private static final Pattern DECIMAL = Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
+
+    /** Two blanks or more behind Y stand for a thrust that is left out: what follows is a message. */
+    private static final Pattern MESSAGE_ONLY = Pattern.compile("\\S+\\s+\\S+\\s\\s+(.*\\D.*)");
 
     private final PodRace race;
     private final PodRaceSettings settings;
@@ -135,36 +138,44 @@ public final class PodRaceText implements TextCodec {
             return "found " + lines.length + " lines, expected " + settings.podsPerPlayer();
         }
         List<String> said = new ArrayList<>();
-        double[] x = new double[lines.length];
-        double[] y = new double[lines.length];
-        int[] thrust = new int[lines.length];
-        for (int k = 0; k < lines.length; k++) {
-            String[] words = lines[k].strip().split("\\s+", 4);
-            String where = "line " + (k + 1) + " of " + lines.length + ": ";
-            if (words.length < 2) {
-                return where + "found \"" + shorten(lines[k].strip())
-                    + "\", expected X Y and a thrust, SHIELD or BOOST";
-            }
-            x[k] = decimal(words[0]);
-            y[k] = decimal(words[1]);
-            if (Double.isNaN(x[k]) || Double.isNaN(y[k])) {
-                return where + (Double.isNaN(x[k]) ? "X: found \"" + shorten(words[0]) : "Y: found \""
-                    + shorten(words[1])) + "\", expected a finite number";
-            }
-            thrust[k] = words.length < 3 ? settings.maximumThrust() : thrust(words[2]);
-            if (thrust[k] == PodRace.NO_COMMAND) {
-                return where + "thrust: found \"" + shorten(words[2]) + "\", expected a whole number 0.."
-                    + settings.maximumThrust() + ", SHIELD or BOOST";
-            }
-            if (words.length == 4) {
-                said.add(words[3]);
-            }
-        }
         int first = player * settings.podsPerPlayer();
         for (int k = 0; k < lines.length; k++) {
-            race.command(first + k, x[k], y[k], thrust[k]);
+            String wrong = readLine(first + k, lines[k], said);
+            if (wrong != null) {
+                return "line " + (k + 1) + " of " + lines.length + ": " + wrong;
+            }
         }
         messages[player] = said.isEmpty() ? null : String.join(" | ", said);
+        return null;
+    }
+
+    /** Gives one pod its command. @return what is wrong, or {@code null} */
+    private String readLine(int pod, String line, List<String> said) {
+        String[] words = line.strip().split("\\s+", 4);
+        if (words.length < 2) {
+            return "found \"" + shorten(line.strip()) + "\", expected X Y and a thrust, SHIELD or BOOST";
+        }
+        double x = decimal(words[0]);
+        double y = decimal(words[1]);
+        if (Double.isNaN(x) || Double.isNaN(y)) {
+            return (Double.isNaN(x) ? "X: found \"" + shorten(words[0]) : "Y: found \"" + shorten(words[1]))
+                + "\", expected a finite number";
+        }
+        int thrust = words.length < 3 ? settings.maximumThrust() : thrust(words[2]);
+        if (thrust == PodRace.NO_COMMAND) {
+            Matcher message = MESSAGE_ONLY.matcher(line.strip());
+            if (!message.matches()) {
+                return "thrust: found \"" + shorten(words[2]) + "\", expected a whole number 0.."
+                    + settings.maximumThrust() + ", SHIELD or BOOST";
+            }
+            race.command(pod, x, y, settings.maximumThrust());
+            said.add(message.group(1));
+            return null;
+        }
+        race.command(pod, x, y, thrust);
+        if (words.length == 4) {
+            said.add(words[3]);
+        }
         return null;
     }
 

@@ -62,7 +62,8 @@ final class CertifiedImpacts {
      *     by the rules' own test: it does not meet again before one of the two changes its course.
      * (7) At the end, v + x and 2^-27 for the drag's product and the sums bound the error of positions and of 0.85
      *     times the velocities. The error of the distance of a point from a path is at most that of its corners,
-     *     positional corrections included.
+     *     positional corrections included. A path has one corner per impact, the position after the correction; by (2)
+     *     a pod has no two impacts at the same time.
      */
 
     private static final double FASTEST = 0x1p12;
@@ -195,7 +196,7 @@ final class CertifiedImpacts {
             }
             advance(soonest);
             now += soonest;
-            react(scan.first(pair), scan.second(pair), impacts == 0 && soonest == 0, error, itsApproach);
+            react(scan.first(pair), scan.second(pair), now, impacts == 0 && soonest == 0, error, itsApproach);
             if (!(errorX + errorV < GREATEST_ERROR && isSlow(scan.first(pair)) && isSlow(scan.second(pair)))) {
                 return false;
             }
@@ -270,7 +271,7 @@ final class CertifiedImpacts {
         }
     }
 
-    private void react(int a, int b, boolean start, double error, double slope) {
+    private void react(int a, int b, double now, boolean start, double error, double slope) {
         double dx = x[b] - x[a];
         double dy = y[b] - y[a];
         double wx = vx[a] - vx[b];
@@ -287,8 +288,6 @@ final class CertifiedImpacts {
         vx[b] += nx * impulse * inverseMass[b];
         vy[b] += ny * impulse * inverseMass[b];
         touched |= 1 << a | 1 << b;
-        paths.knot(a, 0, x[a], y[a]);
-        paths.knot(b, 0, x[b], y[b]);
         double w = Math.abs(wx) + Math.abs(wy);
         double late = start ? 0 : 2 * error / slope;
         double normal = start ? 0 : (error + w * late) * (1.0 / 750);
@@ -299,10 +298,8 @@ final class CertifiedImpacts {
         y[a] -= ny * each;
         x[b] += nx * each;
         y[b] += ny * each;
-        if (start) {
-            paths.knot(a, 0, x[a], y[a]);
-            paths.knot(b, 0, x[b], y[b]);
-        }
+        paths.knot(a, now, x[a], y[a]);
+        paths.knot(b, now, x[b], y[b]);
     }
 
     /** An upper bound of the greater speed of two pods. */

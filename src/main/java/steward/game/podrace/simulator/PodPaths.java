@@ -6,25 +6,39 @@ import steward.physics.TurnLog;
 import steward.physics.TurnSink;
 import steward.physics.event.OfficialAdvance;
 
-/** The corners of the pods' paths in a turn, for checkpoints; impacts are kept only while they are recorded. */
+/** The corners of the pods' paths in a turn, for checkpoints; keeps whole impacts only where somebody wants them. */
 final class PodPaths implements TurnSink {
 
     private static final double CLEARANCE = 0.1;
+    /**
+     * The filter sets a path aside if the true square of its distance is above that of the radius by 0.9 u^2. The rules'
+     * formula has squares of the path's length in it, which round by less than 2^-50 of them: up to here by less than
+     * 0.9. Longer paths, in u, are not filtered.
+     */
+    static final double LONG = 0x1p24;
 
     private final TurnLog log;
     private final double radius;
     private boolean recorded;
 
     private int[] pods = new int[32];
+    private double[] times = new double[32];
     private double[] x = new double[32];
     private double[] y = new double[32];
     private int corners;
+    /** Knots told, of which some stand at the same corner. */
+    private int knots;
+    /** By pod: the last corner, -1 for none. */
+    private final int[] last;
 
     /**
-     * @param log    receives impacts and corners while they are recorded
+     * @param pods   how many there are
+     * @param log    receives everything while it is recorded
      * @param radius of checkpoints
      */
-    PodPaths(TurnLog log, double radius) {
+    PodPaths(int pods, TurnLog log, double radius) {
+        last = new int[pods];
+        Arrays.fill(last, -1);
         this.log = log;
         this.radius = radius;
     }
@@ -38,9 +52,13 @@ final class PodPaths implements TurnSink {
         log.clear();
     }
 
-    /** Begins a turn. */
+    /** A turn begins. */
     void clear() {
+        if (corners > 0) {
+            Arrays.fill(last, -1);
+        }
         corners = 0;
+        knots = 0;
         if (recorded) {
             log.clear();
         }
@@ -57,20 +75,32 @@ final class PodPaths implements TurnSink {
         }
     }
 
+    /** A later one at the same time replaces a corner. */
     @Override
     public void knot(int pod, double time, double cornerX, double cornerY) {
-        if (corners == pods.length) {
-            pods = Arrays.copyOf(pods, 2 * corners);
-            x = Arrays.copyOf(x, 2 * corners);
-            y = Arrays.copyOf(y, 2 * corners);
+        knots++;
+        int corner = last[pod];
+        if (corner < 0 || times[corner] != time) {
+            if (corners == pods.length) {
+                grow();
+            }
+            corner = corners++;
+            last[pod] = corner;
         }
-        pods[corners] = pod;
-        x[corners] = cornerX;
-        y[corners] = cornerY;
-        corners++;
+        pods[corner] = pod;
+        times[corner] = time;
+        x[corner] = cornerX;
+        y[corner] = cornerY;
         if (recorded) {
             log.knot(pod, time, cornerX, cornerY);
         }
+    }
+
+    private void grow() {
+        pods = Arrays.copyOf(pods, 2 * corners);
+        times = Arrays.copyOf(times, 2 * corners);
+        x = Arrays.copyOf(x, 2 * corners);
+        y = Arrays.copyOf(y, 2 * corners);
     }
 
     @Override
@@ -80,16 +110,17 @@ final class PodPaths implements TurnSink {
         }
     }
 
-    /** The number of corners of all paths: at least two for each impact. */
-    int corners() {
-        return corners;
+    /** How many knots all paths have together: at least two for each impact. */
+    int knots() {
+        return knots;
     }
 
-    /** The filter for impacts, applied to a moving point and a checkpoint at rest. */
+    /** The filter for impacts knows this too: a moving point, and one at rest. */
     private boolean mayPass(double fromX, double fromY, double toX, double toY, double checkpointX,
                             double checkpointY) {
-        return OfficialAdvance.mayMeet(fromX - checkpointX, fromY - checkpointY, toX - fromX, toY - fromY, 1,
-            radius * radius);
+        return !(Math.abs(toX - fromX) + Math.abs(toY - fromY) < LONG)
+            || OfficialAdvance.mayMeet(fromX - checkpointX, fromY - checkpointY, toX - fromX, toY - fromY, 1,
+                radius * radius);
     }
 
     /** As {@link CheckpointSweep#passes}. */
@@ -109,10 +140,7 @@ final class PodPaths implements TurnSink {
         return passes(fromX, fromY, endX, endY, checkpointX, checkpointY);
     }
 
-    /**
-     * The least distance of a pod's path from the centre of a checkpoint, in u; may be infinite if it exceeds the
-     * radius by more than {@link #CLEARANCE}.
-     */
+    /** How near the path of a pod comes to a checkpoint, in u; infinite if it stays farther away by a tenth. */
     double nearest(int pod, double startX, double startY, double endX, double endY, double checkpointX,
                    double checkpointY) {
         double least = Double.POSITIVE_INFINITY;

@@ -121,7 +121,8 @@ public final class PodRaceSimulator {
      * @param vx            in u per turn, likewise
      * @param vy            in u per turn, likewise
      * @param heading       in radians, NaN while unset
-     * @param podTimer      4 after the turn the shield was raised, counting down to 0
+     * @param podTimer      4 after the turn the shield was raised, counting down to 0; at 4 the pod weighs 10 until its
+     *                      next command
      * @param podBoostLeft  whether the boost is left
      * @param podPassed     checkpoints passed since the start, 0..1,000,000; the next is number
      *                      {@code (podPassed + 1) % n}
@@ -151,7 +152,7 @@ public final class PodRaceSimulator {
         state[at + PodTurn.VY] = vy;
         turn.setHeading(state, pod, heading);
         at = PodTurn.COUNTS * pod;
-        counts[at + PodTurn.TIMER] = podTimer;
+        counts[at + PodTurn.TIMER] = podTimer == PodRaceSettings.SHIELD_TURNS ? podTimer + PodTurn.HEAVY : podTimer;
         counts[at + PodTurn.BOOST] = podBoostLeft ? 1 : 0;
         counts[at + PodTurn.PASSED] = podPassed;
         counts[at + PodTurn.NEXT] = (podPassed + 1) % checkpoints;
@@ -275,7 +276,7 @@ public final class PodRaceSimulator {
 
     /** 4 after the turn the shield was raised, counting down to 0. */
     public int shieldTimer(int pod) {
-        return counts[PodTurn.COUNTS * pod + PodTurn.TIMER];
+        return counts[PodTurn.COUNTS * pod + PodTurn.TIMER] & PodTurn.TIMER_BITS;
     }
 
     /** Whether the boost is left. */

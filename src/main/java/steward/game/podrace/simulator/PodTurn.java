@@ -56,6 +56,9 @@ final class PodTurn {
     static final int NUMBERS = HEADING + Headings.NUMBERS;
     /** Offsets per pod in {@link #counts}; after the pods, per player, the turns left. */
     static final int TIMER = 0;
+    /** The timer stands in these bits of its count; above them whether the last command was a shield. */
+    static final int TIMER_BITS = 7;
+    static final int HEAVY = 8;
     static final int BOOST = 1;
     static final int PASSED = 2;
     static final int NEXT = 3;
@@ -74,7 +77,7 @@ final class PodTurn {
     private final OfficialAdvance advance = new OfficialAdvance(RADIUS);
     private final Headings headings = new Headings();
     private final TurnLog log = new TurnLog();
-    private final PodPaths paths = new PodPaths(log, CHECKPOINT_RADIUS);
+    private final PodPaths paths;
     private final CertifiedImpacts impacts;
     /** The pods of a turn with impacts. */
     private final Bodies bodies;
@@ -96,6 +99,7 @@ final class PodTurn {
         checkpointX = Arrays.stream(checkpoints).mapToDouble(place -> place[0]).toArray();
         checkpointY = Arrays.stream(checkpoints).mapToDouble(place -> place[1]).toArray();
         bodies = new Bodies(pods);
+        paths = new PodPaths(pods, log, CHECKPOINT_RADIUS);
         impacts = new CertifiedImpacts(pods, paths);
         speed = new double[SPEED * pods];
         for (int pod = 0; pod < pods; pod++) {
@@ -168,7 +172,7 @@ final class PodTurn {
             if (command >= 0 && Math.abs(x) < SMALL && Math.abs(y) < SMALL && Math.abs(vx) < SMALL
                 && Math.abs(vy) < SMALL
                 && Headings.turnQuickly(from, at + HEADING, targetX[first + pod] - x, targetY[first + pod] - y)) {
-                int timer = Math.max(0, count[COUNTS * pod + TIMER] - 1);
+                int timer = Math.max(0, (count[COUNTS * pod + TIMER] & TIMER_BITS) - 1);
                 count[COUNTS * pod + TIMER] = timer;
                 to[out + X] = x;
                 to[out + Y] = y;
@@ -191,11 +195,13 @@ final class PodTurn {
     private void steerExactly(int pod, double targetX, double targetY, int command) {
         int at = NUMBERS * pod;
         int to = SPEED * pod;
+        int before = counts[COUNTS * pod + TIMER];
+        boolean heavy = command == PodCommands.SHIELD || command == PodCommands.NO_COMMAND && before > TIMER_BITS;
         int thrust = command < 0 ? special(pod, command) : command;
-        int timer = Math.max(0, counts[COUNTS * pod + TIMER] - 1);
-        counts[COUNTS * pod + TIMER] = timer;
+        int timer = Math.max(0, (counts[COUNTS * pod + TIMER] & TIMER_BITS) - 1);
+        counts[COUNTS * pod + TIMER] = heavy ? timer + HEAVY : timer;
         System.arraycopy(state, at + X, speed, to + X, POWER);
-        speed[to + MASS] = command == PodCommands.SHIELD ? SHIELD_MASS : 1;
+        speed[to + MASS] = heavy ? SHIELD_MASS : 1;
         speed[to + POWER] = 0;
         double dx = targetX - state[at + X];
         double dy = targetY - state[at + Y];
@@ -281,8 +287,8 @@ final class PodTurn {
 
     /*
      * For each of the four fractions f to be truncated or rounded, f (1 - f) is at most 1/4; so when the product of the
-     * four is above DOUBT / 64, each is above DOUBT, and so are f and 1 - f. (A speed beyond the range of int leaves a
-     * "fraction" above 1.)
+     * four is above DOUBT / 64, each is above DOUBT, and so are f and 1 - f. A path longer than LONG is too long for
+     * the filter of checkpoints; then everything is computed as the game does.
      */
 
     /**
@@ -316,13 +322,15 @@ final class PodTurn {
             double lostY = Math.abs(slowY - cutY);
             double product = (restX - restX * restX) * (restY - restY * restY)
                 * ((lostX - lostX * lostX) * (lostY - lostY * lostY));
-            if (product > DOUBT / 64 && lostX < 1) {
+            if (product > DOUBT / 64 && Math.abs(slowX) + Math.abs(slowY) < PodPaths.LONG / 2) {
                 to[at + X] = roundX + 0.0;
                 to[at + Y] = roundY + 0.0;
                 to[at + VX] = cutX;
                 to[at + VY] = cutY;
             } else {
                 glideExactly(pod);
+                mayPass |= 1 << pod;                  // the paths have a filter of their own
+                continue;
             }
             int next = counts[COUNTS * pod + NEXT];
             if (OfficialAdvance.mayMeet(startX - checkpointX[next], startY - checkpointY[next], to[at + X] - startX,
@@ -374,7 +382,7 @@ final class PodTurn {
             paths.clear();
         }
         int exact = advance.bodiesOf(near, pods);
-        if (!collide(near, exact) || paths.corners() > MOST_CORNERS || !areSure(~exact)) {
+        if (!collide(near, exact) || paths.knots() > MOST_CORNERS || !areSure(~exact)) {
             paths.clear();
             exact = OfficialAdvance.ALL;
             collide(near, exact);
@@ -414,7 +422,7 @@ final class PodTurn {
 
     private boolean isSureOfCheckpoints(int pod) {
         int next = counts[COUNTS * pod + NEXT];
-        for (int passed = counts[COUNTS * pod + PASSED]; passed < toFinish; passed++) {
+        for (int passed = 0; passed < checkpoints; passed++) {
             double above = paths.nearest(pod, speed[SPEED * pod + X], speed[SPEED * pod + Y], impacts.x(pod),
                 impacts.y(pod), checkpointX[next], checkpointY[next]) - CHECKPOINT_RADIUS;
             if (Math.abs(above) <= impacts.cornerError()) {
@@ -482,13 +490,17 @@ final class PodTurn {
         }
     }
 
-    /** Counts the checkpoints on the path of a pod. @return whether there is one */
+    /**
+     * Counts the checkpoints on the path of a pod, on behind the finish too, each once at most.
+     *
+     * @return whether there is one
+     */
     private boolean pass(int pod) {
         int at = COUNTS * pod;
         boolean any = false;
         int next = counts[at + NEXT];
-        while (counts[at + PASSED] < toFinish && paths.passes(pod, speed[SPEED * pod + X], speed[SPEED * pod + Y],
-            state[NUMBERS * pod + X], state[NUMBERS * pod + Y], checkpointX[next], checkpointY[next])) {
+        for (int most = checkpoints; most > 0 && paths.passes(pod, speed[SPEED * pod + X], speed[SPEED * pod + Y],
+            state[NUMBERS * pod + X], state[NUMBERS * pod + Y], checkpointX[next], checkpointY[next]); most--) {
             any = true;
             counts[at + PASSED]++;
             next = next + 1 < checkpoints ? next + 1 : 0;

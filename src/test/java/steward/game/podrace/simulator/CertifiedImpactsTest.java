@@ -26,7 +26,7 @@ class CertifiedImpactsTest {
 
     private final SplitMix64 random = new SplitMix64(17);
     private final TurnLog log = new TurnLog();
-    private final PodPaths paths = new PodPaths(log, PodTurn.CHECKPOINT_RADIUS);
+    private final PodPaths paths = new PodPaths(4, log, PodTurn.CHECKPOINT_RADIUS);
     private final CertifiedImpacts certified = new CertifiedImpacts(PODS, paths);
     private final EventAdvance game =
         new EventAdvance(new PhysicsParts(ImpactLaw.OFFICIAL_POD_RACE, Arithmetic.OFFICIAL));

@@ -52,7 +52,7 @@ class PodRaceSimulatorTest {
             }
             PodRace plain = plain(map);
             PodRace shipped = setup.create(map);
-            TextbookPodRace textbook = new TextbookPodRace(map, 4, 3);
+            TextbookPodRace textbook = new TextbookPodRace(map, 4);
             fast.setRecorded(game % 2 == 0);
             random.state();
             random.put(fast);
