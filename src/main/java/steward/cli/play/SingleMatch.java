@@ -14,9 +14,12 @@ import steward.cli.shared.Pages;
 import steward.cli.shared.Streams;
 import steward.cli.shared.Verbosity;
 import steward.contest.Contest;
+import steward.contest.Failure;
+import steward.contest.GameLog;
 import steward.files.OutputFiles;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
+import steward.match.TeeListener;
 import steward.replay.WriteBehind;
 import steward.text.TextFormat;
 
@@ -37,8 +40,9 @@ record SingleMatch(Streams streams, Contest contest, Verbosity report, boolean s
      * @return the exit status
      */
     int play(long seed, Path file, boolean overwrite) throws InterruptedException {
-        MatchResult result = result(seed, file, overwrite, null);
-        tell(seed, result, file);
+        GameLog log = new GameLog(contest, 0);
+        MatchResult result = result(seed, file, overwrite, null, log);
+        tell(seed, result, log.failures(), file);
         return status(result);
     }
 
@@ -46,22 +50,24 @@ record SingleMatch(Streams streams, Contest contest, Verbosity report, boolean s
     int play(long seed, Path file, boolean overwrite, DisplayOptions options) throws InterruptedException {
         PrintStream said = report == Verbosity.FULL ? streams.out() : streams.err();
         try (MatchDisplay show = MatchDisplay.prepare(streams, said, options, Pages.title(names()), file, overwrite)) {
-            MatchResult result = result(seed, file, overwrite, show);
-            tell(seed, result, file);
+            GameLog log = new GameLog(contest, 0);
+            MatchResult result = result(seed, file, overwrite, show, log);
+            tell(seed, result, log.failures(), file);
             streams.out().flush();
             show.finish();
             return status(result);
         }
     }
 
-    private MatchResult result(long seed, Path file, boolean overwrite, MatchDisplay show) throws InterruptedException {
+    private MatchResult result(long seed, Path file, boolean overwrite, MatchDisplay show, GameLog log)
+            throws InterruptedException {
         try (OutputStream recording = file == null ? null : new WriteBehind(OutputFiles.open(file, overwrite))) {
             if (show != null) {
                 show.awaitViewer();
             }
             try (Interruption hint = new Interruption(streams, file)) {
                 OutputStream written = show == null ? recording : show.with(recording);
-                MatchResult result = contest.play(seed, 0, written, follower(seed));
+                MatchResult result = contest.play(seed, 0, written, new TeeListener(log, follower(seed)));
                 hint.over();
                 return result;
             }
@@ -72,12 +78,12 @@ record SingleMatch(Streams streams, Contest contest, Verbosity report, boolean s
         }
     }
 
-    private void tell(long seed, MatchResult result, Path file) {
+    private void tell(long seed, MatchResult result, List<Failure> failures, Path file) {
         switch (report) {
-            case JSON -> MatchJson.print(streams, contest, seed, result, file);
-            case LINE -> streams.out().println(MatchText.headline(contest.sceneName(), seed, result));
+            case JSON -> MatchJson.print(streams, contest, seed, result, failures, file);
+            case LINE -> streams.out().println(MatchText.headline(contest.sceneName(), seed, result, failures));
             default -> {
-                MatchText.print(streams.out(), contest.sceneName(), seed, result);
+                MatchText.print(streams.out(), contest.sceneName(), seed, result, failures);
                 if (file != null) {
                     MatchText.printReplay(streams.out(), file);
                 }
