@@ -4,6 +4,7 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
+import steward.Internal;
 import steward.match.MatchListener;
 import steward.match.Turn;
 
@@ -11,6 +12,7 @@ import steward.match.Turn;
  * Follows one game for what its result does not tell: why bots failed, with the last lines they wrote to stderr, and
  * how long each answer took. A turn costs it a few additions.
  */
+@Internal
 public final class GameLog implements MatchListener {
 
     /** As much of a line of stderr is kept, in characters. */
@@ -19,7 +21,9 @@ public final class GameLog implements MatchListener {
     private final Contest contest;
     private final int rotation;
     private final String[][] stderr;
+    private final int[] asked;
     private final int[] answers;
+    private final AnswerTimes[] times;
     private final List<Failure> failures = new ArrayList<>();
     private volatile int turns;
 
@@ -29,7 +33,12 @@ public final class GameLog implements MatchListener {
         this.rotation = rotation;
         int players = contest.entrants().size();
         stderr = new String[players][Failure.LINES];
+        asked = new int[players];
         answers = new int[players];
+        times = new AnswerTimes[players];
+        for (int player = 0; player < players; player++) {
+            times[player] = new AnswerTimes();
+        }
     }
 
     @Override
@@ -37,6 +46,11 @@ public final class GameLog implements MatchListener {
         for (int player = 0; player < turn.players(); player++) {
             if (!turn.asked(player)) {
                 continue;
+            }
+            if (asked[player]++ == 0) {
+                times[player].addFirst(turn.nanos(player));
+            } else {
+                times[player].add(turn.nanos(player), turn.number());
             }
             if (turn.stderr(player) != null) {
                 remember(player, turn.stderr(player));
@@ -94,6 +108,11 @@ public final class GameLog implements MatchListener {
     /** How many turns have been played; may be asked by any thread. */
     int turns() {
         return turns;
+    }
+
+    /** How long answers took, by player; when the game is over. */
+    List<AnswerTimes> times() {
+        return List.of(times);
     }
 
     /** Who failed, in the order in which it happened; when the game is over. */

@@ -25,8 +25,9 @@ public final class Interruption implements AutoCloseable {
     /** @param kept is asked when it happens, in another thread; {@code null} if there is nothing to say */
     public Interruption(Streams streams, Supplier<String> kept) {
         hook = kept == null ? null : new Thread(() -> {
-            if (!over) {
-                streams.err().println("steward: interrupted; " + kept.get());
+            String told = over ? null : kept.get();
+            if (told != null) {
+                streams.err().println("steward: interrupted; " + told);
             }
         }, "interruption");
         if (hook != null) {
