@@ -73,7 +73,7 @@ final class SeriesOptions {
         int count = threads(processors);
         if (count > processors) {
             streams.warn("--threads " + count + " are more games at a time than the " + processors
-                + " processors here carry: bots will answer later, some too late; --threads auto takes "
+                + " processors here carry: bots will take longer to answer, perhaps too long; --threads auto takes "
                 + auto(processors));
         }
         return count;

@@ -1,6 +1,5 @@
 package steward.cli.play;
 
-import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.io.UncheckedIOException;
@@ -16,11 +15,10 @@ import steward.cli.shared.Verbosity;
 import steward.contest.Contest;
 import steward.contest.Failure;
 import steward.contest.GameLog;
-import steward.files.OutputFiles;
+import steward.contest.ReplayFile;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
 import steward.match.TeeListener;
-import steward.replay.WriteBehind;
 import steward.text.TextFormat;
 
 /**
@@ -61,21 +59,32 @@ record SingleMatch(Streams streams, Contest contest, Verbosity report, boolean s
 
     private MatchResult result(long seed, Path file, boolean overwrite, MatchDisplay show, GameLog log)
             throws InterruptedException {
-        try (OutputStream recording = file == null ? null : new WriteBehind(OutputFiles.open(file, overwrite))) {
+        MatchResult result;
+        ReplayFile recording = file == null ? null : new ReplayFile(file, overwrite);
+        try (recording) {
             if (show != null) {
                 show.awaitViewer();
             }
             try (Interruption hint = new Interruption(streams, file)) {
                 OutputStream written = show == null ? recording : show.with(recording);
-                MatchResult result = contest.play(seed, 0, written, new TeeListener(log, follower(seed)));
+                result = contest.play(seed, 0, written, new TeeListener(log, follower(seed)));
                 hint.over();
-                return result;
             }
         } catch (UncheckedIOException problem) {
-            throw new FailedException("the match could not be brought to a result: " + problem.getMessage());
-        } catch (IOException problem) {
-            throw new FailedException(file + ": cannot be closed: " + problem.getMessage());
+            throw withoutResult(recording, problem.getMessage());
         }
+        if (recording != null && recording.isBroken()) {
+            throw withoutResult(recording, null);
+        }
+        return result;
+    }
+
+    private static FailedException withoutResult(ReplayFile recording, String problem) {
+        if (recording != null) {
+            recording.removeIfEmpty();
+        }
+        return new FailedException("the match could not be brought to a result: "
+            + (recording != null && recording.isBroken() ? recording.problem() : problem));
     }
 
     private void tell(long seed, MatchResult result, List<Failure> failures, Path file) {

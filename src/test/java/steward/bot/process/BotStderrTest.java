@@ -109,7 +109,8 @@ class BotStderrTest {
             + " head -c 5000 /dev/zero | tr '\\0' f >&2; echo >&2; echo 'ValueError: bad' >&2; exit 1";
         try (BotProcess bot = ScriptedBots.bot(script)) {
             // Dropped: all but 12288 of the 50001 bytes of the first line, and the line of 5001.
-            assertEquals("\n[" + (50_001 - 12_288 + 5001) + " more bytes dropped]\n[PDATA] score = 7\nValueError: bad\n",
+            assertEquals("\n[" + (50_001 - 12_288 + 5001)
+                + " more bytes dropped]\n[PDATA] score = 7\nValueError: bad\n",
                 ScriptedBots.fault(bot, "a\n", ScriptedBots.FOREVER).stderr().replaceFirst("^e{12288}", ""));
         }
         String line = "read -r l; head -c 50000 /dev/zero | tr '\\0' e >&2; printf '\\303\\251' >&2;"

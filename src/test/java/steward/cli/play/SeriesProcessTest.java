@@ -159,4 +159,15 @@ class SeriesProcessTest {
         assertEquals(blocks > 0, Files.exists(first));
         assertFalse(isThere(2));
     }
+
+    @Test
+    void oneMatchLeavesNoEmptyReplayEither() throws IOException, InterruptedException {
+        Path file = folder.resolve("one.jsonl");
+        String said = ProcessTest.shell("ulimit -f 0; exec " + ProcessTest.steward("match", "--scene", "duel", "--bot",
+            bots.driver("near", ShellBots.CHECKPOINT), "--bot", bots.driver("far", ShellBots.NOWHERE), "--no-deadline",
+            "--out", file.toString()));
+        assertEquals("steward: the match could not be brought to a result: " + file + ": cannot be written: File too "
+            + "large; it had no turn, and is removed\nstatus 1\n", said);
+        assertFalse(Files.exists(file));
+    }
 }

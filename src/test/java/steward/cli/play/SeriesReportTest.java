@@ -26,8 +26,9 @@ import tools.jackson.databind.JsonNode;
 class SeriesReportTest {
 
     /** Fails in turn 3, saying so, if its pod is the first. */
-    private static final String SOMETIMES = "sh -c 'n=0; read -r s; case $s in *player\\\":0*) last=3;; *) last=99;; esac; "
-        + "while read -r l; do n=$((n + 1)); [ $n = $last ] && { echo \"no idea\" >&2; exit 4; }; "
+    private static final String SOMETIMES = "sh -c 'n=0; read -r s; "
+        + "case $s in *player\\\":0*) last=3;; *) last=99;; esac; while read -r l; do "
+        + "n=$((n + 1)); [ $n = $last ] && { echo \"no idea\" >&2; exit 4; }; "
         + "echo \"{\\\"pods\\\":[{\\\"x\\\":10500,\\\"y\\\":3500,\\\"thrust\\\":100}]}\"; done'";
 
     @TempDir
