@@ -10,7 +10,7 @@ import steward.match.Protocol;
 /** What beginners' bots fail of, guessed from how they failed. */
 final class FailureHints {
 
-    static final String FLUSH = "nothing ever came on its stdout; does it flush after every answer?";
+    static final String FLUSH = "nothing ever came on its stdout; does it flush after every answer, and start in time?";
     static final String CODINGAME = "it was sent JSON; is it a CodinGame bot? then write codingame: before its command";
     static final String JSON = "it was sent CodinGame's lines; does it speak JSON? then write json: before its command";
     static final String NOT_FOUND = "a program was not found: the command itself, one that it calls, or the "

@@ -158,7 +158,8 @@ final class SeriesJson {
             out.writeNullProperty("worstTurn");
         }
         JsonNumbers.writeOrNull(out, "meanFirst", times.meanFirstNanos() / NANOS_PER_MS);
-        JsonNumbers.writeOrNull(out, "worstFirst", times.worstFirstNanos() / NANOS_PER_MS);
+        JsonNumbers.writeOrNull(out, "worstFirst", Double.isNaN(times.meanFirstNanos()) ? Double.NaN
+            : times.worstFirstNanos() / NANOS_PER_MS);
     }
 
     private static void writePath(JsonGenerator out, Path replay) {

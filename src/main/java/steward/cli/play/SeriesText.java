@@ -56,6 +56,8 @@ final class SeriesText {
         out.println(games(series, standings) + ", "
             + (series.seeds() == 1 ? "seed " + series.first() : "seeds " + series.first() + " to " + last)
             + (series.swap() ? ", each with every order of sides" : "")
+            + (standings.results() < standings.games().size()
+                ? ", " + (standings.games().size() - standings.results()) + " without a result" : "")
             + "; " + TextFormat.fixed(standings.meanTurns(), 1) + " turns on average");
         out.println();
         points(out, series, standings);

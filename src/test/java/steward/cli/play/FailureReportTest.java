@@ -82,7 +82,8 @@ class FailureReportTest {
     void aBotThatNeverFlushesIsAskedWhetherItDoes() throws IOException {
         String out = match("", "sleep 30", "--time-factor", "0.2").out();
         assertTrue(out.contains("me failed in turn 1: no answer within 200 ms"), out);
-        assertTrue(out.contains("\n  hint: nothing ever came on its stdout; does it flush after every answer?\n"), out);
+        assertTrue(out.contains("\n  hint: nothing ever came on its stdout; does it flush after every answer, "
+            + "and start in time?\n"), out);
         String late = match("", "read -r setup; read -r turn; " + ANSWER + "sleep 30", "--time-factor", "0.5").out();
         assertTrue(late.contains("me failed in turn 2: no answer within ") && !late.contains("hint:"), late);
     }

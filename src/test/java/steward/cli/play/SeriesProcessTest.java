@@ -155,6 +155,7 @@ class SeriesProcessTest {
             + "File too large; " + (blocks == 0 ? "it had no turn, and is removed\n"
             : "the turns before are in it\n")), said);
         assertTrue(said.contains("steward: the series ends after 1 of 9 games, because "), said);
+        assertTrue(said.contains("1 of 9 games of duel: near -, sleeper -; 1 without a result\n"), said);
         assertTrue(said.endsWith("status 1\n"), said);
         assertEquals(blocks > 0, Files.exists(first));
         assertFalse(isThere(2));
