@@ -62,6 +62,21 @@ public final class FaultMessages {
         return "exited with status " + status + " before answering" + meaning;
     }
 
+    /** Whether a fault is one of {@link #late}. */
+    public static boolean isLate(String fault) {
+        return fault.startsWith("no answer within ");
+    }
+
+    /** Whether a fault is one of {@link #exited}, by itself or by a signal. */
+    public static boolean isExit(String fault) {
+        return fault.startsWith("exited with status ") || fault.startsWith("killed by signal ");
+    }
+
+    /** Whether a fault is that of {@link #exited} with just this status. */
+    public static boolean isExit(String fault, int status) {
+        return fault.equals(exited(status));
+    }
+
     /** Milliseconds as they were asked for: whole, or with up to three decimals. */
     static String limit(long nanos) {
         long micros = nanos / 1000;

@@ -112,11 +112,20 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
     /** Refuses bots that speak what the scene's game does not. */
     public static void checkProtocols(GameSetup setup, List<Entrant> entrants) {
         for (Entrant entrant : entrants) {
-            if (entrant.protocol() == Protocol.CODINGAME && setup.textCodec(setup.create(0)).isEmpty()) {
+            if (entrant.protocol() == Protocol.CODINGAME && !hasText(setup)) {
                 throw new InputException("bot '" + entrant.bot() + "': the scene \"" + setup.scene().name()
                     + "\" has no codingame protocol, expected a bot that speaks json");
             }
         }
+    }
+
+    private static boolean hasText(GameSetup setup) {
+        return setup.textCodec(setup.create(0)).isPresent();
+    }
+
+    /** Whether the scene's game speaks CodinGame's lines too; all games speak JSON. */
+    boolean hasBothProtocols() {
+        return hasText(setup);
     }
 
     public String sceneName() {

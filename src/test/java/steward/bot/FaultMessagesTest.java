@@ -1,6 +1,8 @@
 package steward.bot;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
 
@@ -53,5 +55,14 @@ class FaultMessagesTest {
             FaultMessages.exited(127));
         assertEquals("exited with status 126 before answering (126: a command cannot be executed)",
             FaultMessages.exited(126));
+    }
+
+    @Test
+    void theKindOfAFaultCanBeAskedFor() {
+        assertTrue(Faults.isLate(Faults.late(75 * MS, 76 * MS)));
+        assertTrue(Faults.isExit(Faults.exited(3)) && Faults.isExit(Faults.exited(139)));
+        assertTrue(Faults.isExit(Faults.exited(127), 127));
+        assertFalse(Faults.isExit(Faults.exited(12), 127) || Faults.isExit(Faults.late(1, 2)));
+        assertFalse(Faults.isLate(Faults.deaf(1, 2)));
     }
 }

@@ -38,6 +38,11 @@ public final class ProgramFinder {
             if (Files.isDirectory(file) && isPath(program)) {
                 return "'" + program + "' is a directory; expected an executable program";
             }
+            String noexec = Files.isRegularFile(file) ? MountTable.noexec(file) : null;
+            if (noexec != null) {
+                return "'" + file + "' is on '" + noexec + "', which is mounted noexec: nothing on it can be executed;"
+                    + " name its interpreter before it, or move it elsewhere";
+            }
             if (Files.isRegularFile(file)) {
                 return "'" + file + "' is not executable; make it so with chmod +x, or name its interpreter before it";
             }

@@ -28,6 +28,9 @@ final class StderrFile {
     /** How much of one turn is kept, in bytes. */
     static final int KEPT = 16 * 1024;
 
+    /** Of the last turn this much is from its end, in bytes: there a program says why it fails. */
+    static final int KEPT_OF_END = 4 * 1024;
+
     /** The file is truncated after a read that left it longer than this, in bytes. */
     static final long CUT_AFTER_READING = 16L << 20;
 
@@ -100,7 +103,7 @@ final class StderrFile {
     /**
      * What has been written since the last call: its first {@value #KEPT} bytes, a line that says how many more there
      * were, and of those the data lines that {@link DataLineScan} finds. An incomplete character is left for the next
-     * call.
+     * call. In the last call {@value #KEPT_OF_END} of the bytes are the end of what has been written, in whole lines.
      *
      * @param last whether there is no next call
      * @return {@code null} when nothing has been written
@@ -128,8 +131,40 @@ final class StderrFile {
         if (buffer == null) {
             buffer = new byte[KEPT];
         }
-        file.seek(position);
-        int wanted = (int) Math.min(KEPT, size - position);
+        boolean withEnd = last && size - position > KEPT;
+        int count = fill(position, (int) Math.min(withEnd ? KEPT - KEPT_OF_END : KEPT, size - position));
+        boolean more = size - position > count;
+        int whole = last && !more ? count : Utf8.wholeCharacters(buffer, 0, count);
+        boolean lineStart = false;
+        if (more) {
+            int line = DataLineScan.begunLine(buffer, whole);
+            lineStart = line < whole || whole > 0 && buffer[whole - 1] == '\n';
+            whole = line;
+        }
+        String text = new String(buffer, 0, whole, StandardCharsets.UTF_8);
+        long from = position + whole;
+        long to = more ? size : from;
+        String end = "";
+        if (withEnd) {
+            int length = fill(size - KEPT_OF_END, KEPT_OF_END);
+            int start = endStart(length);
+            to = size - length + start;
+            end = new String(buffer, start, length - start, StandardCharsets.UTF_8);
+        }
+        byte[] data = more ? DataLineScan.read(file, from, to, lineStart) : new byte[0];
+        long dropped = to - from - data.length + lost;
+        position = more ? size : from;
+        lost = 0;
+        if (dropped > 0) {
+            text += (text.isEmpty() || text.endsWith("\n") ? "" : "\n") + "[" + dropped + " more bytes dropped]\n";
+        }
+        text += new String(data, StandardCharsets.UTF_8) + end;
+        return text.isEmpty() ? null : text;
+    }
+
+    /** Reads into the buffer; how much there was. */
+    private int fill(long from, int wanted) throws IOException {
+        file.seek(from);
         int count = 0;
         while (count < wanted) {
             int n = file.read(buffer, count, wanted - count);
@@ -138,24 +173,21 @@ final class StderrFile {
             }
             count += n;
         }
-        boolean more = size - position > count;
-        int whole = last && !more ? count : Utf8.wholeCharacters(buffer, 0, count);
-        byte[] data = {};
-        if (more) {
-            int line = DataLineScan.begunLine(buffer, whole);
-            boolean lineStart = line < whole || whole > 0 && buffer[whole - 1] == '\n';
-            whole = line;
-            data = DataLineScan.read(file, position + whole, size, lineStart);
+        return count;
+    }
+
+    /** Where the first whole line in the buffer begins; where none does, the first whole character. */
+    private int endStart(int length) {
+        for (int i = 0; i < length - 1; i++) {
+            if (buffer[i] == '\n') {
+                return i + 1;
+            }
         }
-        String text = new String(buffer, 0, whole, StandardCharsets.UTF_8);
-        long dropped = (more ? size - position - whole - data.length : 0) + lost;
-        position = more ? size : position + whole;
-        lost = 0;
-        if (dropped > 0) {
-            text += (text.isEmpty() || text.endsWith("\n") ? "" : "\n") + "[" + dropped + " more bytes dropped]\n";
+        int start = 0;
+        while (start < length && (buffer[start] & 0xC0) == 0x80) {
+            start++;
         }
-        text += new String(data, StandardCharsets.UTF_8);
-        return text.isEmpty() ? null : text;
+        return start;
     }
 
     private void cut() throws IOException {

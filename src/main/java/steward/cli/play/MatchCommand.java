@@ -39,11 +39,10 @@ import steward.match.Protocol;
         "nobody can press it, after 60 seconds). When the match is over it ends by itself as soon as every",
         "browser has everything: open pages stay complete, and their Save works from then on without the",
         "program. To look again later, use --view or --out.",
-        "", "Exit status: 0 there is a result; 1 there is none, or --strict and a bot failed; 2 wrong call."})
+        "", "Exit status: 0 there is a result; 1 there is none, or --strict and a bot failed;",
+        "2 wrong call; 130 interrupted (of many games, those that are over are told)."})
 public final class MatchCommand implements Callable<Integer> {
 
-    private static final int MOST_THREADS = 256;
-    private static final int MOST_GAMES = 1_000_000;
     /** Seeds that are drawn stay below this, so that people can type them again. */
     private static final long DRAWN_SEEDS = 1_000_000_000;
 
@@ -95,19 +94,8 @@ public final class MatchCommand implements Callable<Integer> {
     @Option(names = "--no-deadline", description = "Wait for answers without end.")
     private boolean noDeadline;
 
-    @Option(names = "--games", paramLabel = "N",
-        description = "Play N games with the seeds SEED, SEED + 1, ... and print who scored how many points.")
-    private Integer games;
-
-    @Option(names = "--swap",
-        description = "Play each seed once for every way to move the bots up: with two bots, once from each side, "
-            + "2 N games in all.")
-    private boolean swap;
-
-    @Option(names = "--threads", paramLabel = "T",
-        description = "How many games are played at the same time (default: 1). The games do not depend on it, but "
-            + "bots that share processors take longer to answer.")
-    private Integer threads;
+    @Mixin
+    private final SeriesOptions many = new SeriesOptions();
 
     public MatchCommand(Streams streams) {
         this.streams = streams;
@@ -115,16 +103,12 @@ public final class MatchCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws InterruptedException {
-        boolean many = games != null || swap;
         check(!json || !quiet, "--json and --quiet exclude each other");
         check(!noDeadline || timeFactor == null, "--no-deadline and --time-factor exclude each other");
-        check(games == null || games >= 1 && games <= MOST_GAMES,
-            "--games: found " + games + ", expected 1 to " + MOST_GAMES);
-        check(threads == null || threads >= 1 && threads <= MOST_THREADS,
-            "--threads: found " + threads + ", expected 1 to " + MOST_THREADS);
-        check(many || threads == null, "--threads is for many games, expected --games or --swap with it");
+        String wrong = many.problem(out != null);
+        check(wrong == null, wrong);
         check(!overwrite || out != null || show.view() != null, "--overwrite: expected --out or --view with it");
-        String problem = show.problem(many);
+        String problem = show.problem(many.isAny());
         check(problem == null, problem);
         Optional<Protocol> usual = Protocol.of(protocol);
         check(usual.isPresent(), "--protocol: found '" + protocol + "', expected json or codingame");
@@ -135,9 +119,9 @@ public final class MatchCommand implements Callable<Integer> {
         long first = seed != null ? seed : new SplittableRandom().nextLong(DRAWN_SEEDS);
         Path path = out == null ? null : OutputFiles.path(out);
         Verbosity report = json ? Verbosity.JSON : quiet ? Verbosity.LINE : Verbosity.FULL;
-        if (many) {
-            Series series = new Series(contest, first, games == null ? 1 : games, swap, path);
-            return new SeriesRun(streams, series, report, strict).play(threads == null ? 1 : threads, overwrite);
+        if (many.isAny()) {
+            Series series = new Series(contest, first, many.games(), many.swap(), path, many.keep());
+            return new SeriesRun(streams, series, report, strict).play(many.threads(streams), overwrite);
         }
         SingleMatch game = new SingleMatch(streams, contest, report, strict);
         return show.isAny() ? game.play(first, path, overwrite, show) : game.play(first, path, overwrite);

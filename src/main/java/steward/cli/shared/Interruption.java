@@ -25,8 +25,9 @@ public final class Interruption implements AutoCloseable {
     /** @param kept is called at the interruption, on another thread; gives {@code null} to print nothing */
     public Interruption(Streams streams, Supplier<String> kept) {
         hook = kept == null ? null : new Thread(() -> {
-            if (!over) {
-                streams.err().println("steward: interrupted; " + kept.get());
+            String told = over ? null : kept.get();
+            if (told != null) {
+                streams.err().println("steward: interrupted; " + told);
             }
         }, "interruption");
         if (hook != null) {

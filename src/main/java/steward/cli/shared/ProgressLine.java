@@ -5,6 +5,7 @@ import me.tongfei.progressbar.ConsoleProgressBarConsumer;
 import me.tongfei.progressbar.ProgressBar;
 import me.tongfei.progressbar.ProgressBarBuilder;
 import me.tongfei.progressbar.ProgressBarStyle;
+import steward.text.TextFormat;
 
 /**
  * How many games or other steps are done and how long the rest will take, on one line of a terminal, erased at the end.
@@ -15,7 +16,11 @@ public final class ProgressLine implements AutoCloseable {
     private static final int WIDTH = 79;
     private static final int REFRESH_MS = 250;
 
+    /** How long the word on how it stands may be, so that there is room for the bar. */
+    private static final int WORD = 24;
+
     private final ProgressBar bar;
+    private boolean closed;
 
     public ProgressLine(PrintStream terminal, int games) {
         this(terminal, "games", games);
@@ -33,8 +38,18 @@ public final class ProgressLine implements AutoCloseable {
         bar.step();
     }
 
+    /** One more, with a word on how it stands; by any thread. */
+    public void step(String standing) {
+        bar.setExtraMessage(TextFormat.plain(TextFormat.shorten(standing, WORD)));
+        bar.step();
+    }
+
+    /** The second time there is nothing to do. */
     @Override
-    public void close() {
-        bar.close();
+    public synchronized void close() {
+        if (!closed) {
+            closed = true;
+            bar.close();
+        }
     }
 }

@@ -109,7 +109,8 @@ class MatchCommandTest {
         assertTrue(cli.json().get("replay").isNull());
         Cli strict = duel(false, good, "bad=sh -c 'exit 3'", "--strict");
         assertEquals(ExitStatus.FAILED, strict.status());
-        assertTrue(strict.out().contains("bad failed: exited with status 3 before answering\n"), strict.out());
+        assertTrue(strict.out().contains("bad failed in turn 1: exited with status 3 before answering\n"),
+            strict.out());
     }
 
     @Test
