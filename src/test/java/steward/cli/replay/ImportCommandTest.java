@@ -69,7 +69,7 @@ class ImportCommandTest {
 
     @Test
     void aChangedGameIsToldWithItsTurn() throws IOException {
-        int from = GAME.json().indexOf("\"view\":\"KEY_FRAME 20\\n") + "\"view\":\"KEY_FRAME 20\\n".length();
+        int from = GAME.json().indexOf("\"view\":\" 20\\n") + "\"view\":\" 20\\n".length();
         String json = GAME.json().substring(0, from) + "1" + GAME.json().substring(from);
         imported(json);
         Cli cli = Cli.run("replay", replay.toString(), "--verify");
@@ -118,7 +118,7 @@ class ImportCommandTest {
     void aRefusedRecordingLeavesNoReplay() throws IOException {
         String out = replay.toString();
         refused("game.json: frame 4, view line 1: found \"oops", "import",
-            Files.writeString(recording, GAME.json().replace("KEY_FRAME 4\\n", "KEY_FRAME 4\\noops ")).toString(),
+            Files.writeString(recording, GAME.json().replace("\" 4\\n", "\" 4\\noops ")).toString(),
             "--out", out);
         refused("game.json:1:", "import", Files.writeString(recording, "{").toString(), "--out", out);
         refused("found no frames", "import", Files.writeString(recording, "{}").toString(), "--out", out);
