@@ -15,6 +15,8 @@ import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
 import steward.cli.shared.Games;
 import steward.cli.shared.Pages;
+import steward.cli.shared.PlayerChoice;
+import steward.cli.shared.StandardFiles;
 import steward.cli.shared.Streams;
 import steward.files.InputException;
 import steward.files.OutputFiles;
@@ -40,7 +42,8 @@ public final class ReplayCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
-    @Parameters(index = "0", paramLabel = "FILE", description = "The replay.")
+    @Parameters(index = "0", paramLabel = "FILE",
+        description = "The replay; - is the standard input.")
     private String file;
 
     @Option(names = "--turn", paramLabel = "N", description = "Print everything about this turn.")
@@ -61,8 +64,9 @@ public final class ReplayCommand implements Callable<Integer> {
     @Option(names = "--frames", description = "Print the lines that one bot was sent, byte for byte; with --player.")
     private boolean frames;
 
-    @Option(names = "--player", paramLabel = "P", description = "Which bot, counted from 0.")
-    private Integer player;
+    @Option(names = "--player", paramLabel = "P",
+        description = "Which bot: its number, counted from 0, or its name.")
+    private String player;
 
     @Option(names = "--view", paramLabel = "HTML",
         description = "Write a page that shows the match to this file: everything in it, opens from disk.")
@@ -84,11 +88,12 @@ public final class ReplayCommand implements Callable<Integer> {
     @Override
     public Integer call() throws InterruptedException {
         check();
-        Path path = OutputFiles.path(file);
+        boolean piped = StandardFiles.is(file);
         if (view != null || open) {
-            return view(path);
+            check(!piped, "--view and --open read the replay twice, expected a file, found -");
+            return view(OutputFiles.path(file));
         }
-        try (ReplayReader replay = open(path)) {
+        try (ReplayReader replay = piped ? StandardFiles.openReplay(streams) : open(OutputFiles.path(file))) {
             if (verify) {
                 return verify(replay);
             }
@@ -97,7 +102,8 @@ public final class ReplayCommand implements Callable<Integer> {
                 return ExitStatus.DONE;
             }
             if (frames) {
-                FramePrinter.print(streams, replay, player);
+                FramePrinter.print(streams, replay,
+                    PlayerChoice.of(player, replay.header().names(), replay.source()));
             } else if (turn != null && !impacts) {
                 TurnDetail.print(streams, replay, turn);
             } else {

@@ -82,8 +82,8 @@ public final class Streams {
         }
     }
 
-    /** What a person types; to be read by one at a time. */
-    InputStream in() {
+    /** What a person types, or a file or pipe; to be read by one at a time. */
+    public InputStream in() {
         return in;
     }
 

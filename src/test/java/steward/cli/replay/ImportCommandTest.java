@@ -4,7 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -12,7 +16,9 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.cli.Cli;
+import steward.cli.Main;
 import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Streams;
 import steward.codingame.OfficialGame;
 
 /** {@code steward import}, and what the other commands make of its replays. */
@@ -123,10 +129,38 @@ class ImportCommandTest {
         refused("game.json:1:", "import", Files.writeString(recording, "{").toString(), "--out", out);
         refused("found no frames", "import", Files.writeString(recording, "{}").toString(), "--out", out);
         refused("found no such file, expected a recording", "import", folder + "/nothing", "--out", out);
-        refused("expected a readable file in UTF-8", "import", folder.toString(), "--out", out);
-        refused("expected a readable file in UTF-8", "import",
+        refused(folder + ": found a folder, expected a recording", "import", folder.toString(), "--out", out);
+        refused("game.json: found bytes that are no text in UTF-8", "import",
             Files.write(recording, new byte[] {(byte) 0xff, 0x20}).toString(), "--out", out);
         assertFalse(Files.exists(replay));
+    }
+
+    @Test
+    void programsReadOneObject() throws IOException {
+        Cli cli = Cli.run("import", recording.toString(), "--json", "--out", replay.toString());
+        assertEquals("{\"turns\":" + GAME.turns() + ",\"ending\":\"finished after 3 laps\",\"replay\":\"" + replay
+            + "\"}\n", cli.out());
+        assertEquals("", cli.err());
+        refused("--json is printed to the standard output", "import", recording.toString(), "--json", "--out", "-");
+    }
+
+    @Test
+    void aGameComesAndGoesByPipes() {
+        ByteArrayOutputStream piped = new ByteArrayOutputStream();
+        assertEquals(ExitStatus.DONE, piped(GAME.json().getBytes(StandardCharsets.UTF_8), piped, "import", "-",
+            "--out", "-"));
+        ByteArrayOutputStream verified = new ByteArrayOutputStream();
+        assertEquals(ExitStatus.DONE, piped(piped.toByteArray(), verified, "replay", "-", "--verify"));
+        assertEquals("verified: " + GAME.turns() + " turns\n", verified.toString(StandardCharsets.UTF_8));
+        ByteArrayOutputStream nothing = new ByteArrayOutputStream();
+        assertEquals(ExitStatus.UNUSABLE, piped(new byte[0], nothing, "import", "-", "--out", "-"));
+        assertEquals(ExitStatus.UNUSABLE, piped(piped.toByteArray(), nothing, "replay", "-", "--view", "x.html"));
+        assertEquals("", nothing.toString(StandardCharsets.UTF_8));
+    }
+
+    private static int piped(byte[] in, OutputStream out, String... arguments) {
+        return Main.run(new Streams(new ByteArrayInputStream(in), false, out, OutputStream.nullOutputStream(), false,
+            false), arguments);
     }
 
     @Test
