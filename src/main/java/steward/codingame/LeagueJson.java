@@ -9,8 +9,9 @@ import tools.jackson.core.JsonGenerator;
 
 /**
  * The result of a match as rating tools read it: {@code ranks} (lower is better, ties share one), {@code errors} (1 for
- * a bot that failed), {@code faults} (why it did, or null), {@code test_data} (seed and data of the match), {@code player_data}, with numbers as numbers, and
- * once more as {@code attributes}: name, player or null, turn or null, value as text.
+ * a bot that failed), {@code faults} (why it did, or null), {@code test_data} (seed and data of the match),
+ * {@code player_data}, with numbers as numbers, and once more as {@code attributes}: name, player or null, turn or
+ * null, value as text.
  */
 public final class LeagueJson {
 

@@ -65,11 +65,13 @@ class GameRecordingReaderTest {
         "9000 1000 5000 | 9000 NaN 5000 | frame 0, view line 3: found \"NaN\", expected a finite number",
         "2\\n1000 2000 -0 | 2\\n1000 y -0 | frame 0, view line 5: found \"y\", expected a finite number",
         "\" 2\\n1000 2000 | \" 2\\n1000 2000 \\n | frame 2, view line 1: found \"1000 2000 \", expected pod 0: x y",
-        "1:98 2:99 | x y z | frame 2, view line 9: found \"x y z\", expected rank:turnsLeft of both players on one line",
+        "1:98 2:99 | x y z | frame 2, view line 9: found \"x y z\", expected rank:turnsLeft of both "
+            + "players on one line",
         "1:98 2:99 | 1:98\\n2:99 | frame 2, view line 9: found \"1:98\", expected rank:turnsLeft of both players",
         "1:98 2:99 | 1:98 2:99 2:99 | frame 2, view line 9: found \"1:98 2:99 2:99\", expected rank:turnsLeft",
         "1:98 2:99 | 1:98 3:99 | frame 2, view line 9: found \"1:98 3:99\", expected rank:turnsLeft of both",
-        "\" 2\\n | \" 4\\n | frame 2, view line 0: found \" 4\", expected the number of the frame, 2: frames are missing",
+        "\" 2\\n | \" 4\\n | frame 2, view line 0: found \" 4\", expected the number of the frame, "
+            + "2: frames are missing",
         "400 600 4 | 400 600 2 | frame 0, view line 2: found \"16000 9000 400 600 2 0.3\", expected 4 pods",
         "0 0.25 3 | 0 soon 3 | frame 2, view line 10: found \"soon\", expected a finite number",
         "0.25 3 1 | 0.25 4 1 | frame 2, view line 10: found \"4\", expected a whole number 0..3",
@@ -90,7 +92,8 @@ class GameRecordingReaderTest {
         "\"frames\" | \"frame\" | found no frames: the object has frame, ranks, expected CodinGame's game result",
         "\"keyframe\":false | \"keyframe\":false,\"agentId\":1 | frame 1, agentId: found 1, expected 0, because a turn",
         "1000 2000 -0 4 100 0 5 6 null 1 2 0 | 1000 2000 -0 4 100 0 5 6 null 1 2 | frame 0, view line 5: found \"1000",
-        "0\\n\\\"message \\\"\\n1:98 | 0\\nmessage\\n1:98 | frame 2, view line 8: found \"message\", expected the message",
+        "0\\n\\\"message \\\"\\n1:98 | 0\\nmessage\\n1:98 | frame 2, view line 8: found "
+            + "\"message\", expected the message",
         "\"ranks\":[0,1]}     | \"ranks\":[0,1]       | 1:"})
     void whatIsWrongIsToldWithItsFrameAndLine(String from, String to, String expected) {
         String json = GAME.replace(from, to);
@@ -112,9 +115,11 @@ class GameRecordingReaderTest {
     @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
         "` \\n` | found an empty file, expected CodinGame's game result with an array \"frames\"",
         "{\"type\":\"steward-replay\",\"format\":2,\"game\":1} | found a replay of Steward, expected CodinGame's",
-        "{\"errors\":{},\"outputs\":{},\"views\":[],\"uinput\":[]} | found the game result that 'steward referee -l' writes",
+        "{\"errors\":{},\"outputs\":{},\"views\":[],\"uinput\":[]} | found the game result that "
+            + "'steward referee -l' writes",
         "`{\"a\":1}\\n{\"b\":2}\\n` | found JSON Lines, one value a line, expected CodinGame's",
-        "{\"frames\":[{\"view\":\" 0 | 1:23: found the end of the file within the JSON: it was cut off, expected all of it",
+        "{\"frames\":[{\"view\":\" 0 | 1:23: found the end of the file within the JSON: it was cut "
+            + "off, expected all of it",
         "<!DOCTYPE html> | found a web page or XML, expected CodinGame's",
         "[1,2] | found no frames: the file is an array, expected CodinGame's",
         "{\"id\":403,\"message\":\"no\"} | found no frames: the object has id, message, expected CodinGame's"})

@@ -48,7 +48,7 @@ public final class PlayCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
-    @Option(names = "--json-league", required = true, description = "Print the result in this form, the only one.")
+    @Option(names = "--json-league", required = true, description = "Prints the result in this form, the only one.")
     private boolean league;
 
     @Parameters(paramLabel = "BOT", description = "The bots, one for each player of the scene; see below.")

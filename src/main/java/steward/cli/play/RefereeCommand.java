@@ -53,13 +53,13 @@ public final class RefereeCommand implements Callable<Integer> {
     @Option(names = {"-seed", "--seed"}, paramLabel = "N", description = "The same as -d seed=N.")
     private Long seed;
 
-    @Option(names = "-l", paramLabel = "FILE", description = "Write the match as CodinGame's game result in JSON.")
+    @Option(names = "-l", paramLabel = "FILE", description = "Writes the match as CodinGame's game result in JSON.")
     private String log;
 
-    @Option(names = "-r", paramLabel = "FILE", description = "Write the replay of 'steward replay'.")
+    @Option(names = "-r", paramLabel = "FILE", description = "Writes the replay of 'steward replay'.")
     private String replay;
 
-    @Option(names = "-s", description = "Make a page that shows the match, and print where it is after the scores.")
+    @Option(names = "-s", description = "Makes a page that shows the match, and prints where it is after the scores.")
     private boolean page;
 
     @Option(names = {"-scene", "--scene"}, paramLabel = "FILE|NAME", defaultValue = "mad-pod-racing",
@@ -74,7 +74,7 @@ public final class RefereeCommand implements Callable<Integer> {
         description = "Accepted as other referees do; the rules are the scene's.")
     private Integer league;
 
-    @Option(names = {"--old", "-old"}, description = "Talk with the tool by ###Input and ###Output on the standard "
+    @Option(names = {"--old", "-old"}, description = "Talks with the tool by ###Input and ###Output on the standard "
         + "streams; the tool starts the bots.")
     private boolean old;
 

@@ -20,8 +20,8 @@ final class RefereeFiles {
     private static final String PAGE = ".html";
 
     /** How every page begins. */
-    private static final String PAGE_SIGNATURE = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-        + "<meta http-equiv=\"Content-Security-Policy\"";
+    private static final String PAGE_SIGNATURE = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n"
+        + "<meta charset=\"utf-8\">\n<meta http-equiv=\"Content-Security-Policy\"";
 
     private RefereeFiles() {
     }
@@ -73,8 +73,8 @@ final class RefereeFiles {
     }
 
     private static InputException kept(String option, Path file, String kind) {
-        return new InputException(option + file + ": found a file of another kind, which is kept; expected a new or empty"
-            + " file, or " + kind + " to be replaced");
+        return new InputException(option + file + ": found a file of another kind, which is kept; expected a new or "
+            + "empty file, or " + kind + " to be replaced");
     }
 
     private static InputException unreadable(Path file, IOException problem) {

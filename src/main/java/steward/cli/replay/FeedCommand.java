@@ -85,30 +85,31 @@ public final class FeedCommand implements Callable<Integer> {
     private String protocol;
 
     @Option(names = "--until", paramLabel = "N",
-        description = "Stop when turn N has been answered; the bot waits until you press Enter or it ends.")
+        description = "Stops when turn N has been answered; the bot waits until you press Enter or it ends.")
     private Integer until;
 
     @Option(names = "--pause", paramLabel = "N", arity = "0..1", fallbackValue = "1",
-        description = "Wait for Enter before turn N is sent (default: before everything).")
+        description = "Waits for Enter before turn N is sent (default: before everything).")
     private Integer pause;
 
     @Option(names = "--from-turn", paramLabel = "N", description = "With --replace: the first turn that the bot plays.")
     private Integer from;
 
     @Option(names = "--replace",
-        description = "Let the bot play on in place of the player; with --from-turn and --out.")
+        description = "Lets the bot play on in place of the player; with --from-turn and --out.")
     private boolean replace;
 
-    @Option(names = "--out", paramLabel = "NEW", description = "With --replace: where the new replay goes; - is the standard output.")
+    @Option(names = "--out", paramLabel = "NEW",
+        description = "With --replace: where the new replay goes; - is the standard output.")
     private String out;
 
-    @Option(names = "--overwrite", description = "Replace a replay that exists.")
+    @Option(names = "--overwrite", description = "Replaces a replay that exists.")
     private boolean overwrite;
 
-    @Option(names = "--quiet", description = "Print only what differs, and the summary.")
+    @Option(names = "--quiet", description = "Prints only what differs, and the summary.")
     private boolean quiet;
 
-    @Option(names = "--json", description = "Print one JSON object instead; see below.")
+    @Option(names = "--json", description = "Prints one JSON object instead; see below.")
     private boolean json;
 
     public FeedCommand(Streams streams) {

@@ -57,10 +57,10 @@ public final class ImportCommand implements Callable<Integer> {
         description = "Where the replay goes; - is the standard output.")
     private String out;
 
-    @Option(names = "--overwrite", description = "Replace a replay that exists.")
+    @Option(names = "--overwrite", description = "Replaces a replay that exists.")
     private boolean overwrite;
 
-    @Option(names = "--json", description = "Print one JSON object instead of words; see below.")
+    @Option(names = "--json", description = "Prints one JSON object instead of words; see below.")
     private boolean json;
 
     public ImportCommand(Streams streams) {

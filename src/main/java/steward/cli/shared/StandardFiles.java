@@ -1,5 +1,6 @@
 package steward.cli.shared;
 
+import java.io.BufferedInputStream;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import steward.files.InputException;
@@ -21,10 +22,10 @@ public final class StandardFiles {
         return DASH.equals(typed);
     }
 
-    /** All of the standard input. */
+    /** All of the standard input; by a buffer, since a file's own way to be read whole fails on pipes. */
     public static byte[] readAll(Streams streams) {
         try {
-            return streams.in().readAllBytes();
+            return new BufferedInputStream(streams.in()).readAllBytes();
         } catch (IOException problem) {
             throw unreadable(problem);
         }

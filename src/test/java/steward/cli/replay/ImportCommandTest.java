@@ -3,6 +3,7 @@ package steward.cli.replay;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -17,6 +18,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.cli.Cli;
 import steward.cli.Main;
+import steward.cli.ProcessTest;
+import steward.cli.ShellBots;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Streams;
 import steward.codingame.OfficialGame;
@@ -156,6 +159,15 @@ class ImportCommandTest {
         assertEquals(ExitStatus.UNUSABLE, piped(new byte[0], nothing, "import", "-", "--out", "-"));
         assertEquals(ExitStatus.UNUSABLE, piped(piped.toByteArray(), nothing, "replay", "-", "--view", "x.html"));
         assertEquals("", nothing.toString(StandardCharsets.UTF_8));
+    }
+
+    /** Between programs, where the input is a pipe and not a file. */
+    @Test
+    void pipesOfAShellAreRead() throws IOException, InterruptedException {
+        assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
+        assertEquals("verified: " + GAME.turns() + " turns\nstatus 0\n", ProcessTest.shell("cat " + recording + " | "
+            + ProcessTest.steward("import", "-", "--out", "-") + " | "
+            + ProcessTest.steward("replay", "-", "--verify")));
     }
 
     private static int piped(byte[] in, OutputStream out, String... arguments) {
