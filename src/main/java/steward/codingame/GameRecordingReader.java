@@ -63,6 +63,7 @@ final class GameRecordingReader {
                 throw new IllegalArgumentException(source + ": frame " + k + ": found " + frame
                     + ", expected an object");
             }
+            view(frame, k);                           // the number of every frame, not only of key frames
             if (isReferee(frame, k, commands.size())) {
                 continue;
             }
