@@ -56,8 +56,14 @@ final class FrameView {
 
     /** Checks that the view is that of its frame: where frames are missing, the numbers go on otherwise. */
     void checkNumber() {
-        Matcher matcher = FRAME_NUMBER.matcher(lines.length == 0 ? "" : lines[0].stripTrailing());
-        if (matcher.matches() && Integer.parseInt(matcher.group(1)) != frame) {
+        if (lines.length == 0) {
+            return;
+        }
+        Matcher matcher = FRAME_NUMBER.matcher(lines[0].stripTrailing());
+        if (!matcher.matches()) {
+            throw wrong(0, "the number of the frame, " + frame);
+        }
+        if (Integer.parseInt(matcher.group(1)) != frame) {
             throw wrong(0, "the number of the frame, " + frame + ": frames are missing, or more than there were");
         }
     }

@@ -73,6 +73,7 @@ class GameRecordingReaderTest {
         "\" 2\\n | \" 4\\n | frame 2, view line 0: found \" 4\", expected the number of the frame, "
             + "2: frames are missing",
         "\"keyframe\":false | \"keyframe\":false,\"view\":\" 3\\n\" | frame 1, view line 0: found \" 3\", expected the",
+        "\" 2\\n | \"view\\n | frame 2, view line 0: found \"view\", expected the number of the frame, 2",
         "0.25 3 1 | 1.25 3 1 | frame 2, view line 10: found \"1.25\", expected a time 0..1 within the turn",
         "0.25 3 1 2 1 | 0.25 3 1 2 3 | frame 2, view line 10: found \"0 0.25 3 1 2 3 5 6 240.5 1 -2\", expected an",
         "400 600 4 | 400 600 2 | frame 0, view line 2: found \"16000 9000 400 600 2 0.3\", expected 4 pods",
