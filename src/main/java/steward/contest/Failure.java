@@ -2,7 +2,7 @@ package steward.contest;
 
 import java.util.List;
 import java.util.regex.Pattern;
-import steward.bot.Faults;
+import steward.bot.FaultMessages;
 
 /**
  * How a bot failed as a program in one game.
@@ -40,6 +40,6 @@ public record Failure(int player, int turn, String reason, List<String> stderr, 
     public String kind() {
         int received = reason.indexOf(RECEIVED);
         String text = WAITED.matcher(received < 0 ? reason : reason.substring(0, received)).replaceAll("");
-        return Faults.isExit(reason) || Faults.isLate(reason) ? text : NUMBER.matcher(text).replaceAll("#");
+        return FaultMessages.isExit(reason) || FaultMessages.isLate(reason) ? text : NUMBER.matcher(text).replaceAll("#");
     }
 }

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.regex.Pattern;
-import steward.bot.Faults;
+import steward.bot.FaultMessages;
 import steward.match.Protocol;
 
 /** What beginners' bots fail of, guessed from how they failed. */
@@ -39,12 +39,12 @@ final class FailureHints {
     static List<String> of(Protocol protocol, BooleanSupplier other, int answers, String reason, String received,
                            List<String> stderr) {
         List<String> hints = new ArrayList<>();
-        if (Faults.isExit(reason, NOT_FOUND_STATUS)) {
+        if (FaultMessages.isExit(reason, NOT_FOUND_STATUS)) {
             hints.add(NOT_FOUND);
-        } else if (Faults.isExit(reason, NOT_EXECUTABLE_STATUS)) {
+        } else if (FaultMessages.isExit(reason, NOT_EXECUTABLE_STATUS)) {
             hints.add(NOT_EXECUTABLE);
         } else if (answers == 0) {
-            if (Faults.isLate(reason) && received.isEmpty()) {
+            if (FaultMessages.isLate(reason) && received.isEmpty()) {
                 hints.add(FLUSH);
             }
             if (speaksTheOther(protocol, reason, received, stderr) && other.getAsBoolean()) {
@@ -56,8 +56,8 @@ final class FailureHints {
 
     /** It died of the first thing it was told, or answered in another way. */
     private static boolean speaksTheOther(Protocol protocol, String reason, String received, List<String> stderr) {
-        if (Faults.isExit(reason)) {
-            return !reason.equals(Faults.exited(0)) && stderr.stream().noneMatch(line -> CLEAR.matcher(line).find());
+        if (FaultMessages.isExit(reason)) {
+            return !reason.equals(FaultMessages.exited(0)) && stderr.stream().noneMatch(line -> CLEAR.matcher(line).find());
         }
         boolean object = received.stripLeading().startsWith("{");
         return !received.isBlank() && object == (protocol == Protocol.CODINGAME);

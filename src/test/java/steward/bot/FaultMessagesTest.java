@@ -59,10 +59,10 @@ class FaultMessagesTest {
 
     @Test
     void theKindOfAFaultCanBeAskedFor() {
-        assertTrue(Faults.isLate(Faults.late(75 * MS, 76 * MS)));
-        assertTrue(Faults.isExit(Faults.exited(3)) && Faults.isExit(Faults.exited(139)));
-        assertTrue(Faults.isExit(Faults.exited(127), 127));
-        assertFalse(Faults.isExit(Faults.exited(12), 127) || Faults.isExit(Faults.late(1, 2)));
-        assertFalse(Faults.isLate(Faults.deaf(1, 2)));
+        assertTrue(FaultMessages.isLate(FaultMessages.late(75 * MS, 76 * MS)));
+        assertTrue(FaultMessages.isExit(FaultMessages.exited(3)) && FaultMessages.isExit(FaultMessages.exited(139)));
+        assertTrue(FaultMessages.isExit(FaultMessages.exited(127), 127));
+        assertFalse(FaultMessages.isExit(FaultMessages.exited(12), 127) || FaultMessages.isExit(FaultMessages.late(1, 2)));
+        assertFalse(FaultMessages.isLate(FaultMessages.inputUnread(1, 2)));
     }
 }

@@ -75,6 +75,29 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
         return new BotCommand(name, written == null ? usual : written, words);
     }
 
+    /**
+     * A bot command whose words a shell has split already: name and prefix may stand before the first of them.
+     *
+     * @param usual what a bot without a prefix is
+     * @throws IllegalArgumentException when there is no command
+     */
+    public static BotCommand of(List<String> words, Prefix usual) {
+        String first = words.isEmpty() ? "" : words.get(0);
+        Matcher named = NAMED.matcher(first);
+        String name = named.matches() ? named.group(1) : null;
+        String rest = named.matches() ? named.group(2) : first;
+        Prefix written = writtenPrefix(rest);
+        String program = written == null ? rest : rest.substring(written.written().length());
+        List<String> all = new ArrayList<>(words.subList(Math.min(1, words.size()), words.size()));
+        if (!program.isEmpty()) {
+            all.add(0, program);
+        }
+        if (all.isEmpty()) {
+            throw new IllegalArgumentException("bot '" + first + "': there is no command; expected " + FORM);
+        }
+        return new BotCommand(name, written == null ? usual : written, all);
+    }
+
     private static Prefix writtenPrefix(String text) {
         for (Prefix each : Prefix.values()) {
             if (text.startsWith(each.written())) {

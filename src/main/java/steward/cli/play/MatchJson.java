@@ -5,16 +5,15 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
+import steward.cli.shared.Json;
 import steward.cli.shared.Streams;
 import steward.contest.Contest;
 import steward.contest.Failure;
 import steward.game.JsonNumbers;
 import steward.match.MatchResult;
 import steward.match.MatchResult.PlayerResult;
-import steward.replay.page.UnclosedOutputStream;
 import steward.text.TextFormat;
 import tools.jackson.core.JsonGenerator;
-import tools.jackson.core.ObjectWriteContext;
 
 /** The result of a match for programs: one JSON object on one line. */
 final class MatchJson {
@@ -105,12 +104,6 @@ final class MatchJson {
 
     /** One object with its line end. */
     static void printObject(Streams streams, Consumer<JsonGenerator> fields) {
-        try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(),
-                new UnclosedOutputStream(streams.out()))) {
-            out.writeStartObject();
-            fields.accept(out);
-            out.writeEndObject();
-        }
-        streams.out().print('\n');
+        Json.print(streams, fields);
     }
 }

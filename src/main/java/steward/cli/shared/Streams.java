@@ -82,8 +82,8 @@ public final class Streams {
         }
     }
 
-    /** The typed input; to be read by one reader at a time. */
-    InputStream in() {
+    /** The typed input, or a file or pipe; to be read by one reader at a time. */
+    public InputStream in() {
         return in;
     }
 

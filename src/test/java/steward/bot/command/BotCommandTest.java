@@ -41,6 +41,18 @@ class BotCommandTest {
     }
 
     @Test
+    void wordsThatAShellHasSplitMayBeginWithNameAndPrefix() {
+        assertEquals(new BotCommand(null, Prefix.CODINGAME, List.of("sh", "-c", "a b")),
+            BotCommand.of(List.of("sh", "-c", "a b"), Prefix.CODINGAME));
+        assertEquals(new BotCommand("blue", Prefix.JSON, List.of("my bot", "c=d")),
+            BotCommand.of(List.of("blue=json:my bot", "c=d"), Prefix.CODINGAME));
+        assertEquals(new BotCommand(null, Prefix.BUILTIN, List.of("racer")),
+            BotCommand.of(List.of("builtin:", "racer"), Prefix.JSON));
+        assertEquals("bot 'json:': there is no command; expected " + BotCommand.FORM, assertThrows(
+            IllegalArgumentException.class, () -> BotCommand.of(List.of("json:"), Prefix.JSON)).getMessage());
+    }
+
+    @Test
     void anEqualsSignAfterABlankOrQuoteIsPartOfTheCommand() {
         reads("racer a=b", null, Prefix.JSON, "racer", "a=b");
         reads("'x'=y", null, Prefix.JSON, "x=y");

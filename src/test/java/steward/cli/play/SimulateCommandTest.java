@@ -21,6 +21,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.cli.Main;
+import steward.cli.ProcessTest;
 import steward.cli.shared.ExitStatus;
 
 /**
@@ -206,6 +207,13 @@ class SimulateCommandTest {
         assertEquals("steward: input line 14: found \"x\", expected x y vx vy angleDegrees nextCheckpointId shield "
             + "boosted\n", err);
         assertEquals(ExitStatus.UNUSABLE, process.exitValue());
+    }
+
+    @Test
+    void aFolderIsNoInput() throws IOException, InterruptedException {
+        String call = ProcessTest.steward("simulate") + " </tmp 2>&1";
+        assertEquals("steward: standard input: found a folder, expected a file or a pipe\nstatus 2\n",
+            ProcessTest.shell(call));
     }
 
     @Test

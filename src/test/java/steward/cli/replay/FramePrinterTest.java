@@ -113,7 +113,8 @@ class FramePrinterTest {
         Path file = Files.write(folder.resolve("x.jsonl"), Recorded.duel(11).bytes());
         Cli cli = Cli.run("replay", file.toString(), "--frames", "--player", "2");
         assertEquals(ExitStatus.UNUSABLE, cli.status());
-        assertEquals("steward: --player: found 2, expected 0 to 1 in " + file + "\n", cli.err());
+        assertEquals("steward: --player: found 2, expected 0 to 1 in " + file
+            + ", or a name: pilot-0, pilot-1\n", cli.err());
     }
 
     @Test
