@@ -5,6 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.math.BigDecimal;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestReporter;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.numerics.SplitMix64;
 import steward.physics.OfficialAdvance;
 
@@ -14,6 +17,7 @@ import steward.physics.OfficialAdvance;
  * a certified speed and place are from the game's, and that whoever is set aside stays out of reach. What was seen is
  * printed.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class ErrorBoundsTest {
 
     private static final long SEED = Long.getLong("steward.seed", 41);
@@ -29,7 +33,7 @@ class ErrorBoundsTest {
 
     /** Chains of 40 turns, to one side and to both, from the largest angles that have a vector and from targets. */
     @Test
-    void vectorsAreKnownAsWellAsIsSaid() {
+    void vectorsAreKnownAsWellAsIsSaid(TestReporter report) {
         double worst = 0;
         double worstSpeed = 0;
         int longest = 0;
@@ -49,7 +53,7 @@ class ErrorBoundsTest {
                 }
             }
         }
-        System.out.println("seed " + SEED + ": vectors are off by at most " + Double.toHexString(worst)
+        report.publishEntry("seed " + SEED + ": vectors are off by at most " + Double.toHexString(worst)
             + ", speeds and places by " + Double.toHexString(worstSpeed));
         assertEquals(40, longest, "the longest chain");
         assertTrue(worst > 0 && worst < Headings.VECTOR_ERROR, () -> "vectors");
@@ -105,7 +109,7 @@ class ErrorBoundsTest {
 
     /** The angle that the game sees to a target, and the true one between its heading and the target. */
     @Test
-    void bothWaysToSeeATurnAgreeAsIsSaid() {
+    void bothWaysToSeeATurnAgreeAsIsSaid(TestReporter report) {
         double worst = 0;
         for (int trial = 0; trial < 2_000; trial++) {
             double angle = (random.nextDouble() - 0.5) * 2 * (trial % 2 == 0 ? 525 : 4);
@@ -123,7 +127,7 @@ class ErrorBoundsTest {
                 h[0].multiply(y).subtract(h[1].multiply(x)).divide(length, ManyDigits.DIGITS)};
             worst = Math.max(worst, ManyDigits.apart(truth, ManyDigits.direction(shortest)));
         }
-        System.out.println("seed " + SEED + ": the angles seen differ by at most " + Double.toHexString(worst));
+        report.publishEntry("seed " + SEED + ": the angles seen differ by at most " + Double.toHexString(worst));
         assertTrue(worst > 0 && worst < ANGLE_ERROR, () -> "angles");
     }
 
@@ -151,7 +155,7 @@ class ErrorBoundsTest {
 
     /** A place flown in 250 legs is that flown at once, but for less than what {@link PodTurn} allows. */
     @Test
-    void legsAreAsNearToTheWholeWayAsIsSaid() {
+    void legsAreAsNearToTheWholeWayAsIsSaid(TestReporter report) {
         double worst = 0;
         for (int trial = 0; trial < 20_000; trial++) {
             double start = (random.nextDouble() - 0.5) * 2 * PodTurn.SMALL;
@@ -167,7 +171,7 @@ class ErrorBoundsTest {
             worst = Math.max(worst, new BigDecimal(start).add(new BigDecimal(speed)).subtract(new BigDecimal(place))
                 .abs().doubleValue());
         }
-        System.out.println("seed " + SEED + ": places in 251 legs are off by at most " + Double.toHexString(worst));
+        report.publishEntry("seed " + SEED + ": places in 251 legs are off by at most " + Double.toHexString(worst));
         assertTrue(worst > 0 && worst < SPEED_ERROR, () -> "places");
     }
 
