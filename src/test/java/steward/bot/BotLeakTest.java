@@ -8,8 +8,11 @@ import java.util.TreeSet;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
+import org.junit.jupiter.api.parallel.Isolated;
 /** Many matches in one JVM leave nothing behind. */
 class BotLeakTest {
+@Tag("process")
+@Isolated("counts descriptors, threads and files of the whole JVM")
 
     private static final int BOTS = 300;
 

@@ -9,6 +9,8 @@ import java.util.List;
 import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.game.FrameCodec;
@@ -20,6 +22,7 @@ import steward.match.Turn;
 
 /** The bundled bots over whole matches: no fault, a finish, and the veteran in front. */
 class BotsInMatchesTest {
+@Execution(ExecutionMode.CONCURRENT)
 
     @ParameterizedTest
     @ValueSource(strings = {"mad-pod-racing", "walled-race", "duel"})

@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.physics.Arithmetic;
 import steward.physics.Bodies;
@@ -19,6 +21,7 @@ import steward.physics.TurnSink;
 
 /** Crowds in a box: nothing is missed, nobody escapes at any coverage; boxes that hold no such crowd are refused. */
 class CrowdCheckTest {
+@Execution(ExecutionMode.CONCURRENT)
 
     @ParameterizedTest
     @CsvSource({"10, 0.001, 5000, DOUBLE", "10, 0.1, 20000, EXACT", "100, 0.1, 50000, COMPENSATED",

@@ -5,6 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import steward.numerics.SplitMix64;
@@ -16,6 +19,7 @@ import steward.physics.TurnLog;
 import steward.physics.Wall;
 
 /** Turns of small worlds on every event rung against the oracle: the same impacts in the same order. */
+@Execution(ExecutionMode.CONCURRENT)
 class EngineAgainstOracleTest {
 
     private static final ImpactLaw SOFT = ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM);

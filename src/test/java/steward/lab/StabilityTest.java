@@ -13,6 +13,8 @@ import java.util.function.Function;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import steward.physics.Advance;
@@ -24,6 +26,7 @@ import steward.physics.QueueAdvance;
 
 /** Every case of the stability table on every rung, in its short version. */
 class StabilityTest {
+@Execution(ExecutionMode.CONCURRENT)
 
     static Stream<Arguments> rows() {
         return StabilityCases.all().stream()

@@ -7,9 +7,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.numerics.SplitMix64;
 
 /** Turns whose course is known in closed form, ties, and independence of numbering. */
+@Execution(ExecutionMode.CONCURRENT)
 class EventAdvanceTest {
 
     /** 100 u of room at 200 u per turn toward each other: they touch at t = 1/2, swap speeds and fly back. */

@@ -7,9 +7,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
 import steward.numerics.SplitMix64;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** Turns with more impacts than any bound: each ends, says so, and leaves a world that can go on. */
 class ImpactLimitTest {
+@Execution(ExecutionMode.CONCURRENT)
 
     private static final double INFINITY = Double.POSITIVE_INFINITY;
 

@@ -13,6 +13,8 @@ import java.util.List;
 import java.util.Locale;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.numerics.SplitMix64;
@@ -23,6 +25,7 @@ import steward.numerics.SplitMix64;
  * state, so that roundings have one turn (some impacts per body) to grow.
  */
 class QueueAdvanceTest {
+@Execution(ExecutionMode.CONCURRENT)
 
     private static final double SIDE = 1000;
     private static final Wall[] BOX = Wall.box(SIDE, SIDE, 1);

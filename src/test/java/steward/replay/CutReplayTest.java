@@ -12,6 +12,8 @@ import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.bot.Bot;
 import steward.match.SeededBot;
@@ -19,6 +21,7 @@ import steward.match.TestScenes;
 
 /** A replay whose writer was killed: whatever is left of it is read and verified up to the cut. */
 class CutReplayTest {
+@Execution(ExecutionMode.CONCURRENT)
 
     /** Seven turns with a message beyond ASCII, rammed pods and a fault. */
     private static Recorded small() {

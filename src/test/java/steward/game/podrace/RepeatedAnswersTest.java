@@ -7,9 +7,12 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import steward.numerics.SplitMix64;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** One reader for all answers of a match says of each what a new reader says, whatever came before. */
 class RepeatedAnswersTest {
+@Execution(ExecutionMode.CONCURRENT)
 
     private static final List<String> LINES = List.of(
         "{\"pods\":[{\"x\":1,\"y\":2.5,\"thrust\":100},{\"x\":-1e3,\"y\":2,\"shield\":true}]}",
