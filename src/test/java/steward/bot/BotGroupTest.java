@@ -5,9 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** A bot is killed with everything that it has started. */
+@Tag("process")
 class BotGroupTest {
 
     private static final long SHORT = 50_000_000;

@@ -17,10 +17,12 @@ import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Bots that do as they should: what they are sent, and what comes back. */
+@Tag("process")
 class BotProcessTest {
 
     private static final String ECHO = "while read -r line; do echo \"got $line\"; done";

@@ -9,9 +9,11 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** Trouble of the referee's own machine is no fault of a bot. */
+@Tag("process")
 class BotTroubleTest {
 
     /** Run in a JVM of its own, because the folder for temporary files is looked up once. */

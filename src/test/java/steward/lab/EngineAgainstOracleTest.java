@@ -88,6 +88,7 @@ class EngineAgainstOracleTest {
      * places agree to some 1e-5 and no better; deep overlaps, batches and the minimum are the same.
      */
     @ParameterizedTest
+    @Tag("slow")
     @MethodSource("rungs")
     void theOfficialLaw(Rung rung) {
         int compared = 0;

@@ -10,18 +10,19 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.bot.Bot;
 import steward.match.SeededBot;
 import steward.match.TestScenes;
 
 /** A replay whose writer was killed: whatever is left of it is read and verified up to the cut. */
-class CutReplayTest {
 @Execution(ExecutionMode.CONCURRENT)
+class CutReplayTest {
 
     /** Seven turns with a message beyond ASCII, rammed pods and a fault. */
     private static Recorded small() {
@@ -42,6 +43,7 @@ class CutReplayTest {
     }
 
     @Test
+    @Tag("slow")
     void cutAtEveryByte() {
         Recorded match = small();
         byte[] replay = match.bytes();

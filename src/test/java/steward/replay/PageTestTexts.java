@@ -11,11 +11,13 @@ import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.TestReporter;
+import org.junit.jupiter.api.io.TempDir;
 
 /** What players, files and callers wrote, shown in a real browser: always harmless, never too much. */
+@Tag("browser")
 class PageTestTexts {
 
     private static final String ATTACK = "</script><script>window.hacked = 1</script>"

@@ -5,14 +5,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import steward.numerics.SplitMix64;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.numerics.SplitMix64;
 
 /** One reader for all answers of a match says of each what a new reader says, whatever came before. */
-class RepeatedAnswersTest {
 @Execution(ExecutionMode.CONCURRENT)
+class RepeatedAnswersTest {
 
     private static final List<String> LINES = List.of(
         "{\"pods\":[{\"x\":1,\"y\":2.5,\"thrust\":100},{\"x\":-1e3,\"y\":2,\"shield\":true}]}",
@@ -67,6 +68,7 @@ class RepeatedAnswersTest {
      * must say the same, to the bit, of good lines and of lines in which something is out of place.
      */
     @Test
+    @Tag("slow")
     void plainLinesAreReadAsByTheParser() {
         SplitMix64 random = new SplitMix64(6);
         int good = 0;
