@@ -7,7 +7,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.UnaryOperator;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -19,6 +22,7 @@ import steward.match.MatchResult;
 import steward.match.Turn;
 
 /** The bundled bots over whole matches: no fault, a finish, and the veteran in front. */
+@Execution(ExecutionMode.CONCURRENT)
 class BotsInMatchesTest {
 
     @ParameterizedTest
@@ -33,6 +37,7 @@ class BotsInMatchesTest {
     }
 
     @ParameterizedTest
+    @Tag("slow")
     @ValueSource(strings = {"mad-pod-racing", "walled-race", "duel"})
     void veteransPlayEachOtherWithoutAFault(String name) {
         GameSetup scene = BundledBotMatches.scene(name);
@@ -44,6 +49,7 @@ class BotsInMatchesTest {
 
     /** Measured over seeds 1..200, both sides: see the figure in the class doc of {@link Veteran}. */
     @ParameterizedTest
+    @Tag("slow")
     @ValueSource(strings = {"mad-pod-racing", "walled-race", "duel"})
     void theVeteranBeatsThePlainBotFromBothSides(String name) {
         GameSetup scene = BundledBotMatches.scene(name);

@@ -10,11 +10,13 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Assumptions;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import steward.bot.Bot;
 import steward.match.MatchResult;
 
 /** The Python starter plays whole races as a program of its own; skipped where there is no Python 3. */
+@Tag("process")
 class PythonStarterTest {
 
     @Test

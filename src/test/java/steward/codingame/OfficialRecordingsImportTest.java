@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestReporter;
 import steward.game.TextCodec;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.protocol.PodRaceType;
@@ -35,7 +36,7 @@ class OfficialRecordingsImportTest {
         (PodRaceType.PodRaceSetup) TestScenes.open("mad-pod-racing");
 
     @Test
-    void everyOfficialGameVerifies() throws IOException, InterruptedException {
+    void everyOfficialGameVerifies(TestReporter report) throws IOException, InterruptedException {
         Path folder = Path.of(System.getProperty("steward.replays", "../shared/replays"));
         assumeTrue(Files.isDirectory(folder),
             () -> "skipped: no official recordings in " + folder.toAbsolutePath() + " (set -Dsteward.replays)");
@@ -49,7 +50,7 @@ class OfficialRecordingsImportTest {
             GameRecordingImport.Imported imported = GameRecordingImport.of(json(Files.readAllLines(file)),
                 file.getFileName().toString(), TestScenes.TYPES).write(replay);
             Verification verification = TextMatches.verify(replay.toByteArray());
-            System.out.println("import, " + file.getFileName() + ": " + verification.turns() + " turns verified, "
+            report.publishEntry("import, " + file.getFileName() + ": " + verification.turns() + " turns verified, "
                 + imported.ending());
             assertNull(verification.difference(), file.toString());
             assertEquals(imported.turns(), verification.turns());

@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.bot.Bot;
@@ -53,6 +54,7 @@ class ReadmeTest {
     }
 
     @Test
+    @Tag("process")
     void itsBotWinsTheMatchThatIsShown(@TempDir Path folder) throws Exception {
         String python = "python3";
         assumeTrue(runs(python), "skipped: there is no python3 on the PATH");

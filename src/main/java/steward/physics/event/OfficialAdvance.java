@@ -203,7 +203,7 @@ public final class OfficialAdvance implements Advance {
     /**
      * A cheap test that a pair cannot meet in a turn: f(t) = d^2 + 2 b t + w^2 t^2 with b = d.w is at least d^2 + 2 b
      * if the two approach, and at least d^2 if they do not; and b - |b| is 2 b or 0. Where the test holds,
-     * |b| <= |d|^2 / 2, so that the roundings are no greater than in (1).
+     * |b| is at most |d|^2 / 2, so that the roundings are no greater than in (1).
      */
     public static boolean areFar(double dx, double dy, double wx, double wy, double reach) {
         double b = dx * wx + dy * wy;

@@ -17,6 +17,7 @@ import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.bot.Answer;
@@ -24,6 +25,7 @@ import steward.bot.Player;
 import steward.bot.command.ProgramFinder;
 
 /** Bots that do as they should: what they are sent, and what comes back. */
+@Tag("process")
 class BotProcessTest {
 
     private static final String ECHO = "while read -r line; do echo \"got $line\"; done";

@@ -13,12 +13,14 @@ import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.bot.Answer;
 import steward.bot.command.ProgramFinder;
 
 /** What a bot writes to its stderr belongs to the turn in which it was written, and never blocks it. */
+@Tag("process")
 class BotStderrTest {
 
     @BeforeEach

@@ -9,11 +9,13 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import steward.bot.Answer;
 import steward.bot.Player;
 
 /** Trouble of the referee's own machine is no fault of a bot. */
+@Tag("process")
 class MachineProblemTest {
 
     /** Run in a JVM of its own, because the folder for temporary files is looked up once. */

@@ -10,9 +10,11 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** The sentinel kills what it is told to kill, and lives through everything it can live through. */
+@Tag("process")
 class SentinelTest {
 
     /** No process has such a number: Linux counts to 4,194,304. */

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.bot.command.BuiltinBots;
@@ -13,6 +14,7 @@ import steward.cli.Cli;
 import steward.cli.shared.ExitStatus;
 
 /** {@code steward demo}. */
+@Tag("process")
 class DemoCommandTest {
 
     @TempDir

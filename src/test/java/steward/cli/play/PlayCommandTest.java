@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -41,6 +42,7 @@ class PlayCommandTest {
     }
 
     @Test
+    @Tag("process")
     void printsOneObject() {
         JsonNode json = play(bots.idler(0), bots.driver(), "--seed", "7");
 
@@ -61,6 +63,7 @@ class PlayCommandTest {
     }
 
     @Test
+    @Tag("process")
     void aBotThatFailsIsAResult() {
         JsonNode json = play(bots.driver(), bots.idler(2));
         assertEquals("[0,1]", json.get("ranks").toString());
@@ -91,6 +94,7 @@ class PlayCommandTest {
     }
 
     @Test
+    @Tag("process")
     void aDrawIsNoError() {
         JsonNode json = play(bots.idler(0), bots.idler(0));
         assertEquals("[0,0]", json.get("ranks").toString());

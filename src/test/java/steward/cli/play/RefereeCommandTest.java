@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -43,6 +44,7 @@ class RefereeCommandTest {
     }
 
     @Test
+    @Tag("process")
     void scoresAreInTheOrderOfThePlayers() {
         assertEquals(new Cli(0, "1\n0\n", ""), referee(bots.driver(), bots.idler(0), "-d", "seed=7"));
         assertEquals(new Cli(0, "0\n1\n", ""), referee(bots.idler(0), bots.driver(), "-seed", "7"));
@@ -50,6 +52,7 @@ class RefereeCommandTest {
     }
 
     @Test
+    @Tag("process")
     void whoFailsHasANegativeScore() {
         assertEquals(new Cli(0, "-1\n1\n", ""), referee(bots.idler(3), bots.driver(), "-d", "seed=1"));
         assertEquals(new Cli(0, "1\n-1\n", ""), referee(bots.idler(0), "true", "-d", "seed=1"));
@@ -117,6 +120,7 @@ class RefereeCommandTest {
     }
 
     @Test
+    @Tag("process")
     void aDrawnSeedIsToldAfterTheScores() {
         String[] lines = referee(bots.idler(1), bots.idler(2)).out().split("\n");
         assertEquals(3, lines.length);
@@ -124,6 +128,7 @@ class RefereeCommandTest {
     }
 
     @Test
+    @Tag("process")
     void theFilesAgreeWithTheScores() throws IOException {
         Path log = Files.createFile(folder.resolve("log.json"));
         Path replay = folder.resolve("match.jsonl");
@@ -143,6 +148,7 @@ class RefereeCommandTest {
     }
 
     @Test
+    @Tag("process")
     void withoutAReplayOfItsOwnThePageHasATemporaryOne() throws IOException {
         String[] lines = referee(bots.idler(1), bots.idler(1), "-seed", "5", "-s").out().split("\n");
         assertEquals(4, lines.length);

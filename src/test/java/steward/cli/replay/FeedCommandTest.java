@@ -18,6 +18,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -29,6 +30,7 @@ import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Streams;
 
 /** {@code steward feed} with bots that are shell scripts. */
+@Tag("process")
 @Timeout(60)
 class FeedCommandTest {
 

@@ -68,7 +68,6 @@ class OfficialRecordingsTest {
     }
 
     private static void check(List<String> differences, int rounds) {
-        System.out.println(rounds + " official rounds compared");
         assertEquals(2249, rounds, "rounds read");
         assertEquals(new TreeSet<>(LAST_ROUND_EXCEPTIONS), new TreeSet<>(differences));
     }

@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.numerics.SplitMix64;
 import steward.physics.Arithmetic;
 import steward.physics.Bodies;
@@ -21,6 +23,7 @@ import steward.physics.event.EventAdvance;
 import steward.physics.event.StepAdvance;
 
 /** What the oracle says of a turn, and how far a rung is from it; whom the oracle need not look at. */
+@Execution(ExecutionMode.CONCURRENT)
 class TurnTruthTest {
 
     private static PhysicsParts parts(Arithmetic arithmetic, Wall... walls) {

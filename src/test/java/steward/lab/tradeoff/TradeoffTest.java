@@ -16,6 +16,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.lab.tradeoff.report.TradeoffPage;
@@ -232,6 +233,7 @@ class TradeoffTest {
     }
 
     @Test
+    @Tag("process")
     void aDisplayThatIsNotThereIsNoHindrance() throws IOException, InterruptedException {
         ProcessBuilder other = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
             "-cp", System.getProperty("java.class.path"), TradeoffTest.class.getName(), folder.toString());

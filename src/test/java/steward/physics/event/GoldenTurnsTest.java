@@ -3,6 +3,8 @@ package steward.physics.event;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.numerics.SplitMix64;
@@ -24,6 +26,7 @@ import steward.physics.Wall;
  * and without fused multiply-add. A hash that changes means that replays of that rung no longer verify. Those of
  * {@code OFFICIAL} and {@code DOUBLE} are from before the other rungs existed.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class GoldenTurnsTest {
 
     private static final Wall[] ROUND = {new Arena(500, 500, 800, 0.9), new Segment(-100, 300, -50, 700, 0.8),

@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.numerics.DoubleDouble;
 import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
@@ -15,6 +17,7 @@ import steward.physics.ImpactLaw;
  * Decisions and times of the exact arithmetic against the definition in decimals: every decision is right, every time
  * is within 0.51 units in the last place, every lower bound of the search is one.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class ExactCirclesTest {
 
     private static final double NEVER = Double.POSITIVE_INFINITY;

@@ -8,6 +8,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -25,6 +27,7 @@ import steward.physics.event.EventAdvance;
 import steward.physics.queue.QueueAdvance;
 
 /** Numbers whose squares no double can hold: computed right, or refused by name. */
+@Execution(ExecutionMode.CONCURRENT)
 class MagnitudesTest {
 
     /*
