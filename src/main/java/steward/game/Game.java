@@ -57,4 +57,14 @@ public interface Game {
 
     /** A 64-bit hash of the full state: two games with the same hash continue alike under the same commands. */
     long hash();
+
+    /**
+     * The turn that is about to be played, with every sine and cosine in it a unit in the last place off; its commands
+     * are read already. It stays valid after the turn has been played.
+     *
+     * @return {@code null} where no turn depends on a sine or cosine
+     */
+    default AngleVariants angleVariants() {
+        return null;
+    }
 }

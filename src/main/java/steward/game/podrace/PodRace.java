@@ -3,6 +3,7 @@ package steward.game.podrace;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import steward.game.AngleVariants;
 import steward.game.Game;
 import steward.game.TurnEvent;
 import steward.numerics.SineCosine;
@@ -112,6 +113,30 @@ public final class PodRace implements Game {
         }
     }
 
+    /** A copy of a race between two turns, with a way to advance of its own. */
+    PodRace(PodRace other, Advance advance) {
+        settings = other.settings;
+        checkpoints = other.checkpoints;
+        this.advance = advance;
+        motion = other.motion;
+        bodies = new Bodies(other.bodies.capacity());
+        bodies.copyFrom(other.bodies);
+        heading = other.heading.clone();
+        shieldTimer = other.shieldTimer.clone();
+        boostLeft = other.boostLeft.clone();
+        passed = other.passed.clone();
+        targetX = other.targetX.clone();
+        targetY = other.targetY.clone();
+        thrust = other.thrust.clone();
+        startX = other.startX.clone();
+        startY = other.startY.clone();
+        turnsLeft = other.turnsLeft.clone();
+        outTurn = other.outTurn.clone();
+        outReason = other.outReason.clone();
+        turn = other.turn;
+        ending = other.ending;
+    }
+
     private void placePods(double drag) {
         for (double[] place : StartPlaces.of(checkpoints, settings.pods())) {
             int body = bodies.add(place[0], place[1], settings.radius(), settings.mass());
@@ -158,8 +183,10 @@ public final class PodRace implements Game {
     /**
      * Shield, boost, heading and thrust of one pod: step 1 of the official turn. A pod without a command keeps the mass
      * it had.
+     *
+     * @return the thrust that acts along the heading
      */
-    private void steer(int pod, int command) {
+    int steer(int pod, int command) {
         shieldTimer[pod] = command == SHIELD ? PodRaceSettings.SHIELD_TURNS : Math.max(0, shieldTimer[pod] - 1);
         if (command != NO_COMMAND) {
             bodies.setMass(pod, command == SHIELD ? PodRaceSettings.SHIELD_MASS_FACTOR * settings.mass()
@@ -173,17 +200,19 @@ public final class PodRace implements Game {
         double dx = targetX[pod] - bodies.x[pod];
         double dy = targetY[pod] - bodies.y[pod];
         if (command == NO_COMMAND || dx == 0 && dy == 0) {
-            return;
+            return 0;
         }
         heading[pod] = Headings.turned(heading[pod], StrictAngles.atan2(dy, dx));
-        if (shieldTimer[pod] == 0) {
-            direction.turn(heading[pod]);
-            double cos = direction.cos();
-            double sin = direction.sin();
-            double length = Math.sqrt(cos * cos + sin * sin);
-            bodies.vx[pod] += cos / length * power;
-            bodies.vy[pod] += sin / length * power;
+        if (shieldTimer[pod] != 0) {
+            return 0;
         }
+        direction.turn(heading[pod]);
+        double cos = direction.cos();
+        double sin = direction.sin();
+        double length = Math.sqrt(cos * cos + sin * sin);
+        bodies.vx[pod] += cos / length * power;
+        bodies.vy[pod] += sin / length * power;
+        return power;
     }
 
     private void countCheckpoints(int player) {
@@ -291,6 +320,11 @@ public final class PodRace implements Game {
     @Override
     public Bodies bodies() {
         return bodies;
+    }
+
+    @Override
+    public AngleVariants angleVariants() {
+        return new PodAngleVariants(new PodRace(this, advance));
     }
 
     @Override

@@ -1,0 +1,66 @@
+package steward.replay.verify;
+
+import java.util.Arrays;
+import steward.game.AngleVariants;
+import steward.game.Game;
+import steward.physics.Impact;
+import steward.physics.TurnLog;
+
+/**
+ * How far times and impulses of the impacts of a turn move when each sine and cosine of that turn is a unit in the last
+ * place off: the range in which another referee's values must lie where they are not equal to the last bit.
+ */
+final class ImpactRange {
+
+    private final double[] leastTime;
+    private final double[] greatestTime;
+    private final double[] leastImpulse;
+    private final double[] greatestImpulse;
+
+    /** @param played the turn as it was played; variants in which other pairs meet are left out */
+    ImpactRange(Game played, AngleVariants variants) {
+        TurnLog of = played.log();
+        int impacts = of.impacts();
+        leastTime = new double[impacts];
+        greatestTime = new double[impacts];
+        leastImpulse = new double[impacts];
+        greatestImpulse = new double[impacts];
+        Arrays.fill(leastTime, Double.POSITIVE_INFINITY);
+        Arrays.fill(greatestTime, Double.NEGATIVE_INFINITY);
+        Arrays.fill(leastImpulse, Double.POSITIVE_INFINITY);
+        Arrays.fill(greatestImpulse, Double.NEGATIVE_INFINITY);
+        add(of, of);
+        if (variants != null) {
+            variants.play(variant -> add(of, variant));
+        }
+    }
+
+    private void add(TurnLog of, TurnLog variant) {
+        if (variant.impacts() != of.impacts()) {
+            return;
+        }
+        for (int k = 0; k < of.impacts(); k++) {
+            Impact impact = variant.impact(k);
+            if (impact.a() != of.impact(k).a() || impact.b() != of.impact(k).b()) {
+                return;
+            }
+        }
+        for (int k = 0; k < of.impacts(); k++) {
+            Impact impact = variant.impact(k);
+            leastTime[k] = Math.min(leastTime[k], impact.time());
+            greatestTime[k] = Math.max(greatestTime[k], impact.time());
+            leastImpulse[k] = Math.min(leastImpulse[k], impact.impulse());
+            greatestImpulse[k] = Math.max(greatestImpulse[k], impact.impulse());
+        }
+    }
+
+    /** Whether a recorded time of an impact can be that of a referee with such errors. */
+    boolean holdsTime(int impact, double time) {
+        return time >= leastTime[impact] && time <= greatestTime[impact];
+    }
+
+    /** The same of an impulse. */
+    boolean holdsImpulse(int impact, double impulse) {
+        return impulse >= leastImpulse[impact] && impulse <= greatestImpulse[impact];
+    }
+}
