@@ -1,6 +1,7 @@
 package steward.scene;
 
 import java.util.Optional;
+import steward.numerics.Angles;
 import steward.physics.ImpactLaw;
 import steward.scene.json.Block;
 
@@ -18,13 +19,14 @@ import steward.scene.json.Block;
  * @param roundPosition    whether positions are rounded at the end of a turn
  * @param time             how long a player may take
  * @param choice           with how much care it is computed, and why so
+ * @param angles           where sines and cosines come from: no matter of the file, but of who plays or plays again
  * @param observer         sees the ways to advance that games of this scene take from their plan
  * @param root             the whole file, for the game to read its own blocks from and then to call
  *                         {@link Block#done()} on
  */
 public record Scene(String name, String gameId, int players, Optional<Field> field, ImpactLaw law, double drag,
                     boolean truncateVelocity, boolean roundPosition, Time time, AccuracyChoice choice,
-                    PhysicsObserver observer, Block root) {
+                    Angles angles, PhysicsObserver observer, Block root) {
 
     /** With how much care it is computed. */
     public Accuracy accuracy() {
@@ -33,8 +35,14 @@ public record Scene(String name, String gameId, int players, Optional<Field> fie
 
     /** The same scene, its games watched: for measuring turns from within. */
     public Scene withObserver(PhysicsObserver other) {
+        return new Scene(name, gameId, players, field, law, drag, truncateVelocity, roundPosition, time, choice,
+            angles, other, root);
+    }
+
+    /** The same scene with other sines and cosines: for playing again what was played with them. */
+    public Scene withAngles(Angles other) {
         return new Scene(name, gameId, players, field, law, drag, truncateVelocity, roundPosition, time, choice, other,
-            root);
+            observer, root);
     }
 
     /**

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import steward.game.Game;
 import steward.game.TurnEvent;
+import steward.numerics.Angles;
 import steward.numerics.SplitMix64;
 import steward.numerics.StateHash;
 import steward.numerics.StrictAngles;
@@ -44,7 +45,7 @@ public final class PodRace implements Game {
     private final TurnLog log = new TurnLog();
     private final List<TurnEvent> events = new ArrayList<>();
     private final StateHash hash = new StateHash();
-    private final StrictAngles angles = new StrictAngles();
+    private final StrictAngles angles;
     private final RaceStanding standing = new RaceStanding(this);
 
     private final double[] heading;
@@ -85,6 +86,7 @@ public final class PodRace implements Game {
         bodies = new Bodies(pods + bumpers.size());
         this.advance = advance;
         motion = plan.motion();
+        angles = trigonometry(scene.angles());
         heading = new double[pods];
         shieldTimer = new int[pods];
         boostLeft = new boolean[pods];
@@ -107,6 +109,13 @@ public final class PodRace implements Game {
             int body = bodies.add(bumper.x(), bumper.y(), bumper.radius(), Double.POSITIVE_INFINITY);
             bodies.setRestitution(body, bumper.restitution());
         }
+    }
+
+    /** The one place that says which sines and cosines a word means here. */
+    private static StrictAngles trigonometry(Angles named) {
+        return switch (named) {
+            case CORRECTLY_ROUNDED, FDLIBM -> new StrictAngles();
+        };
     }
 
     private void placePods(double drag) {

@@ -9,6 +9,7 @@ import steward.game.LineParser;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayException;
 import steward.replay.ReplayHeader;
+import steward.scene.SceneReader;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
@@ -29,7 +30,7 @@ public final class Resimulation {
      * @throws steward.scene.json.SceneException if the scene in the header is not one that the known games can play
      */
     public Resimulation(ReplayHeader header, GameTypes types, String source) {
-        setup = types.open(header.scene(), source + " (scene)");
+        setup = types.open(SceneReader.read(header.scene(), source + " (scene)").withAngles(header.angles()));
         if (!header.game().equals(setup.scene().gameId())) {
             throw new ReplayException(source + ":1: game: found " + header.game() + ", expected "
                 + setup.scene().gameId() + " as in the scene");

@@ -228,7 +228,7 @@ class FeedCommandTest {
         byte[] whole = Files.readAllBytes(replay);
         String text = new String(whole, StandardCharsets.UTF_8);
         String[] bot = bot("100");
-        for (String wrong : List.of("", "hello\n", text.replaceFirst("\"format\":2", "\"format\":999"),
+        for (String wrong : List.of("", "hello\n", text.replaceFirst("\"format\":3", "\"format\":999"),
             text.substring(0, 100), text.replaceFirst("\"game\":\"pod-race\",\"seed\"", "\"game\":\"x\",\"seed\""))) {
             Files.writeString(replay, wrong);
             refused(replay.toString(), "", bot);
