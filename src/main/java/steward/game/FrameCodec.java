@@ -44,6 +44,15 @@ public interface FrameCodec {
     void writeState(JsonGenerator out);
 
     /**
+     * Fields of a turn's outcome that not every game has, in this order: {@code zones} that are there after this turn,
+     * as in the drawing; {@code scores}, a number per player; {@code resources}, an object of numbers per player. They
+     * are to be shown; what the game needs to go on stands in its state.
+     */
+    default void writeProgress(JsonGenerator out) {
+        // Most games tell all by their bodies.
+    }
+
+    /**
      * Fields that say what to draw, constant over the game: {@code field} (x, y, width, height), {@code walls},
      * {@code zones} (x, y, radius, label) and {@code bodies} (id, radius, owner, kind, label).
      */

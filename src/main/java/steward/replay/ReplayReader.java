@@ -23,7 +23,8 @@ import tools.jackson.core.JacksonException;
  * end and is no complete object, is dropped, and {@link #warning} says so.
  *
  * <p>Throws {@link ReplayException} for a file that is no replay, of a newer format, damaged before its end, or with a
- * field that its format does not have at that place or a line that is too long, and {@link UncheckedIOException} if the file cannot be read.
+ * field that its format does not have at that place or a line that is too long, and {@link UncheckedIOException} if the
+ * file cannot be read.
  */
 public final class ReplayReader implements AutoCloseable {
 

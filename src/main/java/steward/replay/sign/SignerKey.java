@@ -53,7 +53,7 @@ public final class SignerKey {
             if (key.text().equals(text)) {
                 return key;
             }
-        } catch (GeneralSecurityException problem) {
+        } catch (GeneralSecurityException | IllegalArgumentException problem) {
             // Said below, as for a text that is no base64.
         }
         throw new IllegalArgumentException("no Ed25519 public key in base64");
