@@ -63,6 +63,14 @@ public final class Main {
      * @return the exit status
      */
     public static int run(Streams streams, String... arguments) {
+        try {
+            return call(streams, arguments);
+        } catch (OutOfMemoryError problem) {
+            return OutOfMemory.report(streams);
+        }
+    }
+
+    private static int call(Streams streams, String... arguments) {
         List<String> words = List.of(arguments);
         if (words.size() == 2 && words.get(0).equals(WHOLE)) {
             try {
@@ -77,11 +85,7 @@ public final class Main {
         if (words.isEmpty()) {
             program.usage(streams.out());
         } else {
-            try {
-                status = program.execute(words.toArray(new String[0]));
-            } catch (OutOfMemoryError problem) {
-                return OutOfMemory.report(streams);
-            }
+            status = program.execute(words.toArray(new String[0]));
         }
         String problem = streams.outProblem();
         if (problem != null) {

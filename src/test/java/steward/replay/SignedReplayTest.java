@@ -46,7 +46,8 @@ class SignedReplayTest {
 
         assertTrue(lines.get(0).contains(",\"signer\":\"" + KEY.publicKey().text() + "\",\"scene\":"), lines.get(0));
         assertTrue(lines.get(lines.size() - 2).startsWith("{\"type\":\"result\""));
-        assertTrue(lines.get(lines.size() - 1).matches("\\{\"type\":\"signature\",\"signature\":\"[A-Za-z0-9+/]{86}==\"}"));
+        String last = lines.get(lines.size() - 1);
+        assertTrue(last.matches("\\{\"type\":\"signature\",\"signature\":\"[A-Za-z0-9+/]{86}==\"}"), last);
         assertEquals(new SignatureCheck(SignatureCheck.Verdict.RIGHT, KEY.publicKey()), match.verify().signature());
         assertTrue(match.verify().signature().isBy(KEY.publicKey()));
         assertFalse(match.verify().signature().isBy(SigningKey.generate().publicKey()));
@@ -116,10 +117,11 @@ class SignedReplayTest {
     @Test
     void aSignerThatIsNoKeyIsRefused() {
         String signer = KEY.publicKey().text();
-        for (String other : List.of("", "x", signer.substring(4), signer.replace('=', ' '), "A" + signer.substring(1))) {
+        for (String other : List.of("", "x", signer.substring(4), signer.replace('=', ' '),
+                "A" + signer.substring(1))) {
             String replay = duel(KEY).text().replace(signer, other);
-            assertEquals("r.jsonl:1: signer: found no Ed25519 public key in base64, expected one as steward key makes it",
-                assertThrows(ReplayException.class, () -> Recorded.verify(replay)).getMessage());
+            assertEquals("r.jsonl:1: signer: found no Ed25519 public key in base64, expected one as steward key makes"
+                + " it", assertThrows(ReplayException.class, () -> Recorded.verify(replay)).getMessage());
         }
     }
 
@@ -136,7 +138,8 @@ class SignedReplayTest {
             """;
         Process process;
         try {
-            process = new ProcessBuilder("sh", "-c", script).directory(folder.toFile()).redirectErrorStream(true).start();
+            process = new ProcessBuilder("sh", "-c", script).directory(folder.toFile()).redirectErrorStream(true)
+                .start();
         } catch (IOException problem) {
             assumeTrue(false, "skipped: there is no shell");
             return;
