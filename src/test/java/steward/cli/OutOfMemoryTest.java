@@ -36,7 +36,8 @@ class OutOfMemoryTest {
             }
         };
         Streams streams = new Streams(out, err, false, false);
-        assertEquals(ExitStatus.FAILED, Main.run(streams, "match", "--scene", "duel", "--bot", "builtin:racer", "--bot", "builtin:racer", "--seed", "1", "--no-deadline"));
+        assertEquals(ExitStatus.FAILED, Main.run(streams, "match", "--scene", "duel", "--bot", "builtin:racer",
+            "--bot", "builtin:racer", "--seed", "1", "--no-deadline"));
         assertTrue(said().matches(LINE), said());
     }
 

@@ -92,7 +92,7 @@ class ImportCommandTest {
     @Test
     void aSketchIsShownToo() throws IOException {
         imported(GAME.sketch(SKETCHED));
-        assertEquals("verified: 33 turns\n", replay("--verify").out());
+        assertEquals("verified: states of 33 of 33 turns and the result\n", replay("--verify").out());
         String table = replay().out();
         assertTrue(table.contains("player 1 failed: no answer in the recording"), table);
         assertTrue(table.contains("player 0 wins: all others are out, 33 turns"), table);
