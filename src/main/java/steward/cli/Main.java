@@ -17,10 +17,12 @@ import steward.cli.play.RefereeCommand;
 import steward.cli.play.SimulateCommand;
 import steward.cli.replay.FeedCommand;
 import steward.cli.replay.ImportCommand;
+import steward.cli.replay.KeyCommand;
 import steward.cli.replay.ReplayCommand;
 import steward.cli.shared.ErrorHandler;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.NumberConverter;
+import steward.cli.shared.OutOfMemory;
 import steward.cli.shared.Streams;
 
 /** The program. See {@link ExitStatus} for its exit statuses. */
@@ -38,7 +40,7 @@ public final class Main {
     private static final int WIDTH = 100;
 
     private static final List<String> COMMANDS = List.of("match", "replay", "feed", "explain", "demo", "simulate",
-        "import", "referee", "play", "stability", "tradeoff", "bench", CompletionCommand.NAME);
+        "import", "key", "referee", "play", "stability", "tradeoff", "bench", CompletionCommand.NAME);
 
     private Main() {
     }
@@ -50,7 +52,9 @@ public final class Main {
 
     /** Runs the program and exits with its status. */
     public static void main(String[] arguments) {
-        System.exit(run(Streams.standard(), arguments));
+        Streams streams = Streams.standard();
+        OutOfMemory.endProgram(streams);
+        System.exit(run(streams, arguments));
     }
 
     /**
@@ -59,6 +63,14 @@ public final class Main {
      * @return the exit status
      */
     public static int run(Streams streams, String... arguments) {
+        try {
+            return call(streams, arguments);
+        } catch (OutOfMemoryError problem) {
+            return OutOfMemory.report(streams);
+        }
+    }
+
+    private static int call(Streams streams, String... arguments) {
         List<String> words = List.of(arguments);
         if (words.size() == 2 && words.get(0).equals(WHOLE)) {
             try {
@@ -113,6 +125,7 @@ public final class Main {
             case "demo" -> new DemoCommand(streams);
             case "simulate" -> new SimulateCommand(streams);
             case "import" -> new ImportCommand(streams);
+            case "key" -> new KeyCommand(streams);
             case "referee" -> RefereeCommand.spec(streams);
             case "play" -> new PlayCommand(streams);
             case "stability" -> new StabilityCommand(streams);

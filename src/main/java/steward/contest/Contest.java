@@ -18,6 +18,7 @@ import steward.match.TeeListener;
 import steward.match.TimeControl;
 import steward.replay.ReplayHeader;
 import steward.replay.ReplayWriter;
+import steward.replay.sign.SigningKey;
 import steward.text.TextFormat;
 
 /**
@@ -27,8 +28,19 @@ import steward.text.TextFormat;
  * @param entrants   the bots, in the order of the call
  * @param time       how long they may take
  * @param timeFactor by which the scene's limits are multiplied; {@code POSITIVE_INFINITY} for no deadlines
+ * @param key        what replays are signed with, or {@code null}
  */
-public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double timeFactor) {
+public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double timeFactor, SigningKey key) {
+
+    /** Whose replays are not signed. */
+    public Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double timeFactor) {
+        this(setup, entrants, time, timeFactor, null);
+    }
+
+    /** The same, its replays signed. */
+    public Contest signedWith(SigningKey other) {
+        return new Contest(setup, entrants, time, timeFactor, other);
+    }
 
     /**
      * A bot.
@@ -187,7 +199,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
             seats.add(new Seat(entrant.player(), entrant.protocol()));
         }
         MatchListener listener = recording == null ? follower
-            : new TeeListener(new ReplayWriter(recording, header(seed, rotation)), follower);
+            : new TeeListener(new ReplayWriter(recording, header(seed, rotation), key), follower);
         return Referee.of(setup, seed, seats, time, listener).play();
     }
 
@@ -202,6 +214,6 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
             protocols.add(entrant.protocol());
         }
         return new ReplayHeader(setup.scene().gameId(), setup.scene().json(), seed, names, bots, protocols,
-            timeFactor);
+            timeFactor, setup.scene().angles(), null);
     }
 }

@@ -32,6 +32,19 @@ public interface FrameCodec {
     void writeCommand(JsonGenerator out, int player);
 
     /**
+     * Whether a faulty answer has given the player commands before its fault, which take effect all the same; {@link
+     * #writeCommand} then writes them.
+     */
+    default boolean hasPartialCommand(int player) {
+        return false;
+    }
+
+    /** As {@link #readCommand}, of what a faulty answer has given before its fault. */
+    default String readPartialCommand(JsonParser in, int player) {
+        return "found a command of a player who failed, expected null";
+    }
+
+    /**
      * The inverse of {@link #writeCommand}; the parser stands on the first token of the value.
      *
      * @return {@code null} if it is valid; otherwise what is wrong, as {@link #readAnswer}
@@ -43,6 +56,15 @@ public interface FrameCodec {
      * each with at least {@code id}, {@code x} and {@code y}, which every viewer draws.
      */
     void writeState(JsonGenerator out);
+
+    /**
+     * Fields of a turn's outcome that not every game has, in this order: {@code zones} that are there after this turn,
+     * as in the drawing; {@code scores}, a number per player; {@code resources}, an object of numbers per player. They
+     * are to be shown; what the game needs to go on stands in its state.
+     */
+    default void writeProgress(JsonGenerator out) {
+        // Most games tell all by their bodies.
+    }
 
     /**
      * Fields that say what to draw, constant over the game: {@code field} (x, y, width, height), {@code walls},

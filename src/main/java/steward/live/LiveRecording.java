@@ -20,8 +20,9 @@ public final class LiveRecording extends OutputStream {
     /** Returned by {@link #line} when no line has been written in time. */
     static final byte[] NOT_YET = {};
 
-    /** How the last line of a finished match begins. */
+    /** How the last line of a finished match begins; a signature is written together with a result. */
     private static final byte[] RESULT = "{\"type\":\"result\"".getBytes(StandardCharsets.UTF_8);
+    private static final byte[] SIGNATURE = "{\"type\":\"signature\"".getBytes(StandardCharsets.UTF_8);
 
     private final List<byte[]> lines = new ArrayList<>();
     private final ByteArrayOutputStream unfinished = new ByteArrayOutputStream();
@@ -78,7 +79,8 @@ public final class LiveRecording extends OutputStream {
 
     /** Whether the last line is known: the result, or the last line before closing. */
     synchronized boolean isComplete() {
-        return over || !lines.isEmpty() && startsWith(lines.get(lines.size() - 1), RESULT);
+        byte[] last = lines.isEmpty() ? NOT_YET : lines.get(lines.size() - 1);
+        return over || startsWith(last, RESULT) || startsWith(last, SIGNATURE);
     }
 
     private static boolean startsWith(byte[] line, byte[] beginning) {

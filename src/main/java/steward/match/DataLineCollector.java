@@ -8,7 +8,8 @@ import java.util.TreeMap;
 /**
  * Collects data that bots report on stderr, in the form that rating tools use: {@code [TDATA] key = value} about the
  * match, {@code [PDATA] key = value} about the player (the last value counts), {@code [PDATA+] key = value} summed up.
- * Other lines are skipped. A line that is incomplete when a turn ends is read with the next turn.
+ * Other lines are skipped, and so is what exceeds {@value #MOST} characters in all. A line that is incomplete when a
+ * turn ends is read with the next turn.
  */
 final class DataLineCollector {
 
@@ -17,6 +18,8 @@ final class DataLineCollector {
     private static final String PLAYER_SUM = "[PDATA+]";
     /** How much of an incomplete line is kept, in characters. */
     private static final int LONGEST = 1000;
+    /** How much is kept of what is reported about a player, or about the match, in characters. */
+    private static final int MOST = 1 << 14;
 
     private final Map<String, String> match = new TreeMap<>();
     private final Map<String, String>[] players;
@@ -69,7 +72,20 @@ final class DataLineCollector {
         if (key.isEmpty()) {
             return;
         }
-        data.merge(key, value, (before, now) -> sum ? add(before, now) : now);
+        String before = data.get(key);
+        String after = before != null && sum ? add(before, value) : value;
+        int more = after.length() - (before == null ? -key.length() : before.length());
+        if (more <= 0 || size(data) + more <= MOST) {
+            data.put(key, after);
+        }
+    }
+
+    private static int size(Map<String, String> data) {
+        int size = 0;
+        for (Map.Entry<String, String> entry : data.entrySet()) {
+            size += entry.getKey().length() + entry.getValue().length();
+        }
+        return size;
     }
 
     /** The sum of two numbers, whole if both are; anything but a number counts as 0. */

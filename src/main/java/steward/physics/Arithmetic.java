@@ -1,5 +1,6 @@
 package steward.physics;
 
+import java.util.List;
 import java.util.Locale;
 
 /** The arithmetic of a turn. What each one does for a time of impact is documented in {@code physics.time}. */
@@ -7,6 +8,12 @@ public enum Arithmetic {
 
     /** The published referee's own expressions: the same bits as the server. */
     OFFICIAL,
+
+    /**
+     * As {@link #OFFICIAL}, but an impulse is divided by the mass instead of multiplied by its inverse: what replays of
+     * formats 1 and 2 were made with. No scene can ask for it.
+     */
+    FORMER_OFFICIAL,
 
     /** Closed forms without cancellation, in doubles. */
     DOUBLE,
@@ -20,6 +27,9 @@ public enum Arithmetic {
      * stored.
      */
     EXACT;
+
+    /** Those that a scene can ask for, in the order of accuracy. */
+    public static final List<Arithmetic> OF_SCENES = List.of(OFFICIAL, DOUBLE, COMPENSATED, EXACT);
 
     /** Its name in a scene. */
     public String text() {

@@ -70,6 +70,11 @@ public final class JsonLine {
         return InputHash.of(format, bytes, 0, Math.max(0, values.get(name).nameFrom() - 1));
     }
 
+    /** The names of its fields, in their order. */
+    public Iterable<String> names() {
+        return values.keySet();
+    }
+
     public boolean has(String name) {
         return values.containsKey(name);
     }
@@ -107,7 +112,7 @@ public final class JsonLine {
     }
 
     /** The bytes of an object, as written. */
-    byte[] object(String name) {
+    public byte[] object(String name) {
         return slice(require(name, JsonToken.START_OBJECT, "an object"));
     }
 
@@ -163,12 +168,33 @@ public final class JsonLine {
         return texts.toArray(new String[0]);
     }
 
-    String where() {
+    /** The objects of an array, each taken apart. */
+    public List<JsonLine> objects(String name) {
+        byte[] array = array(name);
+        List<JsonLine> objects = new ArrayList<>();
+        try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), array, 0, array.length)) {
+            in.nextToken();
+            for (JsonToken token = in.nextToken(); token != JsonToken.END_ARRAY; token = in.nextToken()) {
+                String place = where + ": " + name + "[" + objects.size() + "]";
+                if (token != JsonToken.START_OBJECT) {
+                    throw new ReplayException(place + ": found " + token + ", expected an object");
+                }
+                int from = (int) in.currentTokenLocation().getByteOffset();
+                in.skipChildren();
+                int to = (int) in.currentLocation().getByteOffset();
+                objects.add(new JsonLine(place, Arrays.copyOfRange(array, from, to)));
+            }
+        }
+        return objects;
+    }
+
+    /** File and line, for errors. */
+    public String where() {
         return where;
     }
 
     /** The whole line. */
-    byte[] json() {
+    public byte[] json() {
         return bytes;
     }
 

@@ -70,6 +70,7 @@ public final class OutcomeJson {
             out.writeEndArray();
             out.writeEndObject();
         }
+        codec.writeProgress(out);
         writeState(out, game, codec);
         out.writeEndObject();
     }

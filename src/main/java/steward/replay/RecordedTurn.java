@@ -11,20 +11,23 @@ import tools.jackson.core.ObjectReadContext;
  * @param number    counted from 1
  * @param commands  the array of commands, one per player or null, as JSON
  * @param faults    per player why it failed in this turn, or null
- * @param inputHash a hash of commands and faults
+ * @param hash      of the line; in formats 1 and 2 of what the players did
  * @param outcome   impacts, paths, events, state and hash, as JSON
  * @param messages  per player, or null
  * @param stderr    per player what it wrote, or null
  * @param times     the measured part as JSON, or null if absent
  * @param where     file and line, for errors
  */
-public record RecordedTurn(int number, byte[] commands, String[] faults, String inputHash, byte[] outcome,
-                           String[] messages, String[] stderr, byte[] times, String where) {
+public record RecordedTurn(int number, byte[] commands, String[] faults, String hash, byte[] outcome, String[] messages,
+                           String[] stderr, byte[] times, String where) {
 
-    static RecordedTurn of(JsonLine line, int players) {
+    static RecordedTurn of(JsonLine line, int players, int format) {
+        boolean earlier = format < LineFields.ANGLES_SINCE;
+        (earlier ? LineFields.EARLIER_TURN : LineFields.TURN).check(line, format);
         return new RecordedTurn(line.integer("turn"), line.array("commands"), line.texts("faults", players),
-            line.text("inputHash"), line.object("outcome"), line.texts("messages", players),
-            line.texts("stderr", players), line.has("times") ? line.object("times") : null, line.where());
+            line.text(earlier ? LineFields.INPUT_HASH : LineFields.TURN_HASH), line.object("outcome"),
+            line.texts("messages", players), line.texts("stderr", players),
+            line.has(LineFields.TIMES) ? line.object(LineFields.TIMES) : null, line.where());
     }
 
     /** Whether a command of the player was recorded. */

@@ -3,6 +3,7 @@ package steward.replay;
 import java.util.Collections;
 import java.util.List;
 import steward.match.Protocol;
+import steward.numerics.Angles;
 
 /**
  * What a replay says of its match before the first turn.
@@ -14,12 +15,15 @@ import steward.match.Protocol;
  * @param bots       their commands, in order
  * @param protocols  the languages they speak, in order
  * @param timeFactor by which the scene's limits were multiplied; {@code POSITIVE_INFINITY} for no deadlines
+ * @param angles     where the sines and cosines of the game came from
+ * @param signer     the public key of who signs the replay, as {@link steward.replay.sign.SignerKey#text}; or
+ *                   {@code null}
  */
 public record ReplayHeader(String game, String scene, long seed, List<String> names, List<String> bots,
-                           List<Protocol> protocols, double timeFactor) {
+                           List<Protocol> protocols, double timeFactor, Angles angles, String signer) {
 
     /** The version of the format that is written, and the newest that is read. */
-    public static final int FORMAT = 2;
+    public static final int FORMAT = 3;
     /** The value of {@code type} in the first line. */
     public static final String TYPE = "steward-replay";
     /** How every replay begins, up to the number of its format. */
@@ -30,6 +34,17 @@ public record ReplayHeader(String game, String scene, long seed, List<String> na
         names = List.copyOf(names);
         bots = List.copyOf(bots);
         protocols = List.copyOf(protocols);
+    }
+
+    /** An unsigned match with the angles that matches are played with. */
+    public ReplayHeader(String game, String scene, long seed, List<String> names, List<String> bots,
+                        List<Protocol> protocols, double timeFactor) {
+        this(game, scene, seed, names, bots, protocols, timeFactor, Angles.CURRENT, null);
+    }
+
+    /** The same, signed; or unsigned for {@code null}. */
+    ReplayHeader signedBy(String key) {
+        return new ReplayHeader(game, scene, seed, names, bots, protocols, timeFactor, angles, key);
     }
 
     /** A match between players who all speak JSON. */

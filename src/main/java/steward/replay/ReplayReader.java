@@ -14,16 +14,25 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import steward.match.Protocol;
+import steward.numerics.Angles;
+import steward.replay.sign.SignerKey;
 import tools.jackson.core.JacksonException;
 
 /**
  * Reads a replay line by line. A file that was cut off anywhere is read up to the cut: its last line, if it has no line
  * end and is no complete object, is dropped, and {@link #warning} says so.
  *
- * <p>Throws {@link ReplayException} for a file that is no replay, of a newer format, or damaged before its end, and
- * {@link UncheckedIOException} if the file cannot be read.
+ * <p>Throws {@link ReplayException} for a file that is no replay, of a newer format, damaged before its end, or with a
+ * field that its format does not have at that place or a line that is too long, and {@link UncheckedIOException} if the
+ * file cannot be read.
  */
 public final class ReplayReader implements AutoCloseable {
+
+    /**
+     * How long a line may be, in bytes: several times what 16 players can make of a turn who all say as much as they
+     * may, and a small part of the memory of any JVM.
+     */
+    static final int LONGEST_LINE = 1 << 24;
 
     private static final VarHandle EIGHT_BYTES =
         MethodHandles.byteArrayViewVarHandle(long[].class, ByteOrder.nativeOrder());
@@ -33,6 +42,7 @@ public final class ReplayReader implements AutoCloseable {
 
     private final String source;
     private final InputStream in;
+    private final int longest;
     private final byte[] buffer = new byte[1 << 16];
     private int position;
     private int limit;
@@ -44,6 +54,7 @@ public final class ReplayReader implements AutoCloseable {
     private int lastTurn;
     private String warning;
     private JsonLine result;
+    private JsonLine signature;
 
     /**
      * Opens a file and reads its header.
@@ -66,7 +77,13 @@ public final class ReplayReader implements AutoCloseable {
 
     /** @param source the name of the file, for errors */
     public ReplayReader(InputStream in, String source) {
+        this(in, source, LONGEST_LINE);
+    }
+
+    /** @param longest how long a line may be, in bytes */
+    ReplayReader(InputStream in, String source, int longest) {
         this.in = in;
+        this.longest = longest;
         this.source = source;
         byte[] first = readLine();
         if (first == null) {
@@ -94,6 +111,7 @@ public final class ReplayReader implements AutoCloseable {
                 + (format < 1 ? "at least 1" : "at most " + ReplayHeader.FORMAT
                 + ": a newer version of Steward wrote this replay"));
         }
+        LineFields.HEADER.check(line, format);
         String[] names = line.textsOf("players", "name");
         String[] bots = line.textsOf("players", "bot");
         for (int player = 0; player < Math.max(1, names.length); player++) {
@@ -111,7 +129,27 @@ public final class ReplayReader implements AutoCloseable {
         }
         return new ReplayHeader(line.text("game"), new String(line.object("scene"), StandardCharsets.UTF_8), seed,
             List.of(names), List.of(bots), protocols(line, names.length),
-            line.number("timeFactor", Double.POSITIVE_INFINITY));
+            line.number("timeFactor", Double.POSITIVE_INFINITY),
+            format < LineFields.ANGLES_SINCE ? Angles.FDLIBM : angles(line), signer(line));
+    }
+
+    private static Angles angles(JsonLine line) {
+        String word = line.text("angles");
+        return Angles.of(word).orElseThrow(() -> new ReplayException(line.where() + ": angles: found " + word
+            + ", expected " + Angles.words() + "; a newer version of Steward may know others"));
+    }
+
+    private static String signer(JsonLine line) {
+        if (!line.has("signer")) {
+            return null;
+        }
+        String signer = line.text("signer");
+        try {
+            return SignerKey.ofText(signer).text();
+        } catch (IllegalArgumentException problem) {
+            throw new ReplayException(line.where() + ": signer: found " + problem.getMessage()
+                + ", expected one as steward key makes it");
+        }
     }
 
     private static List<Protocol> protocols(JsonLine line, int players) {
@@ -188,20 +226,52 @@ public final class ReplayReader implements AutoCloseable {
         }
         switch (line.text("type")) {
             case "turn" -> {
-                RecordedTurn turn = RecordedTurn.of(line, header.names().size());
+                RecordedTurn turn = RecordedTurn.of(line, header.names().size(), format());
                 lastTurn = turn.number();
                 return turn;
             }
             case "result" -> {
+                LineFields.RESULT.check(line, format());
                 result = line;
-                if (readLine() != null) {
-                    throw new ReplayException(where() + ": found more behind the result, expected the end of the file");
-                }
+                readSignature();
                 return null;
             }
             default -> throw new ReplayException(line.where() + ": type: found " + line.text("type")
                 + ", expected turn or result");
         }
+    }
+
+    /** The last line of a replay that names its signer; if it is not there, the file was cut off. */
+    private void readSignature() {
+        byte[] bytes = readLine();
+        if (header.signer() != null) {
+            JsonLine line = bytes == null ? null : parse(bytes);
+            if (line == null) {
+                warning = source + ": cut off after the result: there is no signature, which the header announces";
+                return;
+            }
+            if (!line.text("type").equals("signature")) {
+                throw new ReplayException(line.where() + ": type: found " + line.text("type") + ", expected signature");
+            }
+            LineFields.SIGNATURE.check(line, format());
+            signature = line;
+            bytes = readLine();
+        }
+        if (bytes != null) {
+            throw new ReplayException(where() + ": found more behind the "
+                + (header.signer() == null ? "result" : "signature") + ", expected the end of the file");
+        }
+    }
+
+    /**
+     * The signature in base64, or {@code null} if there is none, or it is spelled in another way than it is written;
+     * known at the end. Whether it is right is up to {@link steward.replay.verify}.
+     */
+    public String signature() {
+        String text = signature == null ? null : signature.text("signature");
+        boolean plain = text != null && Arrays.equals(signature.json(),
+            ReplayWriter.signatureLine(text).getBytes(StandardCharsets.UTF_8));
+        return plain ? text : null;
     }
 
     /** The result line, or {@code null} if the replay has none; known once {@link #next} has returned null. */
@@ -243,6 +313,14 @@ public final class ReplayReader implements AutoCloseable {
         return source + ":" + lineNumber;
     }
 
+    /** Refuses a line that goes on and on, before it fills the memory. */
+    private void checkLength(long length) {
+        if (length > longest) {
+            throw new ReplayException(where() + ": found a line of more than " + longest
+                + " bytes, expected a line of a replay, which is shorter");
+        }
+    }
+
     /** The next line without its end, or {@code null} at the end of the file. */
     private byte[] readLine() {
         ByteArrayOutputStream line = null;
@@ -260,6 +338,7 @@ public final class ReplayReader implements AutoCloseable {
                 }
                 int end = lineEnd(buffer, position, limit);
                 lineEnded = end < limit;
+                checkLength((line == null ? 0L : line.size()) + end - position);
                 if (lineEnded && line == null) {
                     byte[] whole = Arrays.copyOfRange(buffer, position, end);
                     position = end + 1;

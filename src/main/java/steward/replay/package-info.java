@@ -3,8 +3,17 @@
  * game described and knows no particular game. Above it stand {@code verify}, {@code feed} and {@code page}.
  *
  * <p>A replay is JSON Lines, UTF-8: one {@code steward-replay} header, one {@code turn} line per turn, one
- * {@code result}. A turn keeps what went in (commands, faults, and their hash, because not every command leaves a
- * trace) and what came out (impacts, paths, state and its hash). Everything measured stands in the last field of a
- * line, {@code times}; without it two plays of the same game are equal byte for byte.
+ * {@code result}, and one {@code signature} where the header names a signer. A turn keeps what went in (commands,
+ * faults, messages, stderr) and what came out (impacts, paths, state and its hash). Everything measured stands in the
+ * last field of a line, {@code times}; without it two plays of the same game are equal byte for byte. Before it stands
+ * the hash of all that is before, so that also what leaves no trace in the game is held.
+ *
+ * <p>The format is number 3. Its fields and their order are in {@link steward.replay.LineFields}, how lines are spelled
+ * in {@link steward.replay.ReplayLines}, what is signed in {@link steward.replay.sign.LinesDigest}. What a game tells
+ * of a turn, a start or an end is its own: it is written again and compared as a whole, so that a new game, zones that
+ * come and go, scores and resources (see {@link steward.game.FrameCodec#writeProgress}) need no other format.
+ *
+ * <p>Format 2 had the hash of a turn behind its commands, of the commands and texts alone, and named no angles: they
+ * are those of fdlibm. In format 1 bytes entered the hashes one by one. Both are read, none is written.
  */
 package steward.replay;

@@ -1,7 +1,6 @@
 package steward.scene;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -89,7 +88,7 @@ public record Accuracy(Way way, int steps, Arithmetic arithmetic) {
         for (int steps = 1; steps <= StepAdvance.MOST_STEPS; steps *= 2) {
             rungs.add(step(steps));
         }
-        Arrays.stream(Arithmetic.values()).map(Accuracy::event).forEach(rungs::add);
+        Arithmetic.OF_SCENES.stream().map(Accuracy::event).forEach(rungs::add);
         return List.copyOf(rungs);
     }
 
@@ -185,7 +184,7 @@ public record Accuracy(Way way, int steps, Arithmetic arithmetic) {
     /** The arithmetics by their names, in the order of accuracy. */
     static Map<String, Arithmetic> arithmetics() {
         Map<String, Arithmetic> names = new LinkedHashMap<>();
-        for (Arithmetic arithmetic : Arithmetic.values()) {
+        for (Arithmetic arithmetic : Arithmetic.OF_SCENES) {
             names.put(arithmetic.text(), arithmetic);
         }
         return names;

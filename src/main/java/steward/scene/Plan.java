@@ -3,7 +3,9 @@ package steward.scene;
 import java.util.List;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
+import steward.numerics.Angles;
 import steward.physics.Advance;
+import steward.physics.Arithmetic;
 import steward.physics.Contacts;
 import steward.physics.ImpactLaw;
 import steward.physics.ImpactLaw.Restitution;
@@ -79,7 +81,7 @@ public final class Plan {
      */
     public PhysicsParts physics(Reaction reaction) {
         Restitution restitution = lowestRestitution < 1 ? Restitution.MINIMUM : Restitution.ELASTIC;
-        return new PhysicsParts(scene.law().withRestitution(restitution), scene.accuracy().arithmetic(), contacts,
+        return new PhysicsParts(scene.law().withRestitution(restitution), arithmetic(), contacts,
             walls, reaction, infiniteMasses);
     }
 
@@ -101,6 +103,11 @@ public final class Plan {
     /** What happens to speeds and positions at the end of a turn. */
     public Motion motion() {
         return new Motion(scene.drag() > 0, scene.truncateVelocity(), scene.roundPosition());
+    }
+
+    private Arithmetic arithmetic() {
+        Arithmetic asked = scene.accuracy().arithmetic();
+        return asked == Arithmetic.OFFICIAL && scene.angles() == Angles.FDLIBM ? Arithmetic.FORMER_OFFICIAL : asked;
     }
 
     private Part pairImpacts() {

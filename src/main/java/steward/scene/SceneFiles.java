@@ -21,6 +21,8 @@ public final class SceneFiles {
     static final List<String> SHIPPED = List.of("duel", "mad-pod-racing-silver", "mad-pod-racing", "walled-race");
 
     private static final String SUFFIX = ".json";
+    /** A million characters are tens of thousands of bumpers; and a replay holds its scene in one line. */
+    private static final int MOST_BYTES = 1 << 20;
 
     private SceneFiles() {
     }
@@ -40,7 +42,7 @@ public final class SceneFiles {
             Path path = Path.of(pathOrName);
             folder = Files.isDirectory(path) && !pathOrName.isEmpty();
             if (Files.exists(path) && !Files.isDirectory(path)) {
-                return new SceneText(decode(Files.readAllBytes(path), pathOrName), pathOrName,
+                return new SceneText(decode(read(path, pathOrName), pathOrName), pathOrName,
                     Optional.of(AccuracyFigures.beside(path)));
             }
         } catch (InvalidPathException e) {
@@ -59,6 +61,17 @@ public final class SceneFiles {
         throw new SceneException((pathOrName.isEmpty() ? "\"\"" : pathOrName) + ": found "
             + (folder ? "a folder" : "no such file") + ", expected a scene file"
             + (shipped.isEmpty() ? "" : " or " + Wording.choice(name, shipped)));
+    }
+
+    private static byte[] read(Path path, String source) throws IOException {
+        try (InputStream in = Files.newInputStream(path)) {
+            byte[] bytes = in.readNBytes(MOST_BYTES + 1);
+            if (bytes.length > MOST_BYTES) {
+                throw new SceneException(source + ": found a file of more than " + MOST_BYTES
+                    + " bytes, expected a scene, which is shorter");
+            }
+            return bytes;
+        }
     }
 
     private static SceneText loadShipped(String name) {

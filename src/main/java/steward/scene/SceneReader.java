@@ -2,6 +2,7 @@ package steward.scene;
 
 import java.util.Map;
 import java.util.Optional;
+import steward.numerics.Angles;
 import steward.physics.ImpactLaw;
 import steward.physics.ImpactLaw.Restitution;
 import steward.physics.ImpactLaw.ScanOrder;
@@ -13,6 +14,7 @@ import steward.scene.json.SceneException;
 public final class SceneReader {
 
     private static final int MOST_PLAYERS = 16;
+    private static final int LONGEST_NAME = 100;
 
     /** An hour. */
     private static final int MOST_MS = 3_600_000;
@@ -43,6 +45,9 @@ public final class SceneReader {
         if (name.isBlank() || name.chars().anyMatch(Character::isISOControl)) {
             throw root.error("name", root.shown("name"), "a name without control characters");
         }
+        if (name.length() > LONGEST_NAME) {
+            throw root.error("name", "a name of " + name.length() + " characters", "at most " + LONGEST_NAME);
+        }
         String game = root.text("game");
         int players = root.integer("players", 1, MOST_PLAYERS);
         Optional<Field> field = root.optionalBlock("field").map(FieldReader::read);
@@ -55,7 +60,8 @@ public final class SceneReader {
             motion.map(block -> block.choice("velocity", Map.of("truncate", true), false)).orElse(false),
             motion.map(block -> block.choice("position", Map.of("round", true), false)).orElse(false),
             new Time(time.integer("firstAnswerMs", 1, MOST_MS), time.integer("answerMs", 1, MOST_MS)),
-            choice, PhysicsObserver.NONE, choice.stated() ? root : root.with("accuracy", choice.rung().json()));
+            choice, Angles.CURRENT, PhysicsObserver.NONE,
+            choice.stated() ? root : root.with("accuracy", choice.rung().json()));
     }
 
     /** Fields that are absent are as in {@link ImpactLaw#PHYSICS}. */

@@ -29,7 +29,7 @@ final class House {
         "physics", "physics.time", "physics.impulse", "physics.event", "physics.queue",
         "scene.json", "scene", "game", "game.podrace", "game.podrace.simulator", "game.podrace.protocol",
         "bot", "bot.command", "bot.process", "match",
-        "replay", "replay.verify", "replay.feed", "replay.page", "contest", "live", "codingame",
+        "replay.sign", "replay", "replay.verify", "replay.feed", "replay.page", "contest", "live", "codingame",
         "lab.oracle", "lab.trial", "lab.stability.pairs", "lab.stability.crowds", "lab.stability",
         "lab.calibration", "lab.tradeoff", "lab.tradeoff.report", "bench", "bench.textbook", "bench.section",
         "cli.shared", "cli.bench", "cli.lab", "cli.replay", "cli.play", "cli");

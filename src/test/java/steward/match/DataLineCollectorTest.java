@@ -59,4 +59,18 @@ class DataLineCollectorTest {
         data.end();
         assertEquals(Map.of("depth", "12", "last", "yes"), data.player(0));
     }
+
+    /** A result is a line of a replay, which is bounded. */
+    @Test
+    void whatIsTooMuchInAllIsPassedOver() {
+        for (int k = 0; k < 1000; k++) {
+            data.read(0, "[PDATA] key" + k + " = " + "x".repeat(500) + "\n");
+        }
+        int size = data.player(0).entrySet().stream().mapToInt(e -> e.getKey().length() + e.getValue().length()).sum();
+        assertEquals("x".repeat(500), data.player(0).get("key0"));
+        assertEquals(true, size > 15_000 && size <= 1 << 14, "characters kept: " + size);
+        data.read(0, "[PDATA] key0 = y\n[PDATA] last = z\n");
+        assertEquals("y", data.player(0).get("key0"), "less than before always fits");
+        assertEquals("z", data.player(0).get("last"));
+    }
 }

@@ -30,6 +30,31 @@ final class PondJson implements FrameCodec {
     }
 
     @Override
+    public void writeProgress(JsonGenerator out) {
+        out.writeArrayPropertyStart("zones");
+        out.writeStartObject();
+        JsonNumbers.write(out, "x", pond.settings().arena().x());
+        JsonNumbers.write(out, "y", pond.settings().arena().y());
+        JsonNumbers.write(out, "radius", pond.settings().arena().radius() / pond.turn());
+        out.writeStringProperty("label", "calm");
+        out.writeEndObject();
+        out.writeEndArray();
+        out.writeArrayPropertyStart("scores");
+        for (double score : pond.scores()) {
+            JsonNumbers.write(out, score);
+        }
+        out.writeEndArray();
+        out.writeArrayPropertyStart("resources");
+        for (double score : pond.scores()) {
+            out.writeStartObject();
+            JsonNumbers.write(out, "mass", score);
+            JsonNumbers.write(out, "tenths", Math.rint(10 * score));
+            out.writeEndObject();
+        }
+        out.writeEndArray();
+    }
+
+    @Override
     public void writeTurn(JsonGenerator out, int player) {
         writeBodies(out);
     }

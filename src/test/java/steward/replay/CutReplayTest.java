@@ -48,7 +48,7 @@ class CutReplayTest {
     void cutAtEveryByte() {
         Recorded match = small();
         byte[] replay = match.bytes();
-        assertEquals(new Verification(7, null, null), match.verify());
+        assertEquals(Recorded.whole(7), match.verify());
         assertTrue(match.text().contains("\"impacts\""));
         int turnsAtCut = 0;
         int resultAt = match.text().substring(0, match.text().indexOf("{\"type\":\"result\""))
@@ -120,7 +120,7 @@ class CutReplayTest {
             }
         };
         try (ReplayReader reader = new ReplayReader(slow, "slow")) {
-            assertEquals(new Verification(7, null, null), Verification.of(reader, TestScenes.TYPES));
+            assertEquals(Recorded.whole(7), Verification.of(reader, TestScenes.TYPES));
         }
     }
 }

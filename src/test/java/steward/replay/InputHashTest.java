@@ -54,11 +54,41 @@ class InputHashTest {
         assertNotEquals(InputHash.of(2, bytes(""), 0, 0), InputHash.of(2, new byte[8], 0, 8));
     }
 
+    /** Format 3: four hashes of eight bytes each of every 32, then the rest as before. */
+    @ParameterizedTest
+    @ValueSource(ints = {0, 7, 31, 32, 33, 63, 64, 100, 1000})
+    void fromFormatThreeOnFourAtOnce(int length) {
+        byte[] bytes = new byte[length + 3];
+        for (int k = 0; k < bytes.length; k++) {
+            bytes[k] = (byte) (37 * k + 200);
+        }
+        int to = length + 3;
+        int rest = 3 + length / 32 * 32;
+        long[] four = new long[4];
+        for (int at = 3; at < rest; at += 8) {
+            int lane = (at - 3) / 8 % 4;
+            four[lane] = SplitMix64.mix(four[lane] + GAMMA + number(bytes, at, at + 8));
+        }
+        long hash = 0;
+        for (long each : rest > 3 ? four : new long[0]) {
+            hash = SplitMix64.mix(hash + GAMMA + each);
+        }
+        int last = to - (to - rest) % 8;
+        for (int at = rest; at < last; at += 8) {
+            hash = SplitMix64.mix(hash + GAMMA + number(bytes, at, at + 8));
+        }
+        hash = SplitMix64.mix(hash + GAMMA + number(bytes, last, to));
+        hash = SplitMix64.mix(hash + GAMMA + length);
+        assertEquals(String.format("%016x", hash), InputHash.of(3, bytes, 3, to));
+    }
+
     /** Written down once, so that no change of both sides goes unseen. */
     @Test
     void knownAnswers() {
         byte[] line = bytes("[[{\"target\":[1,2]}],null]");
         assertEquals("aa298ae74e414e3a", InputHash.of(2, line, 0, line.length, new String[] {null, "st\u00f6p"}));
+        byte[] longer = bytes("0123456789".repeat(7));
+        assertEquals("d608b8d73fb9f721", InputHash.of(3, longer, 0, longer.length));
         assertEquals("12e1450b62f064ea", InputHash.of(1, line, 0, line.length, new String[] {null, "st\u00f6p"}));
     }
 }

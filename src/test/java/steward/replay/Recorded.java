@@ -14,6 +14,9 @@ import steward.match.Referee;
 import steward.match.SeededBot;
 import steward.match.TestScenes;
 import steward.match.TimeControl;
+import steward.replay.sign.SigningKey;
+import steward.replay.verify.ImpactCounts;
+import steward.replay.verify.SignatureCheck;
 import steward.replay.verify.Verification;
 
 /**
@@ -40,21 +43,31 @@ public record Recorded(byte[] bytes, MatchResult result) {
 
     /** Given bots play a scene. */
     public static Recorded of(GameSetup setup, long seed, List<Bot> bots) {
+        return of(setup, seed, bots, null);
+    }
+
+    /** The same, signed. */
+    public static Recorded of(GameSetup setup, long seed, List<Bot> bots, SigningKey key) {
         List<Player> players = new ArrayList<>();
         List<String> names = new ArrayList<>();
         for (Bot bot : bots) {
             names.add("P" + players.size());
             players.add(new InProcessPlayer("P" + players.size(), bot));
         }
-        return ofPlayers(setup, seed, players, names);
+        return ofPlayers(setup, seed, players, names, key);
     }
 
     /** Given players play a scene. */
     static Recorded ofPlayers(GameSetup setup, long seed, List<? extends Player> players, List<String> names) {
+        return ofPlayers(setup, seed, players, names, null);
+    }
+
+    private static Recorded ofPlayers(GameSetup setup, long seed, List<? extends Player> players, List<String> names,
+                                      SigningKey key) {
         ByteArrayOutputStream file = new ByteArrayOutputStream();
         ReplayHeader header = new ReplayHeader(setup.scene().gameId(), setup.scene().json(), seed, names, names,
             Double.POSITIVE_INFINITY);
-        try (ReplayWriter writer = new ReplayWriter(file, header)) {
+        try (ReplayWriter writer = new ReplayWriter(file, header, key)) {
             MatchResult result = new Referee(setup, seed, players, TimeControl.UNLIMITED, writer).play();
             return new Recorded(file.toByteArray(), result);
         } catch (InterruptedException nobodyDoes) {
@@ -79,6 +92,11 @@ public record Recorded(byte[] bytes, MatchResult result) {
             kept.append(line.replaceAll(",\"times\":\\{[^}]*}}$", "}")).append('\n');
         }
         return kept.toString();
+    }
+
+    /** What is to come of a replay with so many turns, all of which agree, and its result. */
+    public static Verification whole(int turns) {
+        return new Verification(turns, turns, true, null, null, ImpactCounts.NONE, SignatureCheck.UNSIGNED);
     }
 
     public Verification verify() {

@@ -43,15 +43,15 @@ class RefusedReplayTest {
 
     @Test
     void aNewerFormat() {
-        assertEquals("r.jsonl:1: format: found 3, expected at most 2: a newer version of Steward wrote this replay",
-            refusal("{\"type\":\"steward-replay\",\"format\":3,\"whatever\":[]}\n"));
+        assertEquals("r.jsonl:1: format: found 4, expected at most 3: a newer version of Steward wrote this replay",
+            refusal("{\"type\":\"steward-replay\",\"format\":4,\"whatever\":[]}\n"));
         assertEquals("r.jsonl:1: format: found 0, expected at least 1",
             refusal("{\"type\":\"steward-replay\",\"format\":0}\n"));
     }
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
-        "\"format\":2 | \"format\":\"x\" | format: found x, expected a whole number",
+        "\"format\":3 | \"format\":\"x\" | format: found x, expected a whole number",
         "\"seed\":\"1\" | \"seed\":\"one\" | seed: found \"one\", expected a whole number of 64 bits",
         "\"seed\":\"1\" | \"seed\":1 | seed: found 1, expected a string",
         "\"seed\":\"1\", | `` | seed: found nothing, expected a string",
@@ -84,11 +84,14 @@ class RefusedReplayTest {
         "\"type\":\"turn\", | `` | type: found nothing, expected a string",
         "\"turn\":5 | \"turn\":5.5 | turn: found 5.5, expected a whole number",
         "\"turn\":5 | \"turn\":99999999999 | turn: found 99999999999, expected a whole number below 2^31",
-        "\"commands\":[ | \"commands\":0,\"c\":[ | commands: found 0, expected an array",
-        "\"inputHash\" | \"outputHash\" | inputHash: found nothing, expected a string",
-        "\"outcome\":{ | \"income\":{ | outcome: found nothing, expected an object",
-        "\"inputH | \"faults\":[1,null],\"inputH | faults[0]: found VALUE_NUMBER_INT, expected a string or null",
-        "\"inputHash\" | \"faults\":[null],\"inputHash\" | faults: found 1 entries, expected 2",
+        "\"commands\":[ | \"commands\":0,\"faults\":[ | commands: found 0, expected an array",
+        "\"commands\":[ | \"commands\":0,\"comands\":[ | comands: unknown field, expected one of type, turn, commands, "
+            + "faults, outcome, messages, stderr, turnHash, times; did you mean commands?",
+        "\"outcome\":{ | \"stderr\":[null,null],\"outcome\":{ | outcome: found behind stderr, expected before it",
+        "\"turnHash\":\" | \"stderr\":\" | turnHash: found nothing, expected a string",
+        "\"outcome\":{ | \"messages\":{ | outcome: found nothing, expected an object",
+        "\"outcome\" | \"faults\":[1,null],\"outcome\" | faults[0]: found VALUE_NUMBER_INT, expected a string or null",
+        "\"outcome\" | \"faults\":[null],\"outcome\" | faults: found 1 entries, expected 2",
         "\"turn\":5 | \"turn\":5,\"turn\":5 | turn: found twice, expected once"})
     void damagedTurns(String from, String to, String message) {
         assertEquals("r.jsonl:6: " + message, refusal(5, from, to));

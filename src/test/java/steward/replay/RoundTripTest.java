@@ -32,7 +32,7 @@ class RoundTripTest {
     void aMatchVerifiesToItsLastTurn(String scene, long seed) {
         Recorded match = Recorded.of(scene, seed);
 
-        assertEquals(new Verification(match.result().turns(), null, null), match.verify());
+        assertEquals(Recorded.whole(match.result().turns()), match.verify());
         assertEquals(match.result().turns() + 2, match.lines().size());
     }
 
@@ -42,7 +42,7 @@ class RoundTripTest {
         GameSetup crowd = TestScenes.changed(scene, "\"perPlayer\": 2", "\"perPlayer\": 8");
         Recorded match = Recorded.of(crowd, 5, 0.9);
 
-        assertEquals(new Verification(match.result().turns(), null, null), match.verify());
+        assertEquals(Recorded.whole(match.result().turns()), match.verify());
         long impacts = match.lines().stream().filter(line -> line.contains("\"impacts\":")).count();
         assertTrue(impacts > match.result().turns() / 2, "turns with impacts: " + impacts);
     }
@@ -86,7 +86,7 @@ class RoundTripTest {
         };
         Recorded match = Recorded.of(TestScenes.duel(3), 1, List.of(wrong, stops, new SeededBot(2, 0)));
 
-        assertEquals(new Verification(8, null, null), match.verify());
+        assertEquals(Recorded.whole(8), match.verify());
         try (ReplayReader reader = Recorded.reader(match.bytes())) {
             for (RecordedTurn turn = reader.next(); turn != null; turn = reader.next()) {
                 assertEquals(turn.number() == 1, turn.faults()[0] != null);
@@ -116,7 +116,7 @@ class RoundTripTest {
         };
         Recorded match = Recorded.of(TestScenes.open("duel"), 1, List.of(bot, new SeededBot(2, 0)));
 
-        assertEquals(new Verification(3, null, null), match.verify());
+        assertEquals(Recorded.whole(3), match.verify());
         try (ReplayReader reader = Recorded.reader(match.bytes())) {
             assertEquals("a\uFFFD \uD83D\uDE00\0", reader.next().messages()[0]);
         }
@@ -155,7 +155,7 @@ class RoundTripTest {
         assertTrue(match.text().contains("\"impactLimit\":{"), "no turn reached the limit: " + match.lines().get(1));
         assertTrue(match.text().contains("\"impactsInAll\":"));
         assertTrue(longest < 1_000_000, "longest line: " + longest);
-        assertEquals(new Verification(match.result().turns(), null, null), match.verify());
+        assertEquals(Recorded.whole(match.result().turns()), match.verify());
     }
 
     @Test

@@ -147,4 +147,20 @@ class SceneFilesTest {
     private static String refused(String pathOrName) {
         return assertThrows(SceneException.class, () -> SceneFiles.load(pathOrName)).getMessage();
     }
+
+    @Test
+    void aFileThatGoesOnAndOnIsRefused(@TempDir Path folder) throws IOException {
+        Path file = Files.write(folder.resolve("long.json"), new byte[(1 << 20) + 1]);
+        assertEquals(file + ": found a file of more than 1048576 bytes, expected a scene, which is shorter",
+            assertThrows(SceneException.class, () -> SceneFiles.load(file.toString())).getMessage());
+    }
+
+    @Test
+    void aNameIsBounded() {
+        String text = fromFolder("duel").json();
+        assertEquals(100, SceneReader.read(text.replace("\"duel\"", '"' + "n".repeat(100) + '"'), "s").name().length());
+        String longer = text.replace("\"duel\"", '"' + "n".repeat(101) + '"');
+        String refusal = assertThrows(SceneException.class, () -> SceneReader.read(longer, "s")).getMessage();
+        assertTrue(refusal.contains("name: found a name of 101 characters, expected at most 100"), refusal);
+    }
 }

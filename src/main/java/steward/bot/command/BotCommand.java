@@ -36,6 +36,9 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
     /** The form of a bot command, for messages. */
     public static final String FORM = "[NAME=][builtin:|json:|codingame:]COMMAND";
 
+    private static final int LONGEST_NAME = 100;
+    private static final int SHOWN = 20;
+
     private static final Pattern NAMED = Pattern.compile("([A-Za-z0-9._-]+)=(.*)", Pattern.DOTALL);
 
     private static final Pattern UNKNOWN_PREFIX = Pattern.compile("([A-Za-z]+):.*", Pattern.DOTALL);
@@ -63,6 +66,10 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
     public static BotCommand parse(String text, Prefix usual) {
         Matcher named = NAMED.matcher(text);
         String name = named.matches() ? named.group(1) : null;
+        if (name != null && name.length() > LONGEST_NAME) {
+            throw new IllegalArgumentException("bot '" + name.substring(0, SHOWN) + "...': found a name of "
+                + name.length() + " characters, expected at most " + LONGEST_NAME);
+        }
         String rest = named.matches() ? named.group(2) : text;
         Prefix written = writtenPrefix(rest);
         int start = text.length() - rest.length() + (written == null ? 0 : written.written().length());

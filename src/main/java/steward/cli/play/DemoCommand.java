@@ -66,7 +66,8 @@ public final class DemoCommand implements Callable<Integer> {
         try (ReplayReader replay = ReplayCommand.open(file)) {
             Verification verification = Verification.of(replay, Games.types());
             if (!verification.verified()) {
-                streams.out().println("differs: " + verification.difference());
+                streams.out().println("not verified: " + (verification.difference() == null ? verification.warning()
+                    : verification.difference()));
                 return ExitStatus.FAILED;
             }
             streams.out().println("verified: " + TextFormat.count(verification.turns(), "turn")

@@ -20,6 +20,7 @@ import steward.contest.Contest;
 import steward.contest.Series;
 import steward.files.OutputFiles;
 import steward.match.Protocol;
+import steward.replay.sign.SigningKey;
 
 /** {@code steward match}: one match, or many. */
 @Command(name = "match", description = "Plays a match between bots, or many matches.",
@@ -73,6 +74,10 @@ public final class MatchCommand implements Callable<Integer> {
         description = "Write the replay to this file; with --games or --swap, one for each game into this folder.")
     private String out;
 
+    @Option(names = "--sign", paramLabel = "KEY",
+        description = "Sign the replay with this private key; see 'steward key'.")
+    private String sign;
+
     @Option(names = "--overwrite", description = "Replace replays and pages that exist.")
     private boolean overwrite;
 
@@ -108,6 +113,7 @@ public final class MatchCommand implements Callable<Integer> {
         String wrong = many.problem(out != null);
         check(wrong == null, wrong);
         check(!overwrite || out != null || show.view() != null, "--overwrite: expected --out or --view with it");
+        check(sign == null || out != null || show.isAny(), "--sign: expected --out with it");
         String problem = show.problem(many.isAny());
         check(problem == null, problem);
         Optional<Protocol> usual = Protocol.of(protocol);
@@ -116,6 +122,7 @@ public final class MatchCommand implements Callable<Integer> {
         check(noDeadline || factor > 0 && factor < Double.POSITIVE_INFINITY,
             "--time-factor: found " + factor + ", expected a number above 0");
         Contest contest = Contest.of(accuracy.open(scene), bots, usual.get(), factor);
+        contest = sign == null ? contest : contest.signedWith(SigningKey.read(OutputFiles.path(sign)));
         long first = seed != null ? seed : new SplittableRandom().nextLong(DRAWN_SEEDS);
         Path path = out == null ? null : OutputFiles.path(out);
         Verbosity report = json ? Verbosity.JSON : quiet ? Verbosity.LINE : Verbosity.FULL;

@@ -21,21 +21,28 @@ import steward.cli.shared.Streams;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.replay.ReplayReader;
+import steward.replay.sign.SignerKey;
 import steward.replay.verify.Verification;
-import steward.text.TextFormat;
 
 /** {@code steward replay}: looks at a recorded match, or plays it again and compares. */
 @Command(name = "replay", description = "Prints a recorded match turn by turn, or plays it again and compares.",
     footer = {"", "A file that was cut off is read up to the cut.",
+        "", "--verify plays the match again and compares every line: that proves that the",
+        "states and the result follow from the commands. Who gave the commands it does",
+        "not prove: names, messages, faults and limits are only as good as the",
+        "signature, and that only with --signed-by. It says how many states were",
+        "compared; a replay without a result, or without a turn, is \"verified up to the",
+        "cut\" and makes the exit status 1, unless --partial is given.",
         "", "Examples:",
         "  steward replay match.jsonl --from 10 --to 20",
         "  steward replay match.jsonl --turn 57",
         "  steward replay match.jsonl --impacts",
         "  steward replay match.jsonl --verify",
+        "  steward replay match.jsonl --verify --signed-by mine.key.pub",
         "  steward replay match.jsonl --view match.html --open",
         "  steward replay match.jsonl --frames --player 1 | ./mybot",
-        "", "Exit status: 0 done; 1 a turn differs from what the rules give; 2 the file or",
-        "the call is wrong."})
+        "", "Exit status: 0 done; 1 not verified: something differs from what the rules give,",
+        "or is missing, or is signed by another key or none; 2 the file or the call is wrong."})
 public final class ReplayCommand implements Callable<Integer> {
 
     private final Streams streams;
@@ -61,6 +68,13 @@ public final class ReplayCommand implements Callable<Integer> {
 
     @Option(names = "--verify", description = "Plays the match again and compares every turn.")
     private boolean verify;
+
+    @Option(names = "--partial", description = "With --verify: accepts what agrees up to a cut.")
+    private boolean partial;
+
+    @Option(names = "--signed-by", paramLabel = "PUB",
+        description = "With --verify: demands that the owner of this public key has signed the replay.")
+    private String signedBy;
 
     @Option(names = "--frames", description = "Prints the lines that one bot was sent, byte for byte; with --player.")
     private boolean frames;
@@ -94,9 +108,11 @@ public final class ReplayCommand implements Callable<Integer> {
             check(!piped, "--view and --open read the replay twice, expected a file, found -");
             return view(OutputFiles.path(file));
         }
+        Path keyFile = signedBy == null ? null : OutputFiles.path(signedBy);
+        SignerKey key = keyFile == null ? null : SignerKey.read(keyFile);
         try (ReplayReader replay = piped ? StandardFiles.openReplay(streams) : open(OutputFiles.path(file))) {
             if (verify) {
-                return verify(replay);
+                return verify(replay, new VerifyReport(streams.out(), partial, keyFile, key, quiet));
             }
             if (replay.header() == null) {
                 streams.warn(replay.warning());
@@ -132,6 +148,8 @@ public final class ReplayCommand implements Callable<Integer> {
         check(turn == null || turn >= 1, "--turn: found " + turn + ", expected 1 or more");
         check(!verify || !frames && !impacts && !range && turn == null,
             "--verify takes the whole match, expected no --turn, --from, --to, --impacts or --frames with it");
+        check(verify || !partial, "--partial is for --verify, expected both");
+        check(verify || signedBy == null, "--signed-by is for --verify, expected both");
         check(!frames || !impacts && !range && turn == null,
             "--frames prints the whole match, expected no --turn, --from, --to or --impacts with it");
         check(!frames || player != null, "--frames: expected --player P with it");
@@ -192,18 +210,11 @@ public final class ReplayCommand implements Callable<Integer> {
         return ExitStatus.DONE;
     }
 
-    private int verify(ReplayReader replay) {
+    private int verify(ReplayReader replay, VerifyReport report) {
         Verification verification = Verification.of(replay, Games.types());
         if (verification.warning() != null) {
             streams.warn(verification.warning());
         }
-        if (!verification.verified()) {
-            streams.out().println("differs: " + TextFormat.plain(verification.difference().toString()));
-            return ExitStatus.FAILED;
-        }
-        if (!quiet) {
-            streams.out().println("verified: " + TextFormat.count(verification.turns(), "turn"));
-        }
-        return ExitStatus.DONE;
+        return report.print(replay, verification);
     }
 }

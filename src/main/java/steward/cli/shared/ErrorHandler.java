@@ -51,6 +51,9 @@ public final class ErrorHandler implements IParameterExceptionHandler, IExecutio
             say("interrupted");
             return ExitStatus.FAILED;
         }
+        if (OutOfMemory.isBehind(problem)) {
+            return OutOfMemory.report(streams);
+        }
         say("this should not have happened:");
         problem.printStackTrace(streams.err());
         return ExitStatus.FAILED;

@@ -6,7 +6,7 @@ import java.util.List;
 import steward.game.AngleVariants;
 import steward.game.Game;
 import steward.game.TurnEvent;
-import steward.numerics.SineCosine;
+import steward.numerics.Angles;
 import steward.numerics.SplitMix64;
 import steward.numerics.StateHash;
 import steward.numerics.StrictAngles;
@@ -48,7 +48,7 @@ public final class PodRace implements Game {
     private final TurnLog log = new TurnLog();
     private final List<TurnEvent> events = new ArrayList<>();
     private final StateHash hash = new StateHash();
-    private final SineCosine direction = new SineCosine();
+    private final RaceRules rules;
     private final RaceStanding standing = new RaceStanding(this);
 
     private final double[] heading;
@@ -84,6 +84,7 @@ public final class PodRace implements Game {
     public PodRace(PodRaceSettings settings, Scene scene, Plan plan, double[][] checkpoints, Advance advance) {
         this.settings = settings;
         this.checkpoints = checkpoints;
+        rules = scene.angles() == Angles.FDLIBM ? new FormerRules() : new CurrentRules();
         List<Bumper> bumpers = scene.field().map(field -> field.bumpers()).orElse(List.of());
         int pods = settings.pods();
         bodies = new Bodies(pods + bumpers.size());
@@ -116,6 +117,7 @@ public final class PodRace implements Game {
     /** A copy of a race between two turns, with a way to advance of its own. */
     PodRace(PodRace other, Advance advance) {
         settings = other.settings;
+        rules = other.rules;
         checkpoints = other.checkpoints;
         this.advance = advance;
         motion = other.motion;
@@ -138,7 +140,7 @@ public final class PodRace implements Game {
     }
 
     private void placePods(double drag) {
-        for (double[] place : StartPlaces.of(checkpoints, settings.pods())) {
+        for (double[] place : rules.start(checkpoints, settings.pods())) {
             int body = bodies.add(place[0], place[1], settings.radius(), settings.mass());
             bodies.setRestitution(body, settings.restitution());
             bodies.setDrag(body, drag);
@@ -167,7 +169,7 @@ public final class PodRace implements Game {
         for (int pod = 0; pod < settings.pods(); pod++) {
             startX[pod] = bodies.x[pod];
             startY[pod] = bodies.y[pod];
-            steer(pod, thrust[pod]);
+            steer(pod, rules.countsWhenOut() || isIn(playerOf(pod)) ? thrust[pod] : NO_COMMAND);
             thrust[pod] = NO_COMMAND;
         }
         advance.turn(bodies, log);
@@ -188,7 +190,7 @@ public final class PodRace implements Game {
      */
     int steer(int pod, int command) {
         shieldTimer[pod] = command == SHIELD ? PodRaceSettings.SHIELD_TURNS : Math.max(0, shieldTimer[pod] - 1);
-        if (command != NO_COMMAND) {
+        if (command != NO_COMMAND || !rules.keepsMass()) {
             bodies.setMass(pod, command == SHIELD ? PodRaceSettings.SHIELD_MASS_FACTOR * settings.mass()
                 : settings.mass());
         }
@@ -206,9 +208,9 @@ public final class PodRace implements Game {
         if (shieldTimer[pod] != 0) {
             return 0;
         }
-        direction.turn(heading[pod]);
-        double cos = direction.cos();
-        double sin = direction.sin();
+        rules.point(heading[pod]);
+        double cos = rules.cos;
+        double sin = rules.sin;
         double length = Math.sqrt(cos * cos + sin * sin);
         bodies.vx[pod] += cos / length * power;
         bodies.vy[pod] += sin / length * power;
@@ -220,7 +222,8 @@ public final class PodRace implements Game {
         int after = 0;
         for (int pod = player * settings.podsPerPlayer(); pod < (player + 1) * settings.podsPerPlayer(); pod++) {
             before += passed[pod];
-            for (int most = checkpoints.length; most > 0 && passesNext(pod); most--) {
+            int most = rules.mostPasses(passed[pod], toFinish(), checkpoints.length);
+            for (; most > 0 && passesNext(pod); most--) {
                 passed[pod]++;
                 markCheckpoint(pod);
             }
@@ -231,7 +234,7 @@ public final class PodRace implements Game {
 
     private boolean passesNext(int pod) {
         double[] next = checkpoints[nextCheckpoint(pod)];
-        return CheckpointSweep.passes(log, bodies.id(pod), startX[pod], startY[pod], bodies.x[pod], bodies.y[pod],
+        return rules.passes(log, bodies.id(pod), startX[pod], startY[pod], bodies.x[pod], bodies.y[pod],
             next[0], next[1], settings.checkpointRadius());
     }
 
@@ -346,12 +349,24 @@ public final class PodRace implements Game {
         hash.reset().add(turn);
         for (int pod = 0; pod < settings.pods(); pod++) {
             hash.add(bodies.x[pod]).add(bodies.y[pod]).add(bodies.vx[pod]).add(bodies.vy[pod]).add(heading[pod])
-                .add(shieldTimer[pod]).add(boostLeft[pod]).add(passed[pod]).add(bodies.mass[pod]);
+                .add(shieldTimer[pod]).add(boostLeft[pod]).add(passed[pod]);
+            if (rules.keepsMass()) {
+                hash.add(bodies.mass[pod]);
+            }
         }
         for (int player = 0; player < settings.players(); player++) {
             hash.add(turnsLeft[player]).add(outTurn[player]);
         }
         return hash.value();
+    }
+
+    RaceRules rules() {
+        return rules;
+    }
+
+    /** The turn in which a player went out, 2^31 - 1 while in. */
+    int outTurn(int player) {
+        return outTurn[player];
     }
 
     /** The settings from the scene. */

@@ -18,17 +18,10 @@ final class RaceStanding {
         int[] ranks = new int[race.players()];
         for (int player = 0; player < ranks.length; player++) {
             for (int other = 0; other < ranks.length; other++) {
-                ranks[player] += isAhead(other, player) ? 1 : 0;
+                ranks[player] += race.rules().isAhead(this, race, other, player) ? 1 : 0;
             }
         }
         return ranks;
-    }
-
-    private boolean isAhead(int one, int other) {
-        if (!race.isIn(one) || !race.isIn(other)) {
-            return race.isIn(one) && !race.isIn(other);
-        }
-        return isBetter(bestPod(one), bestPod(other));
     }
 
     /** Per player the checkpoints passed by the best pod, -1 for one who is out. */
@@ -56,7 +49,7 @@ final class RaceStanding {
         return best;
     }
 
-    private boolean isBetter(int pod, int other) {
+    boolean isBetter(int pod, int other) {
         return race.passed(pod) != race.passed(other) ? race.passed(pod) > race.passed(other)
             : race.toNext(pod) < race.toNext(other);
     }

@@ -42,7 +42,8 @@ public sealed class Collision permits CompensatedCollision, OfficialCollision {
         if (arithmetic == Arithmetic.OFFICIAL) {
             return new OfficialCollision(law, walls);
         }
-        return law.minimumImpulse() > 0 ? new Collision(law, walls) : new CompensatedCollision(law, walls);
+        return arithmetic == Arithmetic.FORMER_OFFICIAL || law.minimumImpulse() > 0
+            ? new Collision(law, walls) : new CompensatedCollision(law, walls);
     }
 
     /** @param b an index, or {@code ~wall} */

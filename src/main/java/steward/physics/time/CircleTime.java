@@ -15,7 +15,7 @@ public abstract sealed class CircleTime {
     /** @return an instance for one thread at a time */
     public static CircleTime of(Arithmetic arithmetic) {
         return switch (arithmetic) {
-            case OFFICIAL -> new Official();
+            case OFFICIAL, FORMER_OFFICIAL -> new Official();
             case DOUBLE -> new Stable();
             case COMPENSATED -> new Compensated();
             case EXACT -> new Exact();

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import steward.game.JsonNumbers;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
@@ -72,6 +73,11 @@ public record Difference(int turn, String field, String recorded, String found) 
                 return;
             }
             if (recorded instanceof Map<?, ?> recordedFields && found instanceof Map<?, ?> foundFields) {
+                if (observed && !isInOrder(recordedFields.keySet(), foundFields.keySet())) {
+                    into.add(new Difference(turn, path.isEmpty() ? "order" : path, "the fields "
+                        + recordedFields.keySet(), "the order " + foundFields.keySet()));
+                    return;
+                }
                 Map<Object, Object> all = new LinkedHashMap<>(observed ? recordedFields : foundFields);
                 recordedFields.forEach(all::putIfAbsent);
                 for (Object name : all.keySet()) {
@@ -83,13 +89,24 @@ public record Difference(int turn, String field, String recorded, String found) 
                     compare(path + "[" + k + "]", k < recordedValues.size() ? recordedValues.get(k) : null,
                         k < foundValues.size() ? foundValues.get(k) : null);
                 }
-            } else if (!isLeftOut(recorded, found) && (recorded == null || !recorded.equals(found))) {
+            } else if (!isLeftOut(path, recorded, found) && (recorded == null || !recorded.equals(found))) {
                 into.add(new Difference(turn, path, shown(recorded), shown(found)));
             }
         }
 
-        private boolean isLeftOut(Object recorded, Object found) {
-            return observed && found == null && recorded instanceof List<?> none && none.isEmpty();
+        /** Another referee may say that there were no impacts, where we say nothing. */
+        private boolean isLeftOut(String path, Object recorded, Object found) {
+            return observed && found == null && path.equals("impacts") && recorded instanceof List<?> none
+                && none.isEmpty();
+        }
+
+        /** Those that both have stand in the same order. */
+        private static boolean isInOrder(Set<?> recorded, Set<?> found) {
+            List<Object> common = new ArrayList<>(found);
+            common.retainAll(recorded);
+            List<Object> seen = new ArrayList<>(recorded);
+            seen.retainAll(found);
+            return common.equals(seen);
         }
     }
 

@@ -16,13 +16,17 @@ final class ObservableOutcome {
     private ObservableOutcome() {
     }
 
-    /** Fields of an outcome; the caller opens and closes the object. */
-    static void write(JsonGenerator out, Game game, FrameCodec codec) {
+    /**
+     * Fields of an outcome; the caller opens and closes the object.
+     *
+     * @param compared says which times and impulses stand for ours
+     */
+    static void write(JsonGenerator out, Game game, FrameCodec codec, ImpactComparison compared) {
         TurnLog log = game.log();
         if (log.impacts() > 0) {
             out.writeArrayPropertyStart("impacts");
             for (int k = 0; k < log.impacts(); k++) {
-                write(out, log.impact(k));
+                write(out, log.impact(k), compared.time(k), compared.impulse(k));
             }
             out.writeEndArray();
         }
@@ -36,9 +40,9 @@ final class ObservableOutcome {
         out.writeEndArray();
     }
 
-    private static void write(JsonGenerator out, Impact impact) {
+    private static void write(JsonGenerator out, Impact impact, double time, double impulse) {
         out.writeStartObject();
-        JsonNumbers.write(out, "time", impact.time());
+        JsonNumbers.write(out, "time", time);
         out.writeNumberProperty("a", impact.a());
         if (impact.isWall()) {
             out.writeNumberProperty("wall", impact.wall());
@@ -49,7 +53,7 @@ final class ObservableOutcome {
         out.writeNumberProperty("ay", Math.round(impact.ay()));
         out.writeNumberProperty("bx", Math.round(impact.bx()));
         out.writeNumberProperty("by", Math.round(impact.by()));
-        JsonNumbers.write(out, "impulse", impact.impulse());
+        JsonNumbers.write(out, "impulse", impulse);
         out.writeNumberProperty("meanVx", Math.round((impact.vaxBefore() + impact.vbxBefore()) / 2));
         out.writeNumberProperty("meanVy", Math.round((impact.vayBefore() + impact.vbyBefore()) / 2));
         out.writeEndObject();

@@ -9,6 +9,7 @@ import steward.game.LineParser;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayException;
 import steward.replay.ReplayHeader;
+import steward.scene.SceneReader;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
@@ -29,7 +30,7 @@ public final class Resimulation {
      * @throws steward.scene.json.SceneException if the scene in the header is not one that the known games can play
      */
     public Resimulation(ReplayHeader header, GameTypes types, String source) {
-        setup = types.open(header.scene(), source + " (scene)");
+        setup = types.open(SceneReader.read(header.scene(), source + " (scene)").withAngles(header.angles()));
         if (!header.game().equals(setup.scene().gameId())) {
             throw new ReplayException(source + ":1: game: found " + header.game() + ", expected "
                 + setup.scene().gameId() + " as in the scene");
@@ -127,13 +128,21 @@ public final class Resimulation {
     private boolean readEach(JsonParser in, String[] faults) {
         int player = 0;
         for (JsonToken token = in.nextToken(); token != JsonToken.END_ARRAY; token = in.nextToken()) {
-            boolean wanted = player < game.players() && game.isIn(player) && faults[player] == null;
-            if (wanted != (token != JsonToken.VALUE_NULL) || wanted && codec.readCommand(in, player) != null) {
+            if (player >= game.players() || !game.isIn(player)
+                ? token != JsonToken.VALUE_NULL : readOne(in, token, player, faults[player]) != null) {
                 return false;
             }
             player++;
         }
         return player == game.players();
+    }
+
+    /** @return what is wrong with the command of a player who was asked, or {@code null} */
+    private String readOne(JsonParser in, JsonToken token, int player, String fault) {
+        if (fault == null) {
+            return token == JsonToken.VALUE_NULL ? "null" : codec.readCommand(in, player);
+        }
+        return token == JsonToken.VALUE_NULL ? null : codec.readPartialCommand(in, player);
     }
 
     /** What is wrong with the commands, which are read to be told. */
@@ -143,12 +152,11 @@ public final class Resimulation {
         try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), json, 0, json.length)) {
             in.nextToken();
             for (JsonToken token = in.nextToken(); token != JsonToken.END_ARRAY; token = in.nextToken()) {
-                boolean wanted = player < game.players() && game.isIn(player) && turn.faults()[player] == null;
-                if (wanted != (token != JsonToken.VALUE_NULL)) {
-                    return new Difference(turn.number(), "commands[" + player + "]", wanted ? "null" : "a command",
-                        wanted ? "a command" : "null");
+                boolean asked = player < game.players() && game.isIn(player);
+                if (!asked && token != JsonToken.VALUE_NULL) {
+                    return new Difference(turn.number(), "commands[" + player + "]", "a command", "null");
                 }
-                String wrong = wanted ? codec.readCommand(in, player) : null;
+                String wrong = asked ? readOne(in, token, player, turn.faults()[player]) : null;
                 if (wrong != null) {
                     return new Difference(turn.number(), "commands[" + player + "]", wrong, "a command");
                 }

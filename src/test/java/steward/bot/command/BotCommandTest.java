@@ -179,4 +179,11 @@ class BotCommandTest {
         assertNull(BotCommand.parse("x").name());
         assertThrows(IllegalArgumentException.class, () -> new BotCommand("x", Prefix.JSON, List.of()));
     }
+
+    @Test
+    void aNameIsBounded() {
+        reads("n".repeat(100) + "=builtin:racer", "n".repeat(100), Prefix.BUILTIN, "racer");
+        assertEquals("bot '" + "n".repeat(20) + "...': found a name of 101 characters, expected at most 100",
+            failure("n".repeat(101) + "=builtin:racer"));
+    }
 }

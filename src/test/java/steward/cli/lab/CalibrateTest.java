@@ -71,7 +71,8 @@ class CalibrateTest {
             "--bot", bots.driver("a", ShellBots.NOWHERE), "--bot", bots.driver("b", ShellBots.NOWHERE));
         assertEquals(ExitStatus.DONE, match.status(), match.err());
         Files.delete(figures);
-        assertEquals("verified: 50 turns\n", Cli.run("replay", replay.toString(), "--verify").out());
+        assertEquals("verified: states of 50 of 50 turns and the result\n",
+            Cli.run("replay", replay.toString(), "--verify").out());
     }
 
     @Test

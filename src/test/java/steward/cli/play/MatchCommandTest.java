@@ -55,7 +55,8 @@ class MatchCommandTest {
         assertTrue(cli.out().contains("far is out: no checkpoint in 50 turns\n"), cli.out());
         assertTrue(cli.out().contains("steward replay " + file), cli.out());
         assertEquals("", cli.err());
-        assertEquals("verified: 50 turns\n", Cli.run("replay", file.toString(), "--verify").out());
+        assertEquals("verified: states of 50 of 50 turns and the result\n",
+            Cli.run("replay", file.toString(), "--verify").out());
     }
 
     @Test

@@ -126,7 +126,8 @@ class ProtocolTest {
         String last = replay.get(replay.size() - 1);
         assertTrue(last.contains("\"data\":{\"asked\":\"" + told + "\",\"turn\":\"" + told + "\"}"), last);
         assertTrue(last.contains("\"data\":{\"scene\":\"silver\"}"), last);
-        assertEquals("verified: " + turns + " turns\n", Cli.run("replay", file.toString(), "--verify").out());
+        assertEquals("verified: states of " + turns + " of " + turns + " turns and the result\n",
+            Cli.run("replay", file.toString(), "--verify").out());
         String table = Cli.run("replay", file.toString()).out();
         assertTrue(table.contains("warning: a wrote more lines than it was asked for, in "), table);
         String frames = Cli.run("replay", file.toString(), "--frames", "--player", "0").out();

@@ -143,7 +143,8 @@ class RefereeCommandTest {
         int turns = JsonMapper.shared().readTree(json.get("metadata").asString()).get("turns").intValue();
         assertEquals(turns + 1, json.get("outputs").get("1").size());
         assertTrue(json.get("errors").get("0").get(1).asString().startsWith("[PDATA] turns = 1\n"));
-        assertEquals("verified: " + turns + " turns\n", Cli.run("replay", replay.toString(), "--verify").out());
+        assertEquals("verified: states of " + turns + " of " + turns + " turns and the result\n",
+            Cli.run("replay", replay.toString(), "--verify").out());
         assertTrue(Files.readString(folder.resolve("match.html")).startsWith("<!DOCTYPE html>"));
     }
 

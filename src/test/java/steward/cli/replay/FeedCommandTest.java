@@ -184,12 +184,14 @@ class FeedCommandTest {
             + "turn   31  played\n"), cli.out());
         assertTrue(cli.out().contains("19 turns compared: 19 the same, 0 different\n31 turns played by the bot\n"
             + "bot.sh wins: all others are out, 50 turns (duel, seed 7)\n"), cli.out());
-        assertEquals("verified: 50 turns\n", Cli.run("replay", file.toString(), "--verify").out());
+        assertEquals("verified: states of 50 of 50 turns and the result\n",
+            Cli.run("replay", file.toString(), "--verify").out());
         Cli early = feed("--from-turn 20 --replace --overwrite --quiet --out " + file, bot("100", "3", "exit 1"));
         assertEquals(ExitStatus.FAILED, early.status());
         assertTrue(early.out().contains("no result after 2 turns: the bot has ended before turn 20; ahead then: "),
             early.out());
-        assertEquals("verified: 2 turns\n", Cli.run("replay", file.toString(), "--verify").out());
+        assertEquals("verified up to the cut: states of 2 of 2 turns\n",
+            Cli.run("replay", file.toString(), "--verify").out());
     }
 
     /** Which player, as its number or its name; a name that is another's is told from it by the number. */
@@ -328,7 +330,7 @@ class FeedCommandTest {
         byte[] whole = Files.readAllBytes(replay);
         String text = new String(whole, StandardCharsets.UTF_8);
         String[] bot = bot("100");
-        for (String wrong : List.of("", "hello\n", text.replaceFirst("\"format\":2", "\"format\":999"),
+        for (String wrong : List.of("", "hello\n", text.replaceFirst("\"format\":3", "\"format\":999"),
             text.substring(0, 100), text.replaceFirst("\"game\":\"pod-race\",\"seed\"", "\"game\":\"x\",\"seed\""))) {
             Files.writeString(replay, wrong);
             refused(replay.toString(), "", bot);

@@ -73,7 +73,8 @@ class ImportCommandTest {
         assertEquals("imported: " + GAME.turns() + " turns, finished after 3 laps\n  steward replay " + replay
             + " --verify   compares every turn with these rules\n", cli.out());
         assertEquals(ExitStatus.DONE, cli.status());
-        assertEquals("verified: " + GAME.turns() + " turns\n", replay("--verify").out());
+        assertEquals("verified: states of " + GAME.turns() + " of " + GAME.turns()
+            + " turns, as another referee saw them, and the result\n", replay("--verify").out());
     }
 
     @Test
@@ -101,7 +102,8 @@ class ImportCommandTest {
     @Test
     void aSketchIsShownToo() throws IOException {
         imported(GAME.sketch(SKETCHED));
-        assertEquals("verified: 33 turns\n", replay("--verify").out());
+        assertEquals("verified: states of 26 of 33 turns, as another referee saw them, and the result\n",
+            replay("--verify").out());
         String table = replay().out();
         assertTrue(table.contains("player 1 failed: no answer in the recording"), table);
         assertTrue(table.contains("player 0 wins: all others are out, 33 turns"), table);
@@ -120,7 +122,8 @@ class ImportCommandTest {
         assertEquals("precious", Files.readString(replay));
         assertEquals(ExitStatus.DONE, Cli.run("import", recording.toString(), "--out", replay.toString(),
             "--overwrite").status());
-        assertEquals("verified: " + GAME.turns() + " turns\n", replay("--verify").out());
+        assertEquals("verified: states of " + GAME.turns() + " of " + GAME.turns()
+            + " turns, as another referee saw them, and the result\n", replay("--verify").out());
     }
 
     @Test

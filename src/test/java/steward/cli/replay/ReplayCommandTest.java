@@ -90,7 +90,8 @@ class ReplayCommandTest {
     @Test
     void aWholeReplayVerifies() {
         Cli cli = replay(whole, "--verify");
-        assertEquals(new Cli(ExitStatus.DONE, "verified: " + duel.result().turns() + " turns\n", ""), cli);
+        assertEquals(new Cli(ExitStatus.DONE, "verified: states of " + duel.result().turns() + " of "
+            + duel.result().turns() + " turns and the result\n", ""), cli);
         assertEquals(new Cli(ExitStatus.DONE, "", ""), replay(whole, "--verify", "--quiet"));
     }
 
@@ -122,16 +123,25 @@ class ReplayCommandTest {
         Path file = folder.resolve("cut.jsonl");
         byte[] bytes = duel.bytes();
         int last = -1;
+        int header = new String(bytes, StandardCharsets.UTF_8).indexOf('\n');
         int complete = bytes.length - 1;           // all but the last line end, see the next test
         for (int size = 1; size < complete; size += size < 40 ? 1 : 211) {
             Files.write(file, Arrays.copyOf(bytes, size));
             Cli cli = replay(file, "--verify");
-            assertEquals(ExitStatus.DONE, cli.status(), size + ": " + cli.err() + cli.out());
+            assertEquals(ExitStatus.FAILED, cli.status(), size + ": " + cli.err() + cli.out());
             assertTrue(cli.err().startsWith("steward: warning: " + file + ": cut off "), size + ": " + cli.err());
-            assertTrue(cli.out().matches("verified: \\d+ turns?\n"), size + ": " + cli.out());
-            int turns = Integer.parseInt(cli.out().replaceAll("\\D", ""));
-            assertTrue(turns >= last, size + ": " + turns);
-            last = turns;
+            Cli partly = replay(file, "--verify", "--partial");
+            if (size < header) {
+                assertEquals("not verified: the header is cut off\n", cli.out(), "at " + size);
+                assertEquals(cli, partly);
+            } else {
+                assertTrue(cli.out().matches("verified up to the cut: states of (\\d+) of \\1 turns?\n"),
+                    size + ": " + cli.out());
+                assertEquals(new Cli(ExitStatus.DONE, cli.out(), cli.err()), partly);
+                int turns = Integer.parseInt(cli.out().replaceAll("\\D*(\\d+).*\n", "$1"));
+                assertTrue(turns >= last, size + ": " + turns);
+                last = turns;
+            }
             for (String mode : new String[] {"--quiet", "--impacts", "--to=3"}) {
                 Cli other = replay(file, mode);
                 assertEquals(ExitStatus.DONE, other.status(), size + mode + other.err());
@@ -139,6 +149,42 @@ class ReplayCommandTest {
             }
         }
         assertTrue(last >= duel.result().turns() - 1, "turns verified before the last cut: " + last);
+    }
+
+    @Test
+    void aReplayOfNoTurnIsNotVerified() throws IOException {
+        String header = new String(duel.bytes(), StandardCharsets.UTF_8).lines().findFirst().orElseThrow();
+        Path file = Files.writeString(folder.resolve("no-turn.jsonl"), header + "\n");
+        Cli cli = replay(file, "--verify");
+        assertEquals(ExitStatus.FAILED, cli.status());
+        assertEquals("verified up to the cut: states of 0 of 0 turns\n", cli.out());
+        assertEquals(ExitStatus.DONE, replay(file, "--verify", "--partial").status());
+        assertEquals("verified up to the cut: states of 0 of 0 turns\n", replay(file, "--verify", "--quiet").out());
+    }
+
+    @Test
+    void optionsOfVerificationNeedIt() {
+        for (String[] wrong : new String[][] {{"--partial"}, {"--signed-by", "x.pub"}}) {
+            assertEquals(ExitStatus.UNUSABLE, replay(whole, wrong).status());
+        }
+    }
+
+    @Test
+    void whatVerificationProvesIsSaidInItsHelp() {
+        String help = Cli.run("replay", "--help").out();
+        assertTrue(help.contains("Who gave the commands it does"), help);
+        assertTrue(help.contains("only as good as the\nsignature"), help);
+    }
+
+    @Test
+    void futureAnglesAndFormats() throws IOException {
+        String text = new String(duel.bytes(), StandardCharsets.UTF_8);
+        Path file = Files.writeString(folder.resolve("future.jsonl"), text.replace("\"fdlibm\"", "\"abacus\""));
+        assertEquals(new Cli(ExitStatus.UNUSABLE, "", "steward: " + file + ":1: angles: found abacus, expected "
+            + "correctly-rounded or fdlibm; a newer version of Steward may know others\n"), replay(file, "--verify"));
+        Files.writeString(file, text.replace("\"format\":3", "\"format\":4"));
+        assertEquals(new Cli(ExitStatus.UNUSABLE, "", "steward: " + file + ":1: format: found 4, expected at most 3: "
+            + "a newer version of Steward wrote this replay\n"), replay(file, "--verify"));
     }
 
     @Test

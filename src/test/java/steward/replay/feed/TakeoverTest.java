@@ -72,7 +72,7 @@ class TakeoverTest {
         assertEquals(recorded.result().turns(), outcome.turns());
         assertEquals(recorded.result().winner(), outcome.result().winner());
         assertSameMatch(recorded, player);
-        assertEquals(new Verification(outcome.turns(), null, null), written().verify());
+        assertEquals(Recorded.whole(outcome.turns()), written().verify());
         assertEquals(from - 1, fed.stream().filter(turn -> !turn.replaced()).count());
         assertTrue(fed.stream().allMatch(FedTurn::same));
         assertTrue(written().lines().get(0).contains("\"bot\":\"./new\",\"protocol\":\"json\"}"));
@@ -106,7 +106,7 @@ class TakeoverTest {
         assertEquals("the recording ends", outcome.reason());
         assertEquals(50, outcome.turns());
         assertEquals(50, written().verify().turns());
-        assertTrue(written().verify().verified());
+        assertTrue(written().verify().agrees());
         assertEquals("r.jsonl: cut off after turn 50: there is no result", written().verify().warning());
         assertTrue(!outcome.ahead().isEmpty());
     }
@@ -120,7 +120,7 @@ class TakeoverTest {
         assertEquals(0, outcome.result().winner());
         assertEquals(recorded.result().players().get(1).fault(), outcome.result().players().get(1).fault());
         assertEquals(9, outcome.turns());
-        assertEquals(new Verification(9, null, null), written().verify());
+        assertEquals(Recorded.whole(9), written().verify());
     }
 
     @Test
@@ -132,7 +132,7 @@ class TakeoverTest {
         assertEquals(12, outcome.turns());
         assertEquals(1, outcome.result().winner());
         assertTrue(outcome.result().players().get(0).fault().endsWith("received: nonsense"));
-        assertEquals(new Verification(12, null, null), written().verify());
+        assertEquals(Recorded.whole(12), written().verify());
     }
 
     @Test
@@ -142,7 +142,7 @@ class TakeoverTest {
         Takeover.Outcome outcome = play(recorded, 0, 10, gone);
         assertEquals("the bot has ended before turn 10", outcome.reason());
         assertEquals(2, outcome.turns());
-        assertTrue(written().verify().verified());
+        assertTrue(written().verify().agrees());
     }
 
     /** A player who is out by the rules has no commands any more; the other two race on. */

@@ -43,7 +43,7 @@ class EditedReplayTest {
         List<Bot> bots = List.of(new Stopping(30, 1), new Stopping(30, 2), new Stopping(9, 3));
         match = Recorded.of(TestScenes.changed("walled-race", "\"players\": 2", "\"players\": 3"), 20, bots);
         lines = match.lines();
-        assertEquals(new Verification(30, null, null), match.verify());
+        assertEquals(Recorded.whole(30), match.verify());
         assertTrue(match.text().contains("\"impacts\""), "the match needs impacts");
     }
 

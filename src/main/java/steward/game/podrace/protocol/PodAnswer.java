@@ -38,6 +38,7 @@ public final class PodAnswer {
     private final double[] x;
     private final double[] y;
     private final int[] thrust;
+    private int podsRead;
     private final int maximumThrust;
     private final LineScan scan = new LineScan();
     private final LineParser lines = new LineParser();
@@ -207,6 +208,37 @@ public final class PodAnswer {
             }
         }
         return pod == x.length ? null : "pods: found " + pod + ", expected " + count();
+    }
+
+    /** Reads an array of which only the first pods have a command, at least one, and the others are null. */
+    String readFirstPods(JsonParser in) {
+        podsRead = 0;
+        if (in.currentToken() != JsonToken.START_ARRAY) {
+            return "pods: found " + describe(in) + ", expected an array of " + count();
+        }
+        int pod = 0;
+        while (in.nextToken() != JsonToken.END_ARRAY) {
+            if (pod == x.length) {
+                return "pods: found more than " + x.length + ", expected " + count();
+            }
+            if (in.currentToken() == JsonToken.VALUE_NULL && pod > 0) {
+                pod++;
+                continue;
+            }
+            String wrong = podsRead < pod ? path(pod) + ": found " + describe(in) + ", expected null"
+                : readPod(in, pod++);
+            if (wrong != null) {
+                return wrong;
+            }
+            podsRead = pod;
+        }
+        return pod == x.length && podsRead < pod ? null
+            : "pods: found " + podsRead + " commands of " + pod + ", expected fewer than " + count();
+    }
+
+    /** How many pods the last {@link #readFirstPods} has found. */
+    int podsRead() {
+        return podsRead;
     }
 
     private String readPod(JsonParser in, int pod) {

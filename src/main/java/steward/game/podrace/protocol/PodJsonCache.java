@@ -25,6 +25,8 @@ final class PodJsonCache {
     private static final byte[] BOOST_LEFT = RawJson.text(",\"boostLeft\":");
     private static final byte[] PASSED = RawJson.text(",\"passed\":");
     private static final byte[] OPENING = RawJson.text("[");
+    private static final byte[] NO_COMMAND = RawJson.text("null");
+    private static final byte[] NEXT_NO_COMMAND = RawJson.text(",null");
     private static final byte[] COMMAND = RawJson.text("{\"x\":");
     private static final byte[] NEXT_COMMAND = RawJson.text(",{\"x\":");
     private static final byte[] SHIELD = RawJson.text(",\"shield\":true}");
@@ -90,6 +92,10 @@ final class PodJsonCache {
         int first = player * race.settings().podsPerPlayer();
         text.begin(OPENING);
         for (int pod = first; pod < first + race.settings().podsPerPlayer(); pod++) {
+            if (race.thrust(pod) == PodRace.NO_COMMAND) {
+                text.add(pod == first ? NO_COMMAND : NEXT_NO_COMMAND);
+                continue;
+            }
             text.add(pod == first ? COMMAND : NEXT_COMMAND).add(race.targetX(pod)).add(Y).add(race.targetY(pod));
             switch (race.thrust(pod)) {
                 case PodRace.SHIELD -> text.add(SHIELD);

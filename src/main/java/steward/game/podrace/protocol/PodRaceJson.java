@@ -117,6 +117,23 @@ final class PodRaceJson implements FrameCodec {
     }
 
     @Override
+    public boolean hasPartialCommand(int player) {
+        return race.thrust(player * race.settings().podsPerPlayer()) != PodRace.NO_COMMAND;
+    }
+
+    @Override
+    public String readPartialCommand(JsonParser in, int player) {
+        String wrong = answer.readFirstPods(in);
+        if (wrong == null) {
+            int first = player * race.settings().podsPerPlayer();
+            for (int k = 0; k < answer.podsRead(); k++) {
+                race.command(first + k, answer.x(k), answer.y(k), answer.thrust(k));
+            }
+        }
+        return wrong;
+    }
+
+    @Override
     public String readCommand(JsonParser in, int player) {
         String wrong = answer.readPods(in);
         if (wrong == null) {

@@ -1,0 +1,65 @@
+package steward.cli.replay;
+
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Streams;
+import steward.files.OutputFiles;
+import steward.replay.sign.SignerKey;
+import steward.replay.sign.SigningKey;
+
+/** {@code steward key}: makes and shows the keys that replays are signed with. */
+@Command(name = "key", description = "Makes or shows a key that replays are signed with.",
+    footer = {"",
+        "new   writes a private key to FILE, for you alone, and the public one to",
+        "      FILE.pub, for everybody; prints the fingerprint by which people know",
+        "      it. A file that exists is kept.",
+        "show  prints the fingerprint of a public or a private key.",
+        "", "The keys are Ed25519, in PEM: PKCS#8 and X.509. Whoever has FILE can sign in",
+        "your name; without it nobody can.",
+        "", "Examples:",
+        "  steward key new mine.key",
+        "  steward match --bot ./a --bot ./b --out m.jsonl --sign mine.key",
+        "  steward replay m.jsonl --verify --signed-by mine.key.pub",
+        "  steward key show mine.key.pub",
+        "", "Exit status: 0 done; 2 the file or the call is wrong."})
+public final class KeyCommand implements Callable<Integer> {
+
+    private final Streams streams;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(index = "0", paramLabel = "new|show", description = "What to do.")
+    private String what;
+
+    @Parameters(index = "1", paramLabel = "FILE", description = "The file of the key.")
+    private String file;
+
+    public KeyCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() {
+        Path path = OutputFiles.path(file);
+        switch (what) {
+            case "new" -> {
+                SigningKey key = SigningKey.generate();
+                key.write(path);
+                streams.out().println("Private key: " + path);
+                streams.out().println("Public key:  " + SigningKey.publicFile(path));
+                streams.out().println("Fingerprint: " + key.publicKey().fingerprint());
+            }
+            case "show" -> streams.out().println((SigningKey.isPrivate(path) ? SigningKey.read(path).publicKey()
+                : SignerKey.read(path)).fingerprint());
+            default -> throw new ParameterException(spec.commandLine(), "found '" + what + "', expected new or show");
+        }
+        return ExitStatus.DONE;
+    }
+}

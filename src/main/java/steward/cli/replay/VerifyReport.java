@@ -1,0 +1,82 @@
+package steward.cli.replay;
+
+import java.io.PrintStream;
+import java.nio.file.Path;
+import steward.cli.shared.ExitStatus;
+import steward.replay.ReplayReader;
+import steward.replay.sign.SignerKey;
+import steward.replay.verify.ImpactCounts;
+import steward.replay.verify.SignatureCheck;
+import steward.replay.verify.Verification;
+import steward.text.TextFormat;
+
+/**
+ * Says what came of a verification, and what was compared at all.
+ *
+ * @param out     where to
+ * @param partial whether what agrees up to a cut will do
+ * @param file    of the key that must have signed, or {@code null}
+ * @param key     that key, or {@code null}
+ * @param quiet   whether only what does not agree is told
+ */
+record VerifyReport(PrintStream out, boolean partial, Path file, SignerKey key, boolean quiet) {
+
+    /** @return the exit status */
+    int print(ReplayReader replay, Verification verification) {
+        String wrong = wrong(replay, verification);
+        if (wrong != null) {
+            out.println(TextFormat.plain(wrong));
+            return ExitStatus.FAILED;
+        }
+        boolean verified = verification.verified();
+        if (!quiet || !verified && !partial) {
+            out.println((verified ? "verified: " : "verified up to the cut: ") + compared(replay, verification)
+                + (verification.whole() ? " and the result" : ""));
+            if (replay.imported()) {
+                out.println(impacts(verification.impacts()));
+            }
+            SignatureCheck signature = verification.signature();
+            if (signature.verdict() == SignatureCheck.Verdict.RIGHT) {
+                out.println("signed by " + signature.signer()
+                    + (key == null ? ", not checked against anyone" : ", the key of " + file));
+            } else if (signature.verdict() == SignatureCheck.Verdict.CUT_OFF) {
+                out.println("unsigned up to the cut: the signature by " + signature.signer() + " is missing");
+            }
+        }
+        return verified || partial ? ExitStatus.DONE : ExitStatus.FAILED;
+    }
+
+    /** Why the replay is not verified, cut off or not; or {@code null}. */
+    private String wrong(ReplayReader replay, Verification verification) {
+        if (replay.header() == null) {
+            return "not verified: the header is cut off";
+        }
+        if (verification.difference() != null) {
+            return "differs: " + verification.difference();
+        }
+        SignatureCheck signature = verification.signature();
+        if (signature.verdict() == SignatureCheck.Verdict.WRONG) {
+            return "not verified: the signature is not that of " + signature.signer() + " for these lines";
+        }
+        if (key != null && !signature.isBy(key)) {
+            String found = switch (signature.verdict()) {
+                case UNSIGNED -> "the replay is unsigned";
+                case CUT_OFF -> "the replay was cut off before its signature";
+                default -> "the replay is signed by " + signature.signer();
+            };
+            return "not verified: " + found + ", expected a signature by " + key + ", the key of " + file;
+        }
+        return verification.whole() && verification.states() == 0
+            ? "not verified: " + compared(replay, verification) + " were recorded" : null;
+    }
+
+    private static String impacts(ImpactCounts impacts) {
+        return "impacts: " + impacts.equal() + " equal to the last bit, " + impacts.within()
+            + " within what a unit in the last place of sines and cosines makes, " + impacts.outside() + " outside";
+    }
+
+    private static String compared(ReplayReader replay, Verification verification) {
+        return "states of " + verification.states() + " of " + TextFormat.count(verification.turns(), "turn")
+            + (replay.imported() ? ", as another referee saw them," : "");
+    }
+}

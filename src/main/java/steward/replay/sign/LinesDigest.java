@@ -1,0 +1,50 @@
+package steward.replay.sign;
+
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HexFormat;
+
+/**
+ * What of a replay is signed: all its lines up to the result, each without its field {@code times}, with its line end.
+ * Their SHA-256 is taken as they come, so nothing is kept in memory. The signature is Ed25519 over one line of text,
+ * which says what it is, so that it can be taken for nothing else:
+ *
+ * <pre>steward replay sha256:0123...64 hexadecimal digits...cdef</pre>
+ *
+ * <p>and a line feed. With the tools of any Unix, where {@code mine.pub} is the public key:
+ *
+ * <pre>
+ * sed -e '$d' match.jsonl | sed -e 's/,"times":{[^}]*}}$/}/' | sha256sum       (the digits of the text)
+ * tail -1 match.jsonl | cut -d'"' -f8 | base64 -d &gt; signature
+ * openssl pkeyutl -verify -rawin -pubin -inkey mine.pub -in text -sigfile signature
+ * </pre>
+ *
+ * <p>The signer's public key stands in the header, and so is signed itself.
+ */
+public final class LinesDigest {
+
+    private static final byte[] END = {'}', '\n'};
+
+    private final MessageDigest sha256 = sha256();
+
+    /** A line, as far as it reaches without {@code times} and the closing brace. */
+    public void add(byte[] line, int length) {
+        sha256.update(line, 0, length);
+        sha256.update(END, 0, END.length);
+    }
+
+    /** The text that is signed, of all lines added; call once. */
+    public byte[] message() {
+        return ("steward replay sha256:" + HexFormat.of().formatHex(sha256.digest()) + "\n")
+            .getBytes(StandardCharsets.US_ASCII);
+    }
+
+    static MessageDigest sha256() {
+        try {
+            return MessageDigest.getInstance("SHA-256");
+        } catch (NoSuchAlgorithmException missing) {
+            throw new IllegalStateException("this Java knows no SHA-256", missing);
+        }
+    }
+}

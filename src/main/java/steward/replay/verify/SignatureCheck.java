@@ -1,0 +1,32 @@
+package steward.replay.verify;
+
+import steward.replay.sign.SignerKey;
+
+/**
+ * What a replay's signature is worth.
+ *
+ * @param verdict what was found
+ * @param signer  the key that the header names, or {@code null} if it names none
+ */
+public record SignatureCheck(Verdict verdict, SignerKey signer) {
+
+    /** A replay that names no signer. */
+    public static final SignatureCheck UNSIGNED = new SignatureCheck(Verdict.UNSIGNED, null);
+
+    /** What was found. */
+    public enum Verdict {
+        /** The replay names no signer. */
+        UNSIGNED,
+        /** It names one, but was cut off before the signature. */
+        CUT_OFF,
+        /** Not one byte outside {@code times} differs from what the owner of the key has signed. */
+        RIGHT,
+        /** The signature is not of this key, or not of these lines. */
+        WRONG
+    }
+
+    /** Whether the owner of this very key has signed. */
+    public boolean isBy(SignerKey key) {
+        return verdict == Verdict.RIGHT && signer.equals(key);
+    }
+}

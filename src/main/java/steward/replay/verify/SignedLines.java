@@ -1,0 +1,40 @@
+package steward.replay.verify;
+
+import steward.replay.ReplayReader;
+import steward.replay.sign.LinesDigest;
+import steward.replay.sign.SignerKey;
+
+/** Takes the lines of a replay that names its signer, and looks at the signature. */
+final class SignedLines {
+
+    private final ReplayReader replay;
+    private final SignerKey signer;
+    private final LinesDigest digest;
+
+    SignedLines(ReplayReader replay) {
+        this.replay = replay;
+        String key = replay.header().signer();
+        signer = key == null ? null : SignerKey.ofText(key);
+        digest = key == null ? null : new LinesDigest();
+    }
+
+    /** A line, as far as it reaches without {@code times} and the closing brace. */
+    void add(byte[] line, int length) {
+        if (digest != null) {
+            digest.add(line, length);
+        }
+    }
+
+    /** @param whole whether all lines up to the result were added */
+    SignatureCheck check(boolean whole) {
+        if (signer == null) {
+            return SignatureCheck.UNSIGNED;
+        }
+        if (!whole || replay.warning() != null) {
+            return new SignatureCheck(SignatureCheck.Verdict.CUT_OFF, signer);
+        }
+        String signature = replay.signature();
+        boolean right = signature != null && signer.verifies(digest.message(), signature);
+        return new SignatureCheck(right ? SignatureCheck.Verdict.RIGHT : SignatureCheck.Verdict.WRONG, signer);
+    }
+}

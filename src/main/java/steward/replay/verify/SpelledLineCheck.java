@@ -1,0 +1,235 @@
+package steward.replay.verify;
+
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import steward.game.AngleVariants;
+import steward.game.Game;
+import steward.game.JsonNumbers;
+import steward.match.LineBuffer;
+import steward.match.MatchResult;
+import steward.match.Turn;
+import steward.replay.JsonLine;
+import steward.replay.RecordedTurn;
+import steward.replay.ReplayHeader;
+import steward.replay.ReplayLines;
+import steward.replay.ReplayReader;
+import tools.jackson.core.JsonGenerator;
+import tools.jackson.core.ObjectWriteContext;
+
+/**
+ * Format 3: every line is written again, from what is recorded of the players and what follows from the game, and its
+ * bytes up to {@code times} are compared: nothing can be added, left out, doubled, moved or spelled in another way.
+ * What differs is then looked for, to be told.
+ */
+final class SpelledLineCheck implements LineCheck {
+
+    private static final int OUTCOME_NAME = ",\"outcome\":".length();
+    private static final int SHOWN = 40;
+
+    private final ReplayReader replay;
+    private final Resimulation again;
+    private final Game game;
+    private final SignedLines signed;
+    private final Observed observed;
+    private final ImpactComparison impacts = new ImpactComparison();
+    private final ReplayLines lines;
+    /** The turn that {@link #isSame} has played, or {@code null}; and whether its line is written to its end. */
+    private Turn played;
+    private boolean finished;
+    private int outcomeFrom;
+    private int outcomeTo;
+
+    SpelledLineCheck(ReplayReader replay, Resimulation again, SignedLines signed) {
+        this.replay = replay;
+        this.again = again;
+        this.signed = signed;
+        game = again.game();
+        observed = replay.imported() ? new Observed(replay) : null;
+        ReplayHeader header = replay.header();
+        lines = new ReplayLines(new ReplayHeader(header.game(), again.setup().scene().json(), header.seed(),
+            header.names(), header.bots(), header.protocols(), header.timeFactor(), header.angles(), header.signer()),
+            observed);
+    }
+
+    @Override
+    public Difference header() {
+        lines.header(game, again.codec());
+        boolean agrees = agrees(replay.headerLine().json());
+        Difference difference = agrees && observed == null ? null : RecordedJson.compareOpening(replay, again);
+        if (difference == null && !agrees) {
+            difference = lineDiffers(0, "headerHash", replay.headerLine());
+        }
+        lines.end();
+        return difference;
+    }
+
+    @Override
+    public boolean isSame(byte[] line) {
+        played = null;
+        int number = game.turn() + 1;
+        int at = observed != null || game.isOver() ? -1 : LineScanner.commands(line, number);
+        int rest = at < 0 ? -1 : again.readCommands(line, at, line.length);
+        if (rest < 0 || LineScanner.outcome(line, line.length - rest) < 0) {
+            return false;
+        }
+        Turn turn = Turn.of(number, game.players());
+        for (int player = 0; player < game.players(); player++) {
+            if (game.isIn(player)) {
+                turn.answer(player, null, null, 0);
+            }
+        }
+        play(turn);
+        played = turn;
+        finished = LineScanner.hash(line, outcomeTo) >= 0;
+        if (!finished) {
+            return false;                                     // what the players said is known when all is read
+        }
+        lines.texts(turn);
+        boolean same = LineScanner.isTimes(line, lines.line().size()) && agrees(line);
+        if (same) {
+            lines.end();
+        }
+        return same;
+    }
+
+    private void play(Turn turn) {
+        lines.commands(turn, again.codec());
+        outcomeFrom = lines.line().size() + OUTCOME_NAME;
+        game.play();
+        lines.outcome(turn, game, again.codec());
+        outcomeTo = lines.line().size();
+    }
+
+    @Override
+    public Difference turn(byte[] line, RecordedTurn recorded) {
+        if (played == null) {
+            Turn turn = Turn.of(recorded.number(), game.players());
+            for (int player = 0; player < game.players(); player++) {
+                if (game.isIn(player)) {
+                    fill(turn, recorded, player);
+                }
+            }
+            Difference wrong = again.prepare(recorded);
+            if (wrong != null) {
+                return wrong;
+            }
+            if (observed != null) {
+                observed.next(recorded.outcome(), recorded.where());
+                AngleVariants variants = game.angleVariants();
+                play(turn);
+                impacts.add(recorded.outcome(), game, variants);
+            } else {
+                play(turn);
+            }
+            lines.texts(turn);
+        } else if (!finished) {
+            for (int player = 0; player < game.players(); player++) {
+                if (played.asked(player)) {
+                    fill(played, recorded, player);
+                }
+            }
+            lines.texts(played);
+        }
+        boolean agrees = agrees(line);
+        Difference difference = agrees && observed == null ? null
+            : RecordedJson.compare(recorded.number(), recorded.outcome(), outcome(), observed != null);
+        if (difference == null && !agrees) {
+            difference = lineDiffers(recorded.number(), "turnHash", new JsonLine(recorded.where(), line));
+        }
+        lines.end();
+        return difference;
+    }
+
+    /** Only who is asked can fail, answer or write. */
+    private static void fill(Turn turn, RecordedTurn recorded, int player) {
+        if (recorded.faults()[player] != null) {
+            turn.fail(player, recorded.faults()[player], recorded.stderr()[player], 0);
+        } else {
+            turn.answer(player, recorded.messages()[player], recorded.stderr()[player], 0);
+        }
+    }
+
+    /** What came of the turn last played. */
+    private byte[] outcome() {
+        if (observed == null) {
+            return Arrays.copyOfRange(lines.line().bytes(), outcomeFrom, outcomeTo);
+        }
+        LineBuffer bytes = new LineBuffer();
+        try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), bytes)) {
+            out.writeStartObject();
+            ObservableOutcome.write(out, game, again.codec(), impacts);
+            out.writeEndObject();
+        }
+        return Arrays.copyOf(bytes.bytes(), bytes.size());
+    }
+
+    @Override
+    public ImpactCounts impacts() {
+        return impacts.counts();
+    }
+
+    @Override
+    public Difference result(String[] faults) {
+        JsonLine result = replay.result();
+        Difference difference = LineCheck.end(game, result.integer("turns"), result.text("ending"));
+        difference = difference != null ? difference : RecordedJson.compareStanding(replay, game);
+        difference = difference != null ? difference : LineCheck.players(game.turn(), replay.header().names(), faults,
+            result.textsOf("players", "name"), result.textsOf("players", "fault"));
+        if (difference != null) {
+            return difference;
+        }
+        List<MatchResult.PlayerResult> players = new ArrayList<>();
+        for (JsonLine player : result.objects("players")) {
+            players.add(new MatchResult.PlayerResult(player.text("name"), 0, 0, faults[players.size()], null, 0, 0, 0,
+                0, 0, data(player)));
+        }
+        lines.result(game, new MatchResult(game.turn(), game.ending(), players, data(result)));
+        difference = agrees(result.json()) ? null : lineDiffers(game.turn(), "resultHash", result);
+        lines.end();
+        return difference;
+    }
+
+    private static Map<String, String> data(JsonLine line) {
+        Map<String, String> data = new HashMap<>();
+        if (line.has("data")) {
+            JsonLine recorded = new JsonLine(line.where() + ": data", line.object("data"));
+            for (String name : recorded.names()) {
+                data.put(name, recorded.text(name));
+            }
+        }
+        return data;
+    }
+
+    /** Whether a recorded line is the one that was written; then it is signed. */
+    private boolean agrees(byte[] line) {
+        LineBuffer written = lines.line();
+        int size = written.size();
+        boolean agrees = size <= line.length && Arrays.equals(line, 0, size, written.bytes(), 0, size)
+            && LineScanner.isEnd(line, size);
+        if (agrees) {
+            signed.add(line, size);
+        }
+        return agrees;
+    }
+
+    /** Its values agree, but its hash does not; or that was computed anew, and the spelling is another. */
+    private Difference lineDiffers(int turn, String hash, JsonLine line) {
+        Difference difference = RecordedJson.compareHash(turn, hash, line, ReplayHeader.FORMAT);
+        if (difference != null) {
+            return difference;
+        }
+        LineBuffer written = lines.line();
+        byte[] bytes = line.json();
+        int at = Arrays.mismatch(bytes, 0, bytes.length, written.bytes(), 0, written.size());
+        return new Difference(turn, "byte " + (at + 1) + " of the line", shown(bytes, at, bytes.length),
+            shown(written.bytes(), at, written.size()));
+    }
+
+    private static String shown(byte[] bytes, int from, int to) {
+        return from >= to ? "the end" : new String(bytes, from, Math.min(SHOWN, to - from), StandardCharsets.UTF_8);
+    }
+}
