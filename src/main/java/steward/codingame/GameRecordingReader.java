@@ -3,6 +3,7 @@ package steward.codingame;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Pattern;
+import steward.text.TextFormat;
 import tools.jackson.core.JacksonException;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -271,7 +272,7 @@ final class GameRecordingReader {
     }
 
     private static String quote(String text) {
-        return "\"" + (text.length() <= 60 ? text : text.substring(0, 60) + "...") + "\"";
+        return "\"" + TextFormat.beginning(text, 60) + "\"";
     }
 
     private IllegalArgumentException wrong(int frame, String where, String found, String expected) {

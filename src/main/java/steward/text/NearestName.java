@@ -33,6 +33,16 @@ public final class NearestName {
         return Optional.ofNullable(best);
     }
 
+    /**
+     * Ends a message about an unknown word.
+     *
+     * @param quote before and behind the nearest word; may be empty
+     * @return the question whether that was meant, with a semicolon before it; empty if none is near
+     */
+    public static String question(String word, Collection<String> known, String quote) {
+        return of(word, known).map(near -> "; did you mean " + quote + near + quote + "?").orElse("");
+    }
+
     /** Row by row over the prefixes of both words; a swap looks two rows back. */
     private static int distance(String a, String b) {
         int[] beforeLast = new int[b.length() + 1];

@@ -7,6 +7,7 @@ import java.math.RoundingMode;
 public final class TextFormat {
 
     private static final double NANOS_PER_MS = 1e6;
+    private static final String DOTS = "...";
 
     private TextFormat() {
     }
@@ -50,9 +51,19 @@ public final class TextFormat {
         return text + " ".repeat(Math.max(0, width - text.length()));
     }
 
-    /** At most so many characters. */
-    public static String shorten(String text, int most) {
-        return text.length() <= most ? text : text.substring(0, most - 3) + "...";
+    /** At most so many characters, the last three of them dots where any are left out. */
+    public static String shorten(String text, int width) {
+        return text.length() <= width ? text : beginning(text, width - DOTS.length());
+    }
+
+    /** The first so many characters, then three dots where there are more. No surrogate pair is cut in half. */
+    public static String beginning(String text, int most) {
+        if (text.length() <= most) {
+            return text;
+        }
+        boolean half = most > 0 && Character.isHighSurrogate(text.charAt(most - 1))
+            && Character.isLowSurrogate(text.charAt(most));
+        return text.substring(0, half ? most - 1 : most) + DOTS;
     }
 
     /**

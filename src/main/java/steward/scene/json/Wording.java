@@ -36,7 +36,7 @@ public final class Wording {
 
     /** What a text has to be one of, and the one it probably was meant to be. */
     public static String choice(String word, Collection<String> known) {
-        return oneOf(known) + NearestName.of(word, known).map(near -> "; did you mean \"" + near + "\"?").orElse("");
+        return oneOf(known) + NearestName.question(word, known, "\"");
     }
 
     /** What a text has to be one of. */

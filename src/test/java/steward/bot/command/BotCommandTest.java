@@ -155,11 +155,12 @@ class BotCommandTest {
     }
 
     @Test
-    void distanceCountsLettersToChange() {
-        assertEquals(0, Builtins.distance("racer", "Racer"));
-        assertEquals(1, Builtins.distance("racr", "racer"));
-        assertEquals(5, Builtins.distance("", "racer"));
-        assertEquals(3, Builtins.distance("kitten", "sitting"));
+    void neighboursThatChangedPlacesAreOneSlip() {
+        Builtins builtins = new Builtins(Map.of("racer", "a.Racer"));
+        assertEquals("there is no builtin bot 'arcer'; did you mean 'racer'? There are: racer",
+            assertThrows(IllegalArgumentException.class, () -> builtins.command("arcer", List.of())).getMessage());
+        assertEquals("there is no builtin bot 'aecer'; there are: racer",
+            assertThrows(IllegalArgumentException.class, () -> builtins.command("aecer", List.of())).getMessage());
     }
 
     @Test

@@ -9,6 +9,7 @@ import steward.game.TextCodec;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodRaceSettings;
 import steward.game.podrace.PodState;
+import steward.text.TextFormat;
 
 /**
  * CodinGame's line protocols of the pod race. Where each player has several pods (the upper leagues), the setup is
@@ -196,6 +197,6 @@ public final class PodRaceText implements TextCodec {
     }
 
     private static String shorten(String text) {
-        return text.length() <= 40 ? text : text.substring(0, 40) + "...";
+        return TextFormat.beginning(text, 40);
     }
 }
