@@ -2,17 +2,17 @@ package steward.bench;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.lang.management.ManagementFactory;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import steward.files.CsvFile;
+import steward.files.OutputFiles;
 import steward.game.JsonNumbers;
+import steward.text.CsvRow;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.ObjectWriteContext;
 
@@ -35,7 +35,7 @@ public final class BenchFiles implements AutoCloseable {
     private final String machine;
     private final String date;
     private final double load = load();
-    private final OutputStream csv;
+    private final CsvFile csv;
     private final List<Row> rows = new ArrayList<>();
 
     /**
@@ -50,8 +50,8 @@ public final class BenchFiles implements AutoCloseable {
         this.folder = folder;
         this.machine = machine;
         this.date = date;
-        csv = Files.newOutputStream(folder.resolve(CSV));
-        csv.write("section,name,unit,perSecond,nanos,ratio,bytes,note\n".getBytes(StandardCharsets.UTF_8));
+        csv = new CsvFile(folder.resolve(CSV),
+            "section", "name", "unit", "perSecond", "nanos", "ratio", "bytes", "note");
         writeJson();
     }
 
@@ -64,17 +64,12 @@ public final class BenchFiles implements AutoCloseable {
     public void add(Row row) {
         rows.add(row);
         try {
-            csv.write((String.join(",", row.section(), quoted(row.name()), row.unit(), number(row.perSecond()),
-                number(row.nanos()), number(row.ratio()), number(row.bytes()), quoted(row.note())) + "\n")
-                .getBytes(StandardCharsets.UTF_8));
+            csv.add(new CsvRow().words(row.section()).text(row.name()).words(row.unit(), number(row.perSecond()),
+                number(row.nanos()), number(row.ratio()), number(row.bytes())).text(row.note()));
             writeJson();
         } catch (IOException problem) {
             throw new UncheckedIOException(folder + ": cannot be written into: " + problem.getMessage(), problem);
         }
-    }
-
-    private static String quoted(String text) {
-        return '"' + text.replace("\"", "\"\"") + '"';
     }
 
     private static String number(double value) {
@@ -105,9 +100,7 @@ public final class BenchFiles implements AutoCloseable {
             out.writeEndObject();
         }
         bytes.write('\n');
-        Path part = folder.resolve(JSON + ".part");
-        Files.write(part, bytes.toByteArray());
-        Files.move(part, folder.resolve(JSON), StandardCopyOption.REPLACE_EXISTING);
+        OutputFiles.replace(folder.resolve(JSON), bytes.toByteArray());
     }
 
     /** Writes the page; the run is over. */

@@ -2,17 +2,16 @@ package steward.lab.stability;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import steward.files.CsvFile;
+import steward.files.OutputFiles;
 import steward.game.JsonNumbers;
 import steward.lab.trial.RunLength;
+import steward.text.CsvRow;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.ObjectWriteContext;
 
@@ -26,9 +25,11 @@ public final class StabilityFiles implements AutoCloseable {
     public static final String CSV = "stability.csv";
     /** Name of the table for programs. */
     public static final String JSON = "stability.json";
+    /** All files that a run writes. */
+    public static final List<String> ALL = List.of(CSV, JSON);
 
     private final Path json;
-    private final OutputStream csv;
+    private final CsvFile csv;
     private final RunLength size;
     private final List<StabilityRow> rows = new ArrayList<>();
 
@@ -42,17 +43,16 @@ public final class StabilityFiles implements AutoCloseable {
         json = folder.resolve(JSON);
         this.size = size;
         writeJson();
-        csv = Files.newOutputStream(folder.resolve(CSV));
-        csv.write("case,rung,verdict,seconds,seen,demand\n".getBytes(StandardCharsets.UTF_8));
+        csv = new CsvFile(folder.resolve(CSV), "case", "rung", "verdict", "seconds", "seen", "demand");
     }
 
     /** @throws UncheckedIOException if it cannot be written */
     public void add(StabilityRow row) {
         rows.add(row);
-        String line = String.join(",", quote(row.name()), quote(row.rung()), word(row),
-            String.format(Locale.ROOT, "%.3f", row.seconds()), quote(row.seen().text()), quote(row.demand()));
         try {
-            csv.write((line + "\n").getBytes(StandardCharsets.UTF_8));
+            csv.add(new CsvRow().text(row.name()).text(row.rung())
+                .words(word(row), String.format(Locale.ROOT, "%.3f", row.seconds()))
+                .text(row.seen().text()).text(row.demand()));
             writeJson();
         } catch (IOException problem) {
             throw new UncheckedIOException(problem);
@@ -81,17 +81,11 @@ public final class StabilityFiles implements AutoCloseable {
             out.writeEndArray();
             out.writeEndObject();
         }
-        Path part = json.resolveSibling(JSON + ".part");
-        Files.write(part, bytes.toByteArray());
-        Files.move(part, json, StandardCopyOption.REPLACE_EXISTING);
+        OutputFiles.replace(json, bytes.toByteArray());
     }
 
     private static String word(StabilityRow row) {
         return row.seen().verdict().name().toLowerCase(Locale.ROOT);
-    }
-
-    private static String quote(String text) {
-        return '"' + text.replace("\"", "\"\"") + '"';
     }
 
     @Override

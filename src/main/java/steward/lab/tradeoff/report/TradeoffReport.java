@@ -3,15 +3,13 @@ package steward.lab.tradeoff.report;
 import java.awt.AWTError;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.StringJoiner;
+import steward.files.CsvFile;
+import steward.files.OutputFiles;
 import steward.game.JsonNumbers;
 import steward.lab.tradeoff.TradeoffHeadings;
 import steward.lab.tradeoff.TradeoffResult;
@@ -38,7 +36,7 @@ public final class TradeoffReport implements AutoCloseable {
     private final Path folder;
     private final String machine;
     private final String date;
-    private final OutputStream csv;
+    private final CsvFile csv;
     private final List<TradeoffRow> rows = new ArrayList<>();
     private final List<TradeoffHeadings> headings = new ArrayList<>();
 
@@ -54,10 +52,7 @@ public final class TradeoffReport implements AutoCloseable {
         this.machine = machine;
         this.date = date;
         writeJson();
-        csv = Files.newOutputStream(folder.resolve(CSV));
-        StringJoiner names = new StringJoiner(",");
-        TradeoffFields.ALL.forEach(field -> names.add(field.name()));
-        csv.write((names + "\n").getBytes(StandardCharsets.UTF_8));
+        csv = new CsvFile(folder.resolve(CSV), TradeoffFields.names());
     }
 
     /** What was measured so far. */
@@ -68,14 +63,8 @@ public final class TradeoffReport implements AutoCloseable {
     /** @throws UncheckedIOException if it cannot be written */
     public void add(List<TradeoffRow> more) {
         rows.addAll(more);
-        StringBuilder lines = new StringBuilder();
-        for (TradeoffRow row : more) {
-            StringJoiner line = new StringJoiner(",", "", "\n");
-            TradeoffFields.ALL.forEach(field -> line.add(TradeoffFields.text(field.value().apply(row))));
-            lines.append(line);
-        }
         try {
-            csv.write(lines.toString().getBytes(StandardCharsets.UTF_8));
+            csv.addAll(more.stream().map(TradeoffFields::csv).toList());
             writeJson();
         } catch (IOException problem) {
             throw new UncheckedIOException(problem);
@@ -140,10 +129,7 @@ public final class TradeoffReport implements AutoCloseable {
             out.writeEndArray();
             out.writeEndObject();
         }
-        Path json = folder.resolve(JSON);
-        Path part = folder.resolve(JSON + ".part");
-        Files.write(part, bytes.toByteArray());
-        Files.move(part, json, StandardCopyOption.REPLACE_EXISTING);
+        OutputFiles.replace(folder.resolve(JSON), bytes.toByteArray());
     }
 
     private static void write(JsonGenerator out, String name, Object value) {
