@@ -5,14 +5,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 import steward.bot.command.BotCommand;
 import steward.bot.command.CommandLine;
 import steward.bot.process.Debugger;
+import steward.cli.options.CallCheck;
+import steward.cli.options.ProtocolWord;
 import steward.cli.shared.Games;
 import steward.cli.shared.Streams;
 import steward.files.InputException;
@@ -49,9 +48,7 @@ public final class FeedCommand implements Callable<Integer> {
     private static final String BUILTIN = BotCommand.Prefix.BUILTIN.written();
 
     private final Streams streams;
-
-    @Spec
-    private CommandSpec spec;
+    private final CallCheck check = CallCheck.withHelp();
 
     @Parameters(index = "0", paramLabel = "REPLAY", description = "The recorded match.")
     private String file;
@@ -109,7 +106,7 @@ public final class FeedCommand implements Callable<Integer> {
             throw new InputException("--out: found the replay itself, expected another file");
         }
         Protocol spoken = protocol == null ? match.header().protocols().get(player)
-            : Protocol.of(protocol).orElseThrow();
+            : ProtocolWord.parse(protocol);
         Resimulation again = new Resimulation(match.header(), Games.types(), match.source());
         if (spoken == Protocol.CODINGAME && again.setup().textCodec(again.game()).isEmpty()) {
             throw new InputException("--protocol: found codingame, expected json: the scene has no other");
@@ -121,21 +118,16 @@ public final class FeedCommand implements Callable<Integer> {
     }
 
     private void checkCall() {
-        check(!command.isEmpty(), "expected the command of a bot: steward feed REPLAY --player P -- COMMAND");
-        check(!replace || from != null && out != null, "--replace: expected --from-turn and --out with it");
-        check(replace || from == null, "--from-turn is for --replace, expected both");
-        check(replace || out == null, "--out is for --replace, expected both");
-        check(!overwrite || out != null, "--overwrite: expected --out with it");
-        check(!replace || until == null, "--until and --replace exclude each other");
-        check(protocol == null || Protocol.of(protocol).isPresent(),
-            "--protocol: found '" + protocol + "', expected json or codingame");
-        check(pause == null || !Debugger.is(command), "--pause is for attaching, expected none with a debugger");
-    }
-
-    private void check(boolean right, String problem) {
-        if (!right) {
-            throw new ParameterException(spec.commandLine(), problem);
+        check.that(!command.isEmpty(), "expected the command of a bot: steward feed REPLAY --player P -- COMMAND");
+        check.that(!replace || from != null && out != null, "--replace: expected --from-turn and --out with it");
+        check.that(replace || from == null, "--from-turn is for --replace, expected both");
+        check.that(replace || out == null, "--out is for --replace, expected both");
+        check.that(!overwrite || out != null, "--overwrite: expected --out with it");
+        check.exclusive("--until", until != null, "--replace", replace);
+        if (protocol != null) {
+            ProtocolWord.parse(protocol);
         }
+        check.that(pause == null || !Debugger.is(command), "--pause is for attaching, expected none with a debugger");
     }
 
     private void checkMatch(RecordedMatch match) {

@@ -26,9 +26,21 @@ public final class ProgressLine implements AutoCloseable {
             .setConsumer(new ConsoleProgressBarConsumer(terminal, WIDTH)).build();
     }
 
+    /** One for whoever watches the terminal; {@code null} where nobody does. */
+    public static ProgressLine watched(Streams streams, String task, int steps) {
+        return streams.errTerminal() ? new ProgressLine(streams.err(), task, steps) : null;
+    }
+
     /** One more; by any thread. */
     public void step() {
         bar.step();
+    }
+
+    /** One more, where anybody watches. */
+    public static void step(ProgressLine watched) {
+        if (watched != null) {
+            watched.step();
+        }
     }
 
     @Override
