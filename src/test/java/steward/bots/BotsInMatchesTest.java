@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -58,16 +57,11 @@ class BotsInMatchesTest {
     @ParameterizedTest
     @CsvSource({"1, 2", "3, 2", "8, 2", "2, 4", "8, 8"})
     void anyNumberOfPodsAndPlayersIsPlayed(int pods, int players) {
-        UnaryOperator<String> change = text -> text
-            .replace("\"players\": 2", "\"players\": " + players)
-            .replace("\"perPlayer\": 2", "\"perPlayer\": " + pods)
-            .replace("\"maximumTurns\": 500", "\"maximumTurns\": 60");
-        GameSetup scene = Matches.scene("mad-pod-racing", change);
         PodBot[] bots = new PodBot[players];
         for (int player = 0; player < players; player++) {
             bots[player] = player % 2 == 0 ? new Veteran() : new Racer();
         }
-        MatchResult result = Matches.play(scene, 5, bots);
+        MatchResult result = Matches.play(Matches.crowd(pods, players), 5, bots);
         assertFalse(result.anyFault(), result.toString());
         assertEquals(players, result.players().size());
     }
