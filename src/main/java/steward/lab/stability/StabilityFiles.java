@@ -1,6 +1,5 @@
 package steward.lab.stability;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
@@ -10,10 +9,9 @@ import java.util.Locale;
 import steward.files.CsvFile;
 import steward.files.OutputFiles;
 import steward.game.JsonNumbers;
+import steward.game.JsonObject;
 import steward.lab.trial.RunLength;
 import steward.text.CsvRow;
-import tools.jackson.core.JsonGenerator;
-import tools.jackson.core.ObjectWriteContext;
 
 /**
  * The stability table in files: {@code stability.csv} grows by a line per row, {@code stability.json} is replaced by
@@ -60,28 +58,19 @@ public final class StabilityFiles implements AutoCloseable {
     }
 
     private void writeJson() throws IOException {
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), bytes)) {
-            out.writeStartObject();
+        OutputFiles.replace(json, JsonObject.of(out -> {
             out.writeStringProperty("type", "stability");
             out.writeStringProperty("size", size.name().toLowerCase(Locale.ROOT));
             out.writeStringProperty("java", System.getProperty("java.version"));
-            out.writeName("rows");
-            out.writeStartArray();
-            for (StabilityRow row : rows) {
-                out.writeStartObject();
+            JsonObject.writeAll(out, "rows", rows, row -> {
                 out.writeStringProperty("case", row.name());
                 out.writeStringProperty("rung", row.rung());
                 out.writeStringProperty("demand", row.demand());
                 out.writeStringProperty("seen", row.seen().text());
                 out.writeStringProperty("verdict", word(row));
                 JsonNumbers.write(out, "seconds", row.seconds());
-                out.writeEndObject();
-            }
-            out.writeEndArray();
-            out.writeEndObject();
-        }
-        OutputFiles.replace(json, bytes.toByteArray());
+            });
+        }));
     }
 
     private static String word(StabilityRow row) {

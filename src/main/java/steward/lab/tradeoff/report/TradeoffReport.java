@@ -1,7 +1,6 @@
 package steward.lab.tradeoff.report;
 
 import java.awt.AWTError;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -11,11 +10,11 @@ import java.util.List;
 import steward.files.CsvFile;
 import steward.files.OutputFiles;
 import steward.game.JsonNumbers;
+import steward.game.JsonObject;
 import steward.lab.tradeoff.TradeoffHeadings;
 import steward.lab.tradeoff.TradeoffResult;
 import steward.lab.tradeoff.TradeoffRow;
 import tools.jackson.core.JsonGenerator;
-import tools.jackson.core.ObjectWriteContext;
 
 /**
  * The trade-off in files. {@code tradeoff.csv} grows by the rows of each scene, {@code tradeoff.json} is replaced by
@@ -103,33 +102,20 @@ public final class TradeoffReport implements AutoCloseable {
     }
 
     private void writeJson() throws IOException {
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), bytes)) {
-            out.writeStartObject();
+        OutputFiles.replace(folder.resolve(JSON), JsonObject.of(out -> {
             out.writeStringProperty("type", "tradeoff");
             out.writeStringProperty("machine", machine);
             out.writeStringProperty("date", date);
-            out.writeArrayPropertyStart("rows");
-            for (TradeoffRow row : rows) {
-                out.writeStartObject();
-                TradeoffFields.ALL.forEach(field -> write(out, field.name(), field.value().apply(row)));
-                out.writeEndObject();
-            }
-            out.writeEndArray();
-            out.writeArrayPropertyStart("headings");
-            for (TradeoffHeadings each : headings) {
-                out.writeStartObject();
+            JsonObject.writeAll(out, "rows", rows, row ->
+                TradeoffFields.ALL.forEach(field -> write(out, field.name(), field.value().apply(row))));
+            JsonObject.writeAll(out, "headings", headings, each -> {
                 out.writeStringProperty("headings", each.headings());
                 out.writeNumberProperty("podTurns", each.podTurns());
                 out.writeNumberProperty("differing", each.differing());
                 JsonNumbers.write(out, "nanosAngles", each.nanosAngles());
                 JsonNumbers.write(out, "nanosVector", each.nanosVector());
-                out.writeEndObject();
-            }
-            out.writeEndArray();
-            out.writeEndObject();
-        }
-        OutputFiles.replace(folder.resolve(JSON), bytes.toByteArray());
+            });
+        }));
     }
 
     private static void write(JsonGenerator out, String name, Object value) {
