@@ -78,8 +78,9 @@ fits_jdk() {
     [ "$java_version" -le "$newest" ]
 }
 
-# Does the Gradle whose command is $1 run on the JDK found? Then sets gradle to it. The name of a jar tells its
-# version; 'gradle --version' takes most of a second, so only a Gradle with no jars beside its command is asked.
+# Does the Gradle whose command is $1 run on the JDK found? Then sets gradle to it, and debian to its folder if it is
+# Debian's 4.4.1. The name of a jar tells its version; 'gradle --version' takes most of a second, so only a Gradle with
+# no jars beside its command is asked.
 installed() {
     gradle=$1 script=$(resolve "$1")
     home=$(folder "$(dirname "$script")/..")
@@ -92,7 +93,7 @@ installed() {
         release=$(JAVA_HOME=$java_home "$1" --version 2>/dev/null | sed -n 's/^Gradle //p')
     fi
     case $release in
-        4.4.1) grep -q -e --add-opens "$script" ;;        # only Debian's has it; it was seen to run on 17 and 25
+        4.4.1) grep -q -e --add-opens "$script" && debian=$home ;;  # only Debian's has it; it was seen to run on 17, 25
         [0-9]*.[0-9]*) fits_jdk "$release" ;;
         *) return 1 ;;
     esac
@@ -205,6 +206,8 @@ name=${name%.zip}                                         # gradle-8.6-bin
 version=${name#gradle-}
 version=${version%-*}                                     # 8.6
 
+debian=''                                                 # the folder of Debian's Gradle, where that is used
+
 # Sets gradle to one that runs on the JDK found. False, having said why, if there is none.
 find_gradle() {
     if has gradle && installed "$(command -v gradle)"; then return; fi
@@ -222,4 +225,12 @@ fi
 
 JAVA_HOME=$java_home
 export JAVA_HOME
+if [ -n "$debian" ]; then
+    # What Debian's script does, but for the three lines of the JVM's version that it prints every time. The options
+    # are split by shell quoting, as there.
+    eval "set -- --add-opens java.base/java.lang=ALL-UNNAMED ${JAVA_OPTS:-} ${GRADLE_OPTS:-}" \
+        '-Dorg.gradle.appname=gradle -classpath "$debian/lib/gradle-launcher-4.4.1.jar"' \
+        'org.gradle.launcher.GradleMain "$@"'
+    gradle=$java_home/bin/java
+fi
 exec "$gradle" "$@"

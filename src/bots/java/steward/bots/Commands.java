@@ -10,7 +10,7 @@ final class Commands {
     /** Pseudo-thrust: boost. */
     static final int BOOST = -2;
 
-    /** How far away a target is set that stands for a direction, in u. */
+    /** How far away the target for a direction is set, in u. */
     private static final double FAR = 10000;
 
     double[] targetX = new double[8];

@@ -3,11 +3,11 @@ package steward.bots;
 import java.io.IOException;
 
 /**
- * One step above {@link Regular}, by one idea: it tries before it decides. It plays what {@link Regular} would do
- * forward with a {@link Forecast}, and six times more with another first move, and takes what brings the pod farthest.
+ * One step above {@link Regular}, by one idea: it simulates before it decides. It simulates what {@link Regular} would
+ * do with a {@link Forecast}, and six other first moves, and takes the one that brings the pod farthest.
  *
- * <p>Where it ends: the forecast holds one pod alone, so it foresees walls but no other pod; nobody stands in an
- * enemy's way, and shield and boost are never used. {@link Veteran} does all this.
+ * <p>Its limits: the forecast has one pod alone, so it predicts walls but no other pod; no pod blocks an enemy, and
+ * shield and boost are never used. {@link Veteran} does all this.
  */
 public final class Contender extends PodBot {
 
@@ -21,18 +21,18 @@ public final class Contender extends PodBot {
         new Contender().run();
     }
 
-    /** The decision: for each pod 7 times 12 turns of the forecast, whatever the race, so that an answer is quick. */
+    /** The decision: for each pod 7 times 12 turns of the forecast, in any race, so that an answer is quick. */
     static final class OneMoveAhead implements Strategy {
 
-        /** The move that is no move: drive as {@link Regular} from the first turn on. */
+        /** No first move: drive as {@link Regular} from the first turn on. */
         private static final int BY_RULE = -1;
         /** Moves 0 to 5: to the left, straight on, to the right, each with full thrust and without. */
         private static final double[] COSINES = {Forecast.TURN_COSINE, 1, Forecast.TURN_COSINE};
         private static final double[] SINES = {-Forecast.TURN_SINE, 0, Forecast.TURN_SINE};
         private static final int MOVES = 2 * COSINES.length;
-        /** For how many turns a move is made before the rule takes over. */
+        /** For how many turns the first move is held before the rule takes over. */
         private static final int MOVE_TURNS = 3;
-        /** How many turns are played. */
+        /** How many turns are simulated. */
         private static final int TURNS = 12;
 
         private final Pods alone = new Pods();
@@ -64,7 +64,7 @@ public final class Contender extends PodBot {
             return best;
         }
 
-        /** How far a move brings a pod: the sum over all turns, so that sooner is better. */
+        /** How far a move brings a pod: the sum over all turns, so that earlier progress counts more. */
         private double worth(Race race, Pods pods, int pod, int move) {
             alone.clear();
             alone.add(pods, pod);

@@ -8,7 +8,7 @@ import java.util.Arrays;
  */
 final class Pods {
 
-    /** Worth of a passed checkpoint in u; more than any distance on a field. */
+    /** Value of a passed checkpoint in u; more than any distance on a field. */
     private static final double CHECKPOINT_WORTH = 30000;
 
     int size;
@@ -24,11 +24,11 @@ final class Pods {
     int[] next = new int[8];
     /** Checkpoints passed since the start. */
     int[] passed = new int[8];
-    /** Turns that the engine stays off; 0 for pods of others, which do not show it. */
+    /** Turns that the engine stays off; 0 for pods of others, whose frames do not show it. */
     int[] shieldTimer = new int[8];
     boolean[] boostLeft = new boolean[8];
 
-    /** Makes room for one pod more and returns its index; its old values are still there. */
+    /** Makes room for one more pod and returns its index; the old values there are not cleared. */
     int add() {
         if (size == x.length) {
             grow(2 * size);
@@ -97,7 +97,7 @@ final class Pods {
         return unset || distance == 0 ? 1 : (headingX[pod] * dx + headingY[pod] * dy) / distance;
     }
 
-    /** How far a pod has come, in u: more for every checkpoint passed, less for the distance to the next. */
+    /** A pod's progress, in u: more for every checkpoint passed, less for the distance to the next. */
     double progress(Race race, int pod) {
         return CHECKPOINT_WORTH * passed[pod] - toNext(race, pod);
     }

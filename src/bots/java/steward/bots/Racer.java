@@ -4,7 +4,7 @@ import java.io.IOException;
 
 /**
  * The plain bot: every pod steers at the centre of its next checkpoint, the slower the more it has to turn, and slows
- * down before it arrives. It takes no notice of its drift and of other pods, and never uses shield or boost.
+ * down before it arrives. It ignores its drift and other pods, and never uses shield or boost.
  */
 public final class Racer extends PodBot {
 

@@ -4,11 +4,11 @@ import java.io.IOException;
 
 /**
  * One step above {@link Racer}, by one idea: a pod keeps most of its speed from turn to turn, so it aims beside its
- * checkpoint, against that drift. Thus it needs no brakes: three turns before the checkpoint the aim lies behind the
- * pod, and the engine is off while it looks the wrong way.
+ * checkpoint, against that drift. It needs no brakes: three turns before the checkpoint the aim lies behind the pod,
+ * and the engine is off while the pod points the wrong way.
  *
- * <p>Where it ends: it does not foresee how a turn will come out; it takes no notice of the checkpoint after the next
- * and of other pods, and never uses shield or boost.
+ * <p>Its limits: it does not predict the outcome of a turn; it ignores the checkpoint after the next and other pods,
+ * and never uses shield or boost.
  */
 public final class Regular extends PodBot {
 

@@ -1,8 +1,8 @@
 package steward.bench;
 
-/** How long is measured. */
+/** How long to measure. */
 public enum Effort {
-    /** To see that it works, in seconds. */
+    /** Seconds: to see that it works. */
     QUICK(50, 3, 20),
     /** Minutes. */
     NORMAL(3000, 7, 200),
@@ -24,12 +24,12 @@ public enum Effort {
         return warmUpMs;
     }
 
-    /** How many figures the median is taken of. */
+    /** How many measurements the median is taken of. */
     public int rounds() {
         return rounds;
     }
 
-    /** How much CPU time one figure takes, in milliseconds. */
+    /** How much CPU time one measurement takes, in milliseconds. */
     long roundMs() {
         return roundMs;
     }

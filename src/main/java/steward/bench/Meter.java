@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.function.Consumer;
 
 /**
- * Measures contenders in turns, so that what others do on the machine meets all of them: by CPU time, the median of
+ * Measures contenders in turns, so that other load on the machine affects all of them: by CPU time, the median of
  * several rounds.
  */
 public final class Meter {
@@ -30,10 +30,10 @@ public final class Meter {
     }
 
     /**
-     * A line per contender; the ratio is to the first.
+     * Measures a row per contender; the ratio is to the first.
      *
-     * @throws Exception what a contender threw, or if this thread is interrupted: what the rounds before have shown is
-     *     told then
+     * @throws Exception what a contender threw, or if this thread is interrupted: then the results of the rounds before
+     *     are reported first
      */
     public void compare(String section, String unit, List<Contender> contenders, Effort effort, Consumer<String> about,
                  Consumer<Row> rows) throws Exception {
@@ -50,7 +50,7 @@ public final class Meter {
                     speeds[k][done] = speed(contenders.get(k), effort.roundMs());
                 }
             }
-        } catch (Exception problem) {                  // an interrupt shows as what it broke off: a write, a match
+        } catch (Exception problem) {                  // an interrupt appears as the failure of a write or a match
             if ((Thread.interrupted() || problem instanceof InterruptedException) && done > 0) {
                 tell(section, unit, contenders, speeds, done, done + " of " + effort.rounds() + " rounds", rows);
             }
@@ -70,7 +70,7 @@ public final class Meter {
         }
     }
 
-    /** Units per second by the contender's clock, over at least so many milliseconds. */
+    /** Units per second by the contender's clock, over at least the given time. */
     private double speed(Contender contender, long ms) throws Exception {
         long units = 0;
         long start = now(contender.clock());

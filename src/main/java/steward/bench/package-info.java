@@ -1,5 +1,6 @@
 /**
- * Measuring whole things: sections of contenders, rows of figures, meters, and the files and page they are kept in.
+ * Measuring whole matches and crowds: sections of contenders, rows of results, meters, and the files and page that
+ * store them.
  */
 @Internal
 package steward.bench;

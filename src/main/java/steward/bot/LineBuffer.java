@@ -11,9 +11,9 @@ public final class LineBuffer extends OutputStream {
     private byte[] bytes = new byte[4096];
     private int size;
 
-    /** Nothing yet. */
+    /** An empty buffer. */
     public LineBuffer() {
-        // Grows as it is written.
+        // The buffer grows when it is written to.
     }
 
     /** The bytes themselves, valid up to {@link #size} and until something is written. */
@@ -26,7 +26,7 @@ public final class LineBuffer extends OutputStream {
         return size;
     }
 
-    /** Forgets what was written. */
+    /** Empties the buffer. */
     public void reset() {
         size = 0;
     }

@@ -2,7 +2,7 @@ package steward.bot;
 
 import steward.Internal;
 
-/** Where characters end in UTF-8 bytes that were cut at an arbitrary place. */
+/** Finds character boundaries in UTF-8 bytes that were cut at an arbitrary place. */
 @Internal
 public final class Utf8 {
 
@@ -11,7 +11,7 @@ public final class Utf8 {
 
     /**
      * The largest count, at most {@code count}, for which the bytes from {@code from} do not end inside a character.
-     * Bytes that are no UTF-8 are left as they are.
+     * Bytes that are not UTF-8 are left as they are.
      */
     public static int wholeCharacters(byte[] bytes, int from, int count) {
         int end = from + count;

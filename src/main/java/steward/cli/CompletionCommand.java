@@ -13,7 +13,7 @@ import steward.cli.shared.Streams;
     footer = {"", "Example, for the running shell:", "  source <(steward completion)"})
 final class CompletionCommand implements Callable<Integer> {
 
-    /** How it is called. */
+    /** The name of the command. */
     static final String NAME = "completion";
 
     private final Streams streams;

@@ -23,7 +23,7 @@ import steward.cli.shared.ExitStatus;
 import steward.cli.shared.NumberConverter;
 import steward.cli.shared.Streams;
 
-/** The program. See {@link ExitStatus} for how it ends. */
+/** The program. See {@link ExitStatus} for its exit statuses. */
 @Command(name = "steward", synopsisSubcommandLabel = "COMMAND",
     description = "Referees matches between bot programs in games with exact physics.",
     footer = {"", "Examples:",
@@ -32,7 +32,7 @@ import steward.cli.shared.Streams;
         "  steward replay match.jsonl --verify"})
 public final class Main {
 
-    /** Hands over a whole command line in one word. */
+    /** An option that passes a whole command line as one argument. */
     private static final String WHOLE = "--cli";
 
     private static final int WIDTH = 100;
@@ -43,7 +43,7 @@ public final class Main {
     private Main() {
     }
 
-    /** The names of all commands, as they are listed. */
+    /** The names of all commands, in listed order. */
     public static List<String> commands() {
         return COMMANDS;
     }
@@ -83,7 +83,7 @@ public final class Main {
         return status;
     }
 
-    /** With the one command that is called, or with all of them if it is none. */
+    /** The program with only the called command, or with all of them if none is called. */
     private static CommandLine program(Streams streams, String called) {
         CommandLine program = new CommandLine(new Main());
         dress(program);

@@ -3,6 +3,8 @@ package steward.contest;
 import java.io.OutputStream;
 import java.util.ArrayList;
 import java.util.List;
+import steward.bot.Player;
+import steward.bot.UnstartablePlayer;
 import steward.bot.command.BotCommand;
 import steward.bot.process.BotProcess;
 import steward.files.InputException;
@@ -35,8 +37,23 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
      * @param bot      as it was named in the call
      * @param protocol the language it speaks
      * @param words    the program to start and its arguments
+     * @param problem  why it cannot be started, or {@code null}
      */
-    public record Entrant(String name, String bot, Protocol protocol, List<String> words) {
+    public record Entrant(String name, String bot, Protocol protocol, List<String> words, String problem) {
+
+        /** One that can be started, as far as is known. */
+        public Entrant(String name, String bot, Protocol protocol, List<String> words) {
+            this(name, bot, protocol, words, null);
+        }
+
+        /** The same under another name. */
+        public Entrant named(String other) {
+            return new Entrant(other, bot, protocol, words, problem);
+        }
+
+        private Player player() {
+            return problem == null ? new BotProcess(name, words) : new UnstartablePlayer(name, problem);
+        }
     }
 
     /**
@@ -47,6 +64,20 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
      *                        have its protocol
      */
     public static Contest of(GameSetup setup, List<String> bots, Protocol usual, double timeFactor) {
+        Contest contest = withFailing(setup, bots, usual, timeFactor);
+        for (Entrant entrant : contest.entrants()) {
+            if (entrant.problem() != null) {
+                throw new InputException(entrant.problem());
+            }
+        }
+        return contest;
+    }
+
+    /**
+     * As {@link #of}, but a bot that cannot be started takes part, and fails when it is asked for the first time: for
+     * tools whose other bots are to play on.
+     */
+    public static Contest withFailing(GameSetup setup, List<String> bots, Protocol usual, double timeFactor) {
         int players = setup.scene().players();
         if (bots.size() != players) {
             throw new InputException("found " + TextFormat.count(bots.size(), "bot") + ", expected "
@@ -72,28 +103,31 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
 
     private static List<Entrant> entrants(List<String> bots, Protocol usual) {
         BotCommand.Prefix prefix = usual == Protocol.JSON ? BotCommand.Prefix.JSON : BotCommand.Prefix.CODINGAME;
-        List<BotCommand> commands = new ArrayList<>();
-        List<String> names = new ArrayList<>();
-        List<List<String>> words = new ArrayList<>();
-        for (String bot : bots) {
-            try {
-                BotCommand command = BotCommand.parse(bot, prefix);
-                commands.add(command);
-                names.add(command.displayName());
-                words.add(command.resolve());
-            } catch (IllegalArgumentException problem) {
-                throw new InputException(problem.getMessage());
-            }
-        }
         List<Entrant> entrants = new ArrayList<>();
+        for (String bot : bots) {
+            entrants.add(entrant(bot, prefix));
+        }
+        List<String> names = entrants.stream().map(Entrant::name).toList();
         for (int k = 0; k < bots.size(); k++) {
-            String name = unlikeOthers(names, k);
-            Protocol protocol = commands.get(k).prefix() == BotCommand.Prefix.CODINGAME ? Protocol.CODINGAME
-                : Protocol.JSON;
-            entrants.add(new Entrant(name, commands.get(k).toString(), protocol,
-                words.get(k)));
+            entrants.set(k, entrants.get(k).named(unlikeOthers(names, k)));
         }
         return entrants;
+    }
+
+    private static Entrant entrant(String bot, BotCommand.Prefix usual) {
+        BotCommand command;
+        try {
+            command = BotCommand.parse(bot, usual);
+        } catch (IllegalArgumentException problem) {
+            Protocol spoken = usual == BotCommand.Prefix.CODINGAME ? Protocol.CODINGAME : Protocol.JSON;
+            return new Entrant(bot.isBlank() ? "nobody" : bot, bot, spoken, List.of(), problem.getMessage());
+        }
+        Protocol spoken = command.prefix() == BotCommand.Prefix.CODINGAME ? Protocol.CODINGAME : Protocol.JSON;
+        try {
+            return new Entrant(command.displayName(), command.toString(), spoken, command.resolve());
+        } catch (IllegalArgumentException problem) {
+            return new Entrant(command.displayName(), command.toString(), spoken, List.of(), problem.getMessage());
+        }
     }
 
     /** The bot's own name, or with its number where several have it, or where that would be another's. */
@@ -112,11 +146,20 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
     /** Refuses bots that speak what the scene's game does not. */
     public static void checkProtocols(GameSetup setup, List<Entrant> entrants) {
         for (Entrant entrant : entrants) {
-            if (entrant.protocol() == Protocol.CODINGAME && setup.textCodec(setup.create(0)).isEmpty()) {
+            if (entrant.protocol() == Protocol.CODINGAME && !hasText(setup)) {
                 throw new InputException("bot '" + entrant.bot() + "': the scene \"" + setup.scene().name()
                     + "\" has no codingame protocol, expected a bot that speaks json");
             }
         }
+    }
+
+    private static boolean hasText(GameSetup setup) {
+        return setup.textCodec(setup.create(0)).isPresent();
+    }
+
+    /** Whether the scene's game speaks CodinGame's lines too; all games speak JSON. */
+    boolean hasBothProtocols() {
+        return hasText(setup);
     }
 
     public String sceneName() {
@@ -141,7 +184,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         List<Seat> seats = new ArrayList<>();
         for (int player = 0; player < entrants.size(); player++) {
             Entrant entrant = entrants.get(entrantOf(player, rotation));
-            seats.add(new Seat(new BotProcess(entrant.name(), entrant.words()), entrant.protocol()));
+            seats.add(new Seat(entrant.player(), entrant.protocol()));
         }
         MatchListener listener = recording == null ? follower
             : new TeeListener(new ReplayWriter(recording, header(seed, rotation)), follower);

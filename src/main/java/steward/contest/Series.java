@@ -1,21 +1,10 @@
 package steward.contest;
 
-import java.io.IOException;
-import java.io.OutputStream;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.Future;
-import steward.files.InputException;
 import steward.files.OutputFiles;
-import steward.match.MatchListener;
 import steward.match.MatchResult;
-import steward.replay.WriteBehind;
 
 /**
  * Many games between the same bots. Game k, counted from 0, has the seed {@code first + k}; with {@code swap} each seed
@@ -26,10 +15,10 @@ import steward.replay.WriteBehind;
  * @param seeds   how many seeds
  * @param swap    whether the bots change sides
  * @param folder  for the replays, or {@code null}
+ * @param keep    which replays are kept when their games are over
  */
-public record Series(Contest contest, long first, int seeds, boolean swap, Path folder) {
+public record Series(Contest contest, long first, int seeds, boolean swap, Path folder, Keep keep) {
 
-    private static final MatchListener NOBODY = new MatchListener() { };
     private static final int LEAST_DIGITS = 4;
 
     /**
@@ -40,8 +29,49 @@ public record Series(Contest contest, long first, int seeds, boolean swap, Path 
      * @param rotation by how many places the bots had moved up
      * @param result   or {@code null} if it could not be brought to one
      * @param failure  why it could not, or {@code null}
+     * @param failures of bots, in the order in which they happened, without lines of stderr
+     * @param replay   where it is, or {@code null} if there is none
      */
-    public record Played(int number, long seed, int rotation, MatchResult result, String failure) {
+    public record Played(int number, long seed, int rotation, MatchResult result, String failure,
+                         List<Failure> failures, Path replay) {
+
+        /** Copies the list. */
+        public Played {
+            failures = List.copyOf(failures);
+        }
+
+        /** Which bot of the call was a player. */
+        public int entrantOf(Contest contest, int player) {
+            return contest.entrantOf(player, rotation);
+        }
+
+        /** Which player a bot of the call was. */
+        public int playerOf(Contest contest, int entrant) {
+            int player = 0;
+            while (contest.entrantOf(player, rotation) != entrant) {
+                player++;
+            }
+            return player;
+        }
+
+        /** Whether there is a result, and all players failed in the same turn: then nobody has earned it. */
+        public boolean allFailed() {
+            return result != null && failures.size() == result.players().size()
+                && failures.stream().allMatch(failure -> failure.turn() == failures.get(0).turn());
+        }
+
+        Played without(String problem) {
+            return new Played(number, seed, rotation, null, problem, failures, replay);
+        }
+
+        Played unkept() {
+            return new Played(number, seed, rotation, result, failure, failures, null);
+        }
+    }
+
+    /** Without a folder where nothing is to be kept. */
+    public Series {
+        folder = keep == Keep.NONE ? null : folder;
     }
 
     /** How many games there are in all. */
@@ -51,6 +81,16 @@ public record Series(Contest contest, long first, int seeds, boolean swap, Path 
 
     private int sides() {
         return swap ? contest.entrants().size() : 1;
+    }
+
+    /** The seed of a game, counted from 1. */
+    public long seed(int number) {
+        return first + (number - 1) / sides();
+    }
+
+    /** By how many places the bots have moved up in a game, counted from 1. */
+    public int rotation(int number) {
+        return (number - 1) % sides();
     }
 
     /** The replay of a game, counted from 1; or {@code null}. */
@@ -73,54 +113,6 @@ public record Series(Contest contest, long first, int seeds, boolean swap, Path 
             if (Files.exists(file(number))) {
                 throw OutputFiles.exists(file(number));
             }
-        }
-    }
-
-    /**
-     * Plays all games, several at the same time. What fails in one game is told in it and ends no other.
-     *
-     * @param each called after each game, by any thread
-     * @return in the order of their numbers
-     */
-    public List<Played> play(int threads, boolean overwrite, Runnable each) throws InterruptedException {
-        ExecutorService workers = Executors.newFixedThreadPool(Math.min(threads, games()), Series::daemon);
-        try {
-            List<Future<Played>> coming = new ArrayList<>();
-            for (int number = 1; number <= games(); number++) {
-                int game = number;
-                coming.add(workers.submit(() -> {
-                    Played played = play(game, overwrite);
-                    each.run();
-                    return played;
-                }));
-            }
-            List<Played> games = new ArrayList<>();
-            for (Future<Played> one : coming) {
-                games.add(one.get());
-            }
-            return games;
-        } catch (ExecutionException problem) {
-            throw new IllegalStateException("a game of the series", problem.getCause());
-        } finally {
-            workers.shutdownNow();
-        }
-    }
-
-    private static Thread daemon(Runnable work) {
-        Thread thread = new Thread(work, "series");
-        thread.setDaemon(true);
-        return thread;
-    }
-
-    private Played play(int number, boolean overwrite) throws InterruptedException {
-        int sides = sides();
-        long seed = first + (number - 1) / sides;
-        int rotation = (number - 1) % sides;
-        Path file = file(number);
-        try (OutputStream recording = file == null ? null : new WriteBehind(OutputFiles.open(file, overwrite))) {
-            return new Played(number, seed, rotation, contest.play(seed, rotation, recording, NOBODY), null);
-        } catch (InputException | UncheckedIOException | IOException problem) {
-            return new Played(number, seed, rotation, null, problem.getMessage());
         }
     }
 }

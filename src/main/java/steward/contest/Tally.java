@@ -9,49 +9,53 @@ import steward.match.MatchResult;
  * <p>Points of a game: the share of the others that are ranked below, with half of those on the same rank; between two
  * bots 1 for a win, 1/2 for a draw, 0 for a loss; alone 1.
  *
- * @param games  with a result
- * @param wins   alone on the first rank
- * @param draws  on the first rank with others
- * @param losses the rest
- * @param faults games in which the bot failed as a program
- * @param points per game, 0..1; NaN without games
+ * <p>A game in which all bots failed in the same turn counts for its points as its result says, a draw between two; but
+ * it is counted apart, since it says nothing about who plays better.
+ *
+ * @param games     with a result
+ * @param wins      alone on the first rank
+ * @param draws     on the first rank with others
+ * @param losses    the rest
+ * @param allFailed games in which all bots failed in the same turn, in none of the three above
+ * @param faults    games in which the bot failed as a program
+ * @param points    per game, 0..1; NaN without games
+ * @param score     the game's own, per game; NaN without games
  */
-public record Tally(int games, int wins, int draws, int losses, int faults, double points) {
+public record Tally(int games, int wins, int draws, int losses, int allFailed, int faults, double points,
+                    double score) {
 
     /** The standard normal quantile of 0.975. */
     private static final double Z = 1.959963984540054;
 
     /** The tally of a bot, by its place in the call. */
-    public static Tally of(Series series, List<Series.Played> played, int entrant) {
+    static Tally of(Contest contest, List<Series.Played> played, int entrant) {
         int games = 0;
         int wins = 0;
         int draws = 0;
+        int allFailed = 0;
         int faults = 0;
         double points = 0;
+        double score = 0;
         for (Series.Played game : played) {
             MatchResult result = game.result();
             if (result == null) {
                 continue;
             }
-            int player = playerOf(series.contest(), game.rotation(), entrant);
+            int player = game.playerOf(contest, entrant);
             games++;
-            wins += result.winner() == player ? 1 : 0;
-            draws += result.winner() != player && result.players().get(player).rank() == 0 ? 1 : 0;
+            boolean first = result.players().get(player).rank() == 0;
+            allFailed += game.allFailed() ? 1 : 0;
+            wins += !game.allFailed() && result.winner() == player ? 1 : 0;
+            draws += !game.allFailed() && result.winner() != player && first ? 1 : 0;
             faults += result.players().get(player).fault() != null ? 1 : 0;
             points += points(result, player);
+            score += result.players().get(player).score();
         }
-        return new Tally(games, wins, draws, games - wins - draws, faults, points / games);
+        return new Tally(games, wins, draws, games - wins - draws - allFailed, allFailed, faults, points / games,
+            score / games);
     }
 
-    private static int playerOf(Contest contest, int rotation, int entrant) {
-        int player = 0;
-        while (contest.entrantOf(player, rotation) != entrant) {
-            player++;
-        }
-        return player;
-    }
-
-    private static double points(MatchResult result, int player) {
+    static double points(MatchResult result, int player) {
         int rank = result.players().get(player).rank();
         double points = 0;
         int others = result.players().size() - 1;

@@ -12,7 +12,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 
-/** Opens the files that replays and pages are written to, before anything is played. */
+/** Opens the files that replays and pages are written to, before the match is played. */
 public final class OutputFiles {
 
     private OutputFiles() {
@@ -28,8 +28,8 @@ public final class OutputFiles {
     }
 
     /**
-     * A new file; with {@code overwrite} also one that exists. Its lines reach the system one by one, so that what was
-     * recorded stays whatever happens.
+     * A new file; with {@code overwrite} also one that exists. Every line is handed to the system at once, so that
+     * recorded turns survive a crash.
      *
      * @throws InputException if it cannot be written, or exists and is not to be overwritten
      */
@@ -49,7 +49,7 @@ public final class OutputFiles {
     }
 
     /**
-     * Opens nothing.
+     * Checks a file without opening it.
      *
      * @throws InputException if it is a folder, or exists and is not to be overwritten
      */
@@ -63,7 +63,7 @@ public final class OutputFiles {
     }
 
     /**
-     * A folder to write files into; made if it is missing.
+     * Makes sure that a folder exists and can be written into.
      *
      * @throws InputException if it cannot be made or written into
      */
@@ -106,7 +106,7 @@ public final class OutputFiles {
         }
     }
 
-    /** The refusal of a file that is there. */
+    /** The error for a file that exists already. */
     public static InputException exists(Path file) {
         return new InputException(file + ": exists already, and is kept; --overwrite would replace it");
     }

@@ -1,6 +1,6 @@
 /**
- * Files that a person named: paths as they were typed, output that replaces nothing unless told to, and the exception
- * for what cannot be used.
+ * Files that the user named: paths as typed, output that replaces nothing unless told to, and the exception for
+ * unusable input.
  */
 @Internal
 package steward.files;

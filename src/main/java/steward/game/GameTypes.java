@@ -7,7 +7,7 @@ import steward.scene.SceneReader;
 import steward.text.NearestName;
 
 /**
- * The games that are known; made by the command line, which alone lists them.
+ * The known games; created by the command line, the only place that lists them.
  *
  * @param types each with its own id
  */
@@ -19,7 +19,7 @@ public record GameTypes(List<GameType> types) {
     }
 
     /**
-     * Reads a scene and has its game read the rest.
+     * Reads a scene, including the blocks of its game.
      *
      * @param text   the scene as JSON
      * @param source where it came from, for errors
@@ -30,7 +30,7 @@ public record GameTypes(List<GameType> types) {
     }
 
     /**
-     * Has its game read the rest of a scene.
+     * Lets the game of a scene read its blocks.
      *
      * @throws steward.scene.json.SceneException if there is no such game, or anything about its blocks is wrong
      */

@@ -4,27 +4,27 @@ import java.nio.charset.StandardCharsets;
 import steward.Internal;
 import steward.text.TextFormat;
 
-/** Texts that came from a player, made fit to be shown on a terminal and kept in a replay. */
+/** Makes texts from players safe to print on a terminal and to store in a replay. */
 @Internal
 public final class SafeText {
 
     /** How much of a line is quoted, in characters. */
     private static final int MOST = 120;
-    /** The most bytes that UTF-8 needs for one Java character, a safe bound on what must be decoded. */
+    /** The most bytes of UTF-8 per Java character, which bounds how much must be decoded. */
     private static final int BYTES_PER_CHARACTER = 4;
     private static final char REPLACEMENT = '\uFFFD';
 
     private SafeText() {
     }
 
-    /** The beginning of a line, control characters as question marks. */
+    /** The beginning of a line, with control characters replaced by question marks. */
     public static String line(byte[] bytes, int length) {
         String line = new String(bytes, 0, Math.min(length, BYTES_PER_CHARACTER * MOST), StandardCharsets.UTF_8);
         return TextFormat.beginning(line.replaceAll("\\p{Cntrl}", "?"), MOST);
     }
 
     /**
-     * The text with U+FFFD in place of every half of a surrogate pair: JSON can spell one, UTF-8 cannot.
+     * The text with U+FFFD in place of every unpaired surrogate: JSON can contain one, UTF-8 cannot.
      *
      * @return {@code null} for {@code null}
      */

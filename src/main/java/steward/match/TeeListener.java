@@ -5,10 +5,10 @@ import steward.game.FrameCodec;
 import steward.game.Game;
 
 /**
- * Two who follow one match.
+ * Passes every call on to two listeners.
  *
- * @param first  is told first
- * @param second is told only if the first could be
+ * @param first  is called first
+ * @param second is called only if the first call did not throw
  */
 @Internal
 public record TeeListener(MatchListener first, MatchListener second) implements MatchListener {

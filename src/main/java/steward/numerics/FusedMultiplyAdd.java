@@ -3,15 +3,15 @@ package steward.numerics;
 import com.sun.management.HotSpotDiagnosticMXBean;
 import java.lang.management.ManagementFactory;
 
-/** What the machine below does fast. */
+/** Whether the processor has a fused multiply-add instruction. */
 final class FusedMultiplyAdd {
 
     private FusedMultiplyAdd() {
     }
 
     /**
-     * Whether {@code Math.fma} is one instruction: what HotSpot's flag says after the JVM has looked at the processor
-     * and the command line. False where nobody can say. It takes some milliseconds, so ask once.
+     * Whether {@code Math.fma} is compiled to one instruction: HotSpot's flag {@code UseFMA}, which the JVM sets from
+     * the processor and the command line. False where the flag is unknown. Takes some milliseconds; call it once.
      */
     static boolean hasFastFma() {
         try {

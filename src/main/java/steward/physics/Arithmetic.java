@@ -2,7 +2,7 @@ package steward.physics;
 
 import java.util.Locale;
 
-/** With how much care a turn is computed; what each does about a time of impact stands with the times themselves. */
+/** The arithmetic of a turn. What each one does for a time of impact is documented in {@code physics.time}. */
 public enum Arithmetic {
 
     /** The published referee's own expressions: the same bits as the server. */
@@ -11,12 +11,13 @@ public enum Arithmetic {
     /** Closed forms without cancellation, in doubles. */
     DOUBLE,
 
-    /** The same quadratic with the errors of its products and sums put back. */
+    /** The same quadratic with the rounding errors of its products and sums added back. */
     COMPENSATED,
 
     /**
-     * Exact decisions: who touches, approaches or meets is a matter of exact signs, and times of impact, positions at
-     * impacts, impulses and new velocities are computed in double-double and rounded once, when they are stored.
+     * Exact decisions: whether a pair touches, approaches or meets is decided by exact signs, and times of impact,
+     * positions at impacts, impulses and new velocities are computed in double-double and rounded once, when they are
+     * stored.
      */
     EXACT;
 

@@ -13,7 +13,7 @@ public final class PassingPairs {
     private long[] pairs = new long[8];
     private int size;
 
-    /** Whether nobody passes anybody. */
+    /** Whether there are no such pairs. */
     public boolean isEmpty() {
         return size == 0;
     }

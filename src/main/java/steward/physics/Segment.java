@@ -1,7 +1,7 @@
 package steward.physics;
 
 /**
- * A straight wall between two points, hit from both sides and at its ends.
+ * A straight wall between two points; bodies bounce off both sides and both ends.
  *
  * @param ax          one end
  * @param ay          one end

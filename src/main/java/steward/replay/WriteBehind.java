@@ -146,7 +146,7 @@ public final class WriteBehind extends OutputStream {
     private void drainPatiently() throws InterruptedIOException {
         try {
             if (writing.tryLock(PATIENCE_MS, TimeUnit.MILLISECONDS)) {
-                drainLocked();                         // the lock is kept: nobody writes any more
+                drainLocked();                         // the lock is kept, so that no more is written
             }
         } catch (InterruptedException interrupted) {
             throw new InterruptedIOException();
@@ -204,7 +204,7 @@ public final class WriteBehind extends OutputStream {
                     LockSupport.parkNanos(this, TimeUnit.MICROSECONDS.toNanos(PAUSE_MICROS));
                     continue;
                 }
-                asleep = true;                         // first said, then looked once more: nothing is overslept
+                asleep = true;                         // set first, then checked again: no work is missed
                 if (!work()) {
                     LockSupport.park(this);
                 }

@@ -83,7 +83,7 @@ final class FieldReader {
     }
 
     private static double finite(Block block, String name) {
-        return block.number(name, -Block.MOST, Block.MOST);
+        return block.number(name, -Block.MAXIMUM, Block.MAXIMUM);
     }
 
     private static double restitution(Block block) {

@@ -4,18 +4,18 @@ import steward.Internal;
 import steward.physics.Advance;
 import steward.physics.PhysicsParts;
 
-/** Sees the ways to advance that games take from their plan, and may put its own in their place: for measuring. */
+/** Observer of the advances that games take from their plan. It may replace them by its own, for measurements. */
 @FunctionalInterface
 @Internal
 public interface PhysicsObserver {
 
-    /** Sees nothing and changes nothing. */
-    PhysicsObserver NOBODY = (parts, advance) -> advance;
+    /** Changes nothing. */
+    PhysicsObserver NONE = (parts, advance) -> advance;
 
     /**
-     * @param parts   what it is made of
-     * @param advance the way to advance that the scene asks for
-     * @return what the game gets
+     * @param parts   the parts of the physics
+     * @param advance the advance that the scene requires
+     * @return the advance that the game gets
      */
     Advance observe(PhysicsParts parts, Advance advance);
 }

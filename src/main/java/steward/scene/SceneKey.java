@@ -12,8 +12,8 @@ import steward.scene.json.JsonValue.JsonObject;
 import steward.scene.json.JsonValue.JsonText;
 
 /**
- * A key of everything in a scene that decides what happens in its games: all but its name, the times players have, and
- * its accuracy. Neither the order of fields nor the spelling of numbers matters (1, 1.0, 1e0).
+ * A key of everything in a scene that decides what happens in its games: all except its name, the time limits and its
+ * accuracy. Neither the order of fields nor the notation of numbers matters (1, 1.0, 1e0).
  */
 @Internal
 public final class SceneKey {
@@ -40,7 +40,7 @@ public final class SceneKey {
         return StateHash.toHex(hash.value());
     }
 
-    /** Lengths and brackets keep different values from reading the same. */
+    /** Lengths and brackets make the text of different values different. */
     private static void append(StringBuilder text, JsonValue value) {
         if (value instanceof JsonObject object) {
             text.append('{');

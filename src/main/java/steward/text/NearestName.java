@@ -5,8 +5,8 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * Finds the known word that a misspelt one was meant to be: the fewest insertions, deletions, replacements and swaps of
- * neighbours (the restricted edit distance of Damerau and Levenshtein), upper and lower case being the same.
+ * Finds the known word that a misspelt one was meant to be: the one at the fewest insertions, deletions, replacements
+ * and swaps of adjacent letters (the restricted edit distance of Damerau and Levenshtein), ignoring case.
  */
 public final class NearestName {
 
@@ -15,9 +15,9 @@ public final class NearestName {
 
     /**
      * @param word  as written
-     * @param known the words there are; among equally near ones the first in this order wins
-     * @return the nearest, unless even that needs more than a third of the letters changed (but one is always allowed,
-     *     if another stays)
+     * @param known the known words; of equally near ones the first in iteration order wins
+     * @return the nearest word, if at most a third of the letters change (one change is always allowed, if at least one
+     *     letter stays)
      */
     public static Optional<String> of(String word, Collection<String> known) {
         String best = null;
@@ -43,7 +43,7 @@ public final class NearestName {
         return of(word, known).map(near -> "; did you mean " + quote + near + quote + "?").orElse("");
     }
 
-    /** Row by row over the prefixes of both words; a swap looks two rows back. */
+    /** Dynamic programming over the prefixes of both words, row by row; a swap refers to the row before the last. */
     private static int distance(String a, String b) {
         int[] beforeLast = new int[b.length() + 1];
         int[] last = new int[b.length() + 1];

@@ -3,7 +3,7 @@ package steward.text;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
 
-/** How the commands spell numbers and texts, the same in every locale. */
+/** How commands format numbers and texts, the same in every locale. */
 public final class TextFormat {
 
     private static final double NANOS_PER_MS = 1e6;
@@ -12,7 +12,7 @@ public final class TextFormat {
     private TextFormat() {
     }
 
-    /** A number for a table: at most so many decimals, none that are zero, no negative zero. */
+    /** A number for a table: at most {@code decimals} decimals, no trailing zeros, no negative zero. */
     public static String number(double value, int decimals) {
         if (value == Math.rint(value) && Math.abs(value) < 1e15) {
             return Long.toString((long) value);
@@ -25,7 +25,7 @@ public final class TextFormat {
         return text.length() <= 16 ? text : Double.toString(value);
     }
 
-    /** A number with always so many decimals. */
+    /** A number with exactly {@code decimals} decimals. */
     public static String fixed(double value, int decimals) {
         return Double.isNaN(value) ? "-" : BigDecimal.valueOf(value).setScale(decimals, RoundingMode.HALF_EVEN)
             .toPlainString();
@@ -41,22 +41,22 @@ public final class TextFormat {
         return number + " " + what + (number == 1 ? "" : "s");
     }
 
-    /** Filled up with blanks on the left. */
+    /** Right-aligned: padded with blanks on the left. */
     public static String right(String text, int width) {
         return " ".repeat(Math.max(0, width - text.length())) + text;
     }
 
-    /** Filled up with blanks on the right. */
+    /** Left-aligned: padded with blanks on the right. */
     public static String left(String text, int width) {
         return text + " ".repeat(Math.max(0, width - text.length()));
     }
 
-    /** At most so many characters, the last three of them dots where any are left out. */
+    /** At most {@code width} characters; a longer text ends in "...". */
     public static String shorten(String text, int width) {
         return text.length() <= width ? text : beginning(text, width - DOTS.length());
     }
 
-    /** The first so many characters, then three dots where there are more. No surrogate pair is cut in half. */
+    /** The first {@code most} characters, then "..." if there are more. No surrogate pair is split. */
     public static String beginning(String text, int most) {
         if (text.length() <= most) {
             return text;
@@ -67,10 +67,10 @@ public final class TextFormat {
     }
 
     /**
-     * Breaks a line between items, so that none but a single long item is wider.
+     * Wraps a line between items, so that no line is wider unless a single item is.
      *
-     * @param separator between items, two characters; what is not blank in it stays at a line's end
-     * @param indent    begins every further line
+     * @param separator between items, two characters; its non-blank part stays at the end of a line
+     * @param indent    starts every line but the first
      */
     public static String wrap(String items, String separator, int width, String indent) {
         StringBuilder text = new StringBuilder();
@@ -87,7 +87,10 @@ public final class TextFormat {
         return text.toString();
     }
 
-    /** What a bot or a file says, without what would steer a terminal: control characters become {@code ?}. */
+    /**
+     * Text from a bot or a file made safe for a terminal: control characters other than line feed and tab become a
+     * question mark.
+     */
     public static String plain(String text) {
         StringBuilder plain = null;
         for (int k = 0; k < text.length(); k++) {

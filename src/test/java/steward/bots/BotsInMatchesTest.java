@@ -6,7 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -18,38 +21,41 @@ import steward.match.MatchResult;
 import steward.match.Turn;
 
 /** The bundled bots over whole matches: no fault, a finish, and the veteran in front. */
+@Execution(ExecutionMode.CONCURRENT)
 class BotsInMatchesTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"mad-pod-racing", "walled-race", "duel"})
     void plainBotsFinishEveryRaceWithoutAFault(String name) {
-        GameSetup scene = Matches.scene(name);
+        GameSetup scene = BundledBotMatches.scene(name);
         for (long seed = 1; seed <= 30; seed++) {
-            MatchResult result = Matches.play(scene, seed, new Racer(), new Racer());
+            MatchResult result = BundledBotMatches.play(scene, seed, new Racer(), new Racer());
             assertFalse(result.anyFault(), result.toString());
             assertTrue(result.ending().startsWith("finished"), result.toString());
         }
     }
 
     @ParameterizedTest
+    @Tag("slow")
     @ValueSource(strings = {"mad-pod-racing", "walled-race", "duel"})
     void veteransPlayEachOtherWithoutAFault(String name) {
-        GameSetup scene = Matches.scene(name);
+        GameSetup scene = BundledBotMatches.scene(name);
         for (long seed = 1; seed <= 10; seed++) {
-            MatchResult result = Matches.play(scene, seed, new Veteran(), new Veteran());
+            MatchResult result = BundledBotMatches.play(scene, seed, new Veteran(), new Veteran());
             assertFalse(result.anyFault(), result.toString());
         }
     }
 
     /** Measured over seeds 1..200, both sides: see the figure in the class doc of {@link Veteran}. */
     @ParameterizedTest
+    @Tag("slow")
     @ValueSource(strings = {"mad-pod-racing", "walled-race", "duel"})
     void theVeteranBeatsThePlainBotFromBothSides(String name) {
-        GameSetup scene = Matches.scene(name);
+        GameSetup scene = BundledBotMatches.scene(name);
         int won = 0;
         for (long seed = 1; seed <= 20; seed++) {
-            won += Matches.play(scene, seed, new Veteran(), new Racer()).winner() == 0 ? 1 : 0;
-            won += Matches.play(scene, seed, new Racer(), new Veteran()).winner() == 1 ? 1 : 0;
+            won += BundledBotMatches.play(scene, seed, new Veteran(), new Racer()).winner() == 0 ? 1 : 0;
+            won += BundledBotMatches.play(scene, seed, new Racer(), new Veteran()).winner() == 1 ? 1 : 0;
         }
         assertTrue(won >= 36, "won " + won + " of 40 on " + name);
     }
@@ -61,18 +67,18 @@ class BotsInMatchesTest {
         for (int player = 0; player < players; player++) {
             bots[player] = player % 2 == 0 ? new Veteran() : new Racer();
         }
-        MatchResult result = Matches.play(Matches.crowd(pods, players), 5, bots);
+        MatchResult result = BundledBotMatches.play(BundledBotMatches.crowd(pods, players), 5, bots);
         assertFalse(result.anyFault(), result.toString());
         assertEquals(players, result.players().size());
     }
 
     @Test
     void aMatchPlayedTwiceIsTheSameInEveryTurn() {
-        GameSetup scene = Matches.scene("mad-pod-racing");
+        GameSetup scene = BundledBotMatches.scene("mad-pod-racing");
         Hashes once = new Hashes();
         Hashes again = new Hashes();
-        MatchResult result = Matches.play(scene, 77, once, new Veteran(), new Racer());
-        Matches.play(scene, 77, again, new Veteran(), new Racer());
+        MatchResult result = BundledBotMatches.play(scene, 77, once, new Veteran(), new Racer());
+        BundledBotMatches.play(scene, 77, again, new Veteran(), new Racer());
         assertEquals(result.turns(), once.values.size());
         assertEquals(once.values, again.values);
     }

@@ -11,12 +11,14 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import steward.bot.command.CommandLine;
 
 /** The program as a process of its own: what its streams and signals do. */
+@Tag("process")
 @Timeout(60)
 public class ProcessTest {
 

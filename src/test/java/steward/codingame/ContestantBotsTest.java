@@ -14,9 +14,13 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import javax.tools.JavaCompiler;
 import javax.tools.ToolProvider;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.game.GameSetup;
 import steward.match.Seat;
 import steward.match.TestScenes;
@@ -26,6 +30,8 @@ import steward.match.TimeControl;
  * Bots as contestants write them, in three languages, each in 20 matches against a bot that speaks JSON: the upper
  * leagues with two pods, the lower ones with one, from both sides.
  */
+@Execution(ExecutionMode.CONCURRENT)
+@Tag("process")
 @Timeout(120)
 class ContestantBotsTest {
 
@@ -36,30 +42,30 @@ class ContestantBotsTest {
     private Path folder;
 
     @Test
-    void writtenInCpp() throws IOException, InterruptedException {
+    void writtenInCpp(TestReporter report) throws IOException, InterruptedException {
         assumeTrue(onPath("g++"), "skipped: there is no g++ on the PATH");
         Path program = folder.resolve("pilot");
         assertEquals(0, run("g++", "-O1", "-o", program.toString(), source("pilot.cpp").toString()));
-        play("pilot.cpp", List.of(program.toString()));
+        play(report, "pilot.cpp", List.of(program.toString()));
     }
 
     @Test
-    void writtenInJava() throws IOException {
+    void writtenInJava(TestReporter report) throws IOException {
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
         assumeTrue(compiler != null, "skipped: this Java has no compiler");
         assertEquals(0, compiler.run(null, null, null, "-d", folder.toString(), source("Pilot.java").toString()));
-        play("Pilot.java", List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+        play(report, "Pilot.java", List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
             "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-cp", folder.toString(), "Player"));
     }
 
     @Test
-    void writtenInPython() throws IOException, InterruptedException {
+    void writtenInPython(TestReporter report) throws IOException, InterruptedException {
         assumeTrue(onPath("python3"), "skipped: there is no python3 on the PATH");
         assumeTrue(run("python3", "-c", "import math, sys") == 0, "skipped: python3 does not run");
-        play("pilot.py", List.of("python3", source("pilot.py").toString()));
+        play(report, "pilot.py", List.of("python3", source("pilot.py").toString()));
     }
 
-    private static void play(String name, List<String> command) {
+    private static void play(TestReporter report, String name, List<String> command) {
         int wins = 0;
         int turns = 0;
         for (int match = 0; match < MATCHES; match++) {
@@ -80,7 +86,7 @@ class ContestantBotsTest {
             wins += played.result().winner() == side ? 1 : 0;
             turns += played.result().turns();
         }
-        System.out.println(name + ": " + MATCHES + " matches without a fault, " + wins + " won, " + turns + " turns");
+        report.publishEntry(name + ": " + MATCHES + " matches without a fault, " + wins + " won, " + turns + " turns");
     }
 
     private Path source(String name) throws IOException {

@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import steward.bot.process.BotProcess;
@@ -23,6 +24,7 @@ import steward.match.TimeControl;
  * replay verifies. Against the upper league's two pods a turn is 4 lines, and the setup of the map with 3 checkpoints
  * is 5.
  */
+@Tag("process")
 @Timeout(40)
 class MisbehavingBotsTest {
 

@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestReporter;
 import steward.game.TextCodec;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.protocol.PodRaceType;
@@ -35,7 +36,7 @@ class OfficialRecordingsImportTest {
         (PodRaceType.PodRaceSetup) TestScenes.open("mad-pod-racing");
 
     @Test
-    void everyOfficialGameVerifies() throws IOException, InterruptedException {
+    void everyOfficialGameVerifies(TestReporter report) throws IOException, InterruptedException {
         Path folder = Path.of(System.getProperty("steward.replays", "../shared/replays"));
         assumeTrue(Files.isDirectory(folder),
             () -> "skipped: no official recordings in " + folder.toAbsolutePath() + " (set -Dsteward.replays)");
@@ -49,7 +50,7 @@ class OfficialRecordingsImportTest {
             GameRecordingImport.Imported imported = GameRecordingImport.of(json(Files.readAllLines(file)),
                 file.getFileName().toString(), TestScenes.TYPES).write(replay);
             Verification verification = TextMatches.verify(replay.toByteArray());
-            System.out.println("import, " + file.getFileName() + ": " + verification.turns() + " turns verified, "
+            report.publishEntry("import, " + file.getFileName() + ": " + verification.turns() + " turns verified, "
                 + imported.ending());
             assertNull(verification.difference(), file.toString());
             assertEquals(imported.turns(), verification.turns());
@@ -70,7 +71,8 @@ class OfficialRecordingsImportTest {
         ObjectNode game = JsonMapper.shared().createObjectNode();
         ArrayNode frames = game.putArray("frames");
         frames.addObject().put("keyframe", true)
-            .put("view", "KEY_FRAME 0\na\nb\n" + map + "\nc\n" + pods(in.subList(0, PODS), race));
+            .put("view", " 0\nCodersStrikeBack\n16000 9000 400 600 4 0.3141592653589793\n" + map + "\nstarts\n"
+                + pods(in.subList(0, PODS), race));
         for (int from = 0; from < moves.size(); from += PODS) {
             for (int player = 0; player < 2; player++) {
                 String said = moves.get(from + 2 * player) + "\n" + moves.get(from + 2 * player + 1);
@@ -80,7 +82,7 @@ class OfficialRecordingsImportTest {
             }
             race.play();
             ((ObjectNode) frames.get(frames.size() - 1)).put("view",
-                "KEY_FRAME 1\n" + pods(out.subList(from, from + PODS), race) + "0:100\n1:100\n");
+                " " + (frames.size() - 1) + "\n" + pods(out.subList(from, from + PODS), race));
         }
         if (race.isOver()) {
             ArrayNode ranks = game.putArray("ranks");

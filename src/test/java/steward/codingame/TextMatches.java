@@ -9,7 +9,7 @@ import java.util.function.UnaryOperator;
 import steward.bot.InProcessPlayer;
 import steward.bot.TestBots;
 import steward.bot.process.BotProcess;
-import steward.bots.Matches;
+import steward.bots.BundledBotMatches;
 import steward.bots.Racer;
 import steward.game.GameSetup;
 import steward.match.MatchResult;
@@ -24,7 +24,7 @@ import steward.replay.ReplayWriter;
 import steward.replay.verify.Verification;
 
 /**
- * Matches between bots that speak lines and bots that speak JSON, recorded in memory.
+ * BundledBotMatches between bots that speak lines and bots that speak JSON, recorded in memory.
  *
  * @param result what the referee said
  * @param replay the replay
@@ -74,7 +74,7 @@ record TextMatches(MatchResult result, byte[] replay) {
 
     /** The bundled plain bot, which speaks JSON, inside this JVM. */
     static Seat racer() {
-        return new Seat(new InProcessPlayer("racer", Matches.asBot(new Racer())), Protocol.JSON);
+        return new Seat(new InProcessPlayer("racer", BundledBotMatches.asBot(new Racer())), Protocol.JSON);
     }
 
     /** A bot of CodinGame's lines inside this JVM: from what it is told or sent to its answer. */

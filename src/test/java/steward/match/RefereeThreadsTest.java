@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -93,17 +94,20 @@ class RefereeThreadsTest {
 
     /** The caller is told what was the matter first, and does not wait for ever. */
     @Test
-    void aPlayerThatCannotBeClosedKeepsNobodyWaiting() {
+    void aPlayerThatCannotBeClosedKeepsNobodyWaiting() throws Exception {
+        CompletableFuture<Throwable> uncaught = new CompletableFuture<>();
         RuntimeException problem = new IllegalStateException("full disk");
         ScriptedPlayer bad = new ScriptedPlayer("B", log, ScriptedPlayer::idle) {
             @Override
             public void close() {
+                Thread.currentThread().setUncaughtExceptionHandler((thread, thrown) -> uncaught.complete(thrown));
                 throw new IllegalStateException("cannot be closed");
             }
         };
         Referee referee = referee(new Throwing("played", problem), idle("A"), bad);
 
         assertSame(problem, assertThrows(IllegalStateException.class, referee::play));
+        assertEquals("cannot be closed", uncaught.get(10, TimeUnit.SECONDS).getMessage());
     }
 
     /** Stuck in its question until it is let go; meanwhile another thread is handed the fault. */
@@ -151,7 +155,7 @@ class RefereeThreadsTest {
 
         MatchResult result = referee(new MatchListener() { }, idle("A"), stuck, last).play();
 
-        assertEquals(List.of(0, 2, 1), result.players().stream().map(MatchResult.PlayerResult::rank).toList());
+        assertEquals(List.of(0, 1, 1), result.players().stream().map(MatchResult.PlayerResult::rank).toList());
         assertEquals("no answer within 75 ms, and it cannot be stopped", result.players().get(1).fault());
         assertEquals(stuckAt + 3, result.turns());
         assertEquals(stuckAt, result.players().get(1).answers());
@@ -256,7 +260,7 @@ class RefereeThreadsTest {
 
         caller.interrupt();
         caller.join(10_000);
-        thinker.thread.join(10_000);
+        awaitOutOfTheLoop(thinker.thread);
 
         assertTrue(thrown.get() instanceof InterruptedException);
         assertTrue(log.contains("A close") && log.contains("B close"), log::toString);

@@ -3,6 +3,7 @@ package steward.numerics;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestReporter;
 
 /**
  * Bit for bit the values of StrictMath: at random arguments of every kind, on and beside every number at which the
@@ -20,8 +21,8 @@ class StrictAnglesTest {
     private final StrictAngles angles = new StrictAngles();
 
     @Test
-    void everyBitIsThatOfStrictMath() {
-        System.out.println("seed " + SEED + ", " + COUNT + " arguments");
+    void everyBitIsThatOfStrictMath(TestReporter report) {
+        report.publishEntry("seed " + SEED + ", " + COUNT + " arguments");
         for (long k = 0; k < COUNT; k++) {
             double y = argument();
             double x = random.nextInt(3) == 0 ? y / near(RATIOS[random.nextInt(RATIOS.length)]) : argument();

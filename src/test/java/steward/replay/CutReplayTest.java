@@ -10,7 +10,10 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.bot.Bot;
@@ -20,6 +23,7 @@ import steward.match.TestScenes;
 import steward.replay.verify.Verification;
 
 /** A replay whose writer was killed: whatever is left of it is read and verified up to the cut. */
+@Execution(ExecutionMode.CONCURRENT)
 class CutReplayTest {
 
     /** Seven turns with a message beyond ASCII, rammed pods and a fault. */
@@ -30,6 +34,7 @@ class CutReplayTest {
     }
 
     @Test
+    @Tag("slow")
     void cutAtEveryByte() {
         Recorded match = small();
         byte[] replay = match.bytes();

@@ -11,11 +11,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.bot.InProcessPlayer;
 import steward.bot.process.BotProcess;
-import steward.bots.Matches;
+import steward.bots.BundledBotMatches;
 import steward.bots.Racer;
 import steward.cli.Main;
 import steward.match.MatchListener;
@@ -53,13 +54,14 @@ class ReadmeTest {
     }
 
     @Test
+    @Tag("process")
     void itsBotWinsTheMatchThatIsShown(@TempDir Path folder) throws Exception {
         String python = "python3";
         assumeTrue(runs(python), "skipped: there is no python3 on the PATH");
         Path bot = Files.writeString(folder.resolve("bot.py"), block("python", 0));
         MatchResult result = new Referee(TestScenes.open("mad-pod-racing"), 7,
             List.of(new BotProcess("me", List.of(python, bot.toString())),
-                new InProcessPlayer("racer", Matches.asBot(new Racer()))),
+                new InProcessPlayer("racer", BundledBotMatches.asBot(new Racer()))),
             TimeControl.UNLIMITED, new MatchListener() { }).play();
 
         assertNull(result.players().get(0).fault());

@@ -24,9 +24,9 @@ import steward.scene.SceneFiles;
 import steward.scene.SceneText;
 
 /**
- * What one part after the other adds to a turn, from an empty scene where bodies only fly, each in a JVM of its own:
- * {@code ./gradlew jmh -Pbench=Part}. The parts of a scene come first, each on top of those before it; the others, each
- * on top of the whole scene. The time of copying a state is in all of them.
+ * What each part adds to a turn, from an empty scene where bodies only fly, each in a JVM of its own:
+ * {@code ./gradlew jmh -Pbench=Part}. The parts of a scene come first, each added to those before it; then the others,
+ * each added to the whole scene. Every result includes the time of copying a state.
  */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)
@@ -42,14 +42,15 @@ public class PartBenchmark {
     @Param({"mad-pod-racing", "walled-race"})
     String scene;
 
-    @Param({PartSteps.EMPTY, "pair impacts", "walls", "restitution", "minimum impulse", "push-out", "batch window",
-        "infinite masses", "drag", "velocity rounding", "position rounding", "reactions", "broad phase"})
+    @Param({PartByPartPhysics.EMPTY, "pair impacts", "walls", "restitution", "minimum impulse", "push-out",
+        "batch window", "infinite masses", "drag", "velocity rounding", "position rounding", "reactions",
+        "broad phase"})
     String part;
 
     private final TurnLog log = new TurnLog();
     private Bodies[] states;
     private Bodies now;
-    private PartSteps.Step step;
+    private PartByPartPhysics.Step step;
     private int turn;
 
     /** Pods close enough to meet in some of the turns. */
@@ -61,7 +62,7 @@ public class PartBenchmark {
         states = new Bodies[STATES];
         Arrays.setAll(states, k -> state(random));
         now = new Bodies(BODIES);
-        step = PartSteps.of(setup, PartPrices.box(states)).stream().filter(each -> each.part().equals(part))
+        step = PartByPartPhysics.of(setup, PartPrices.box(states)).stream().filter(each -> each.part().equals(part))
             .findFirst().orElseThrow();
     }
 

@@ -26,7 +26,7 @@ import steward.physics.event.EventAdvance;
 import steward.physics.event.StepAdvance;
 
 /**
- * What a turn of many bodies in a box costs on each rung, always the same 16 turns from the start:
+ * The cost of a turn of many bodies in a box on each rung, always the same 16 turns from the start:
  * {@code ./gradlew jmh -Pbench=Crowd}.
  */
 @State(Scope.Benchmark)

@@ -24,8 +24,9 @@ import steward.physics.TurnSink;
 import steward.physics.event.EventAdvance;
 
 /**
- * From how many bodies on a queue is faster than looking at all pairs: a turn of a gas at 10% coverage, with hardly
- * any impact, half an impact a body, or ten. {@code ./gradlew jmh -Pbench=QueueBenchmark}. How the queue goes on:
+ * The number of bodies from which a queue is faster than a scan of all pairs: a turn of a gas at 10% coverage, with
+ * hardly any impact, half an impact a body, or ten. {@code ./gradlew jmh -Pbench=QueueBenchmark}. For larger numbers
+ * with the queue:
  * {@code -Pbench='QueueBenchmark -p way=QUEUE -p impacts=MANY -p bodies=100,1000,10000,100000,1000000'}.
  */
 @State(Scope.Benchmark)
@@ -47,7 +48,7 @@ public class QueueBenchmark {
         }
     }
 
-    /** Who advances. */
+    /** Which advance is measured. */
     public enum Way { EVENT, QUEUE }
 
     @Param

@@ -26,7 +26,7 @@ import steward.physics.Wall;
 import steward.physics.event.EventAdvance;
 
 /**
- * What a turn of 25 discs in a box costs with the processor's fused multiply-add and without, where products are split
+ * The cost of a turn of 25 discs in a box with the processor's fused multiply-add and without, where products are split
  * instead ({@link steward.numerics.ErrorFree}); {@code Math.fma} alone would take microseconds there:
  * {@code ./gradlew jmh -Pbench=Fma}.
  */

@@ -20,8 +20,8 @@ import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 
 /**
- * What looking for the impact of one pair costs, in every arithmetic; in {@code EXACT} that is the lower bound with
- * its exact decision, and {@code exactTimes} is the time itself, which only impacts that happen pay:
+ * The cost of computing the time of impact of one pair, in every arithmetic; in {@code EXACT} that is the lower bound
+ * with its exact decision, and {@code exactTimes} is the exact time, needed only for impacts that happen:
  * {@code ./gradlew jmh -Pbench=TimeOfImpact}.
  */
 @State(Scope.Benchmark)
@@ -74,7 +74,7 @@ public class TimeOfImpactBenchmark {
     public double exactTimes() {
         double sum = 0;
         for (int k = 0; k < 2 * PAIRS; k += 2) {
-            sum += exact.exact(bodies, k, k + 1, exactTime) ? exactTime.high() : 0;
+            sum += exact.exactTime(bodies, k, k + 1, exactTime) ? exactTime.high() : 0;
         }
         return sum;
     }

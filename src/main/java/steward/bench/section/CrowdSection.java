@@ -24,7 +24,7 @@ final class CrowdSection implements Section {
 
     private static final double COVERAGE = 0.1;
     private static final long SEED = 1;
-    /** Beyond so many bodies the textbook's way and the one that looks at all pairs take too long for a figure. */
+    /** Beyond these numbers of bodies the textbook's way and the scan of all pairs take too long to measure. */
     private static final int MOST_FOR_TEXTBOOK = 3000;
     private static final int MOST_FOR_PAIRS = 300;
     private static final double NANOS = 1e9;
@@ -32,7 +32,7 @@ final class CrowdSection implements Section {
 
     private final List<Gas> gases = new ArrayList<>();
 
-    /** @throws IllegalArgumentException if so many bodies cannot be */
+    /** @throws IllegalArgumentException if so many bodies are not possible */
     CrowdSection(List<Integer> bodies) {
         for (int count : bodies) {
             gases.add(new Gas(SEED, count, COVERAGE));
@@ -124,7 +124,7 @@ final class CrowdSection implements Section {
     private static double advance(Advance advance, Gas gas, long impacts) {
         Meter meter = new Meter();
         Bodies bodies = gas.bodies();
-        ImpactCount count = new ImpactCount();
+        ImpactCounter count = new ImpactCounter();
         long start = meter.cpu(false);
         while (count.impacts() < impacts) {
             advance.turn(bodies, count);

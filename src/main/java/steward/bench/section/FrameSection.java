@@ -16,18 +16,18 @@ import steward.match.Protocol;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** One turn's lines. */
+/** The lines of one turn. */
 final class FrameSection implements Section {
 
     private static final int PIECE = 1000;
 
-    private final MatchKit kit;
+    private final MatchFixture fixture;
     private final Consumer<Game> next;
     private final byte[] answer;
 
-    /** @param next puts the game into another state, at next to no cost: a frame of the same state is no work */
-    FrameSection(MatchKit kit, Consumer<Game> next, String answer) {
-        this.kit = kit;
+    /** @param next changes the game's state, at next to no cost: writing the same state again takes no work */
+    FrameSection(MatchFixture fixture, Consumer<Game> next, String answer) {
+        this.fixture = fixture;
         this.next = next;
         this.answer = answer.getBytes(StandardCharsets.UTF_8);
     }
@@ -51,8 +51,8 @@ final class FrameSection implements Section {
 
     @Override
     public void run(Effort effort, Consumer<String> about, Consumer<Row> rows) throws Exception {
-        Game game = kit.setup().create(1);
-        Dialogue dialogue = Dialogue.of(Protocol.JSON, kit.setup(), game, kit.setup().codec(game));
+        Game game = fixture.setup().create(1);
+        Dialogue dialogue = Dialogue.of(Protocol.JSON, fixture.setup(), game, fixture.setup().codec(game));
         for (int turn = 0; turn < 10; turn++) {
             for (int player = 0; player < game.players(); player++) {
                 String wrong = dialogue.readAnswer(player, answer, answer.length);
@@ -86,7 +86,7 @@ final class FrameSection implements Section {
         return size;
     }
 
-    /** One line, or some. */
+    /** Writes or reads one or several lines. */
     private interface Line {
         int run();
     }

@@ -15,15 +15,15 @@ import steward.match.MatchListener;
 /** How the cost of a match grows with its players and its turns. */
 final class GrowthSection implements Section {
 
-    private static final MatchListener NOBODY = new MatchListener() { };
+    private static final MatchListener NO_LISTENER = new MatchListener() { };
     private static final int SEEDS = 20;
 
-    private final MatchKit kit;
+    private final MatchFixture fixture;
     private final Map<String, GameSetup> scenes;
 
-    /** @param scenes by what is told of them; the first is what the others are compared with */
-    GrowthSection(MatchKit kit, Map<String, GameSetup> scenes) {
-        this.kit = kit;
+    /** @param scenes by their descriptions; the others are compared with the first */
+    GrowthSection(MatchFixture fixture, Map<String, GameSetup> scenes) {
+        this.fixture = fixture;
         this.scenes = scenes;
     }
 
@@ -47,11 +47,11 @@ final class GrowthSection implements Section {
     public void run(Effort effort, Consumer<String> about, Consumer<Row> rows) throws Exception {
         List<Contender> contenders = new ArrayList<>();
         scenes.forEach((name, setup) -> {
-            MatchKit other = new MatchKit(kit.types(), setup, kit.direct(), kit.lines(), kit.responder(),
-                kit.launcher(), kit.plain());
+            MatchFixture other = new MatchFixture(fixture.types(), setup, fixture.direct(), fixture.lines(),
+                fixture.responder(), fixture.launcher(), fixture.plain());
             int[] next = new int[1];
             contenders.add(new Contender(name, () ->
-                MatchSection.match(other, MatchSection.direct(other), next[0]++ % SEEDS, NOBODY).turns()));
+                MatchSection.match(other, MatchSection.direct(other), next[0]++ % SEEDS, NO_LISTENER).turns()));
         });
         new Meter().compare(name(), "turns", contenders, effort, about, rows);
     }

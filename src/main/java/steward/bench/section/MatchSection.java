@@ -24,18 +24,18 @@ import steward.replay.ReplayHeader;
 import steward.replay.ReplayWriter;
 import steward.replay.WriteBehind;
 
-/** Whole matches between bots inside this JVM, and the same on several threads. */
+/** Whole matches between bots inside this JVM, and the same matches on several threads. */
 final class MatchSection implements Section {
 
-    private static final MatchListener NOBODY = new MatchListener() { };
+    private static final MatchListener NO_LISTENER = new MatchListener() { };
     private static final double NANOS = 1e9;
 
-    private final MatchKit kit;
+    private final MatchFixture fixture;
     private final int threads;
     private final int games;
 
-    MatchSection(MatchKit kit, int threads, int games) {
-        this.kit = kit;
+    MatchSection(MatchFixture fixture, int threads, int games) {
+        this.fixture = fixture;
         this.threads = threads;
         this.games = games;
     }
@@ -86,14 +86,14 @@ final class MatchSection implements Section {
         if (meanTurns == 0) {
             long turns = 0;
             for (int seed = 0; seed < SEEDS; seed++) {
-                turns += match(direct(), seed, NOBODY).turns();
+                turns += match(direct(), seed, NO_LISTENER).turns();
             }
             meanTurns = (double) turns / SEEDS;
         }
         return meanTurns;
     }
 
-    /** So many different matches are played over and over. */
+    /** How many different matches are played in rotation. */
     private static final int SEEDS = 50;
 
     private long next;
@@ -101,49 +101,49 @@ final class MatchSection implements Section {
     private long play(Supplier<List<Seat>> seats, Path file) throws IOException {
         long seed = next++ % SEEDS;
         if (file == null) {
-            match(seats.get(), seed, NOBODY);
+            match(seats.get(), seed, NO_LISTENER);
             return 1;
         }
         try (OutputStream out = new WriteBehind(Files.newOutputStream(file))) {
-            match(seats.get(), seed, new ReplayWriter(out, header(kit, seed)));
+            match(seats.get(), seed, new ReplayWriter(out, header(fixture, seed)));
         }
         return 1;
     }
 
-    static ReplayHeader header(MatchKit kit, long seed) {
-        List<String> names = names(kit);
-        return new ReplayHeader(kit.setup().scene().gameId(), kit.setup().scene().json(), seed, names, names,
+    static ReplayHeader header(MatchFixture fixture, long seed) {
+        List<String> names = names(fixture);
+        return new ReplayHeader(fixture.setup().scene().gameId(), fixture.setup().scene().json(), seed, names, names,
             Double.POSITIVE_INFINITY);
     }
 
-    private static List<String> names(MatchKit kit) {
+    private static List<String> names(MatchFixture fixture) {
         List<String> names = new ArrayList<>();
-        for (int player = 0; player < kit.setup().scene().players(); player++) {
+        for (int player = 0; player < fixture.setup().scene().players(); player++) {
             names.add("bot-" + player);
         }
         return names;
     }
 
     private List<Seat> direct() {
-        return direct(kit);
+        return direct(fixture);
     }
 
-    static List<Seat> direct(MatchKit kit) {
-        return names(kit).stream().map(name -> Seat.direct(name, kit.direct().get())).toList();
+    static List<Seat> direct(MatchFixture fixture) {
+        return names(fixture).stream().map(name -> Seat.direct(name, fixture.direct().get())).toList();
     }
 
     private List<Seat> lines() {
-        return names(kit).stream()
-            .map(name -> new Seat(new InProcessPlayer(name, kit.lines().get()), Protocol.JSON)).toList();
+        return names(fixture).stream()
+            .map(name -> new Seat(new InProcessPlayer(name, fixture.lines().get()), Protocol.JSON)).toList();
     }
 
     private MatchResult match(List<Seat> seats, long seed, MatchListener listener) {
-        return match(kit, seats, seed, listener);
+        return match(fixture, seats, seed, listener);
     }
 
-    static MatchResult match(MatchKit kit, List<Seat> seats, long seed, MatchListener listener) {
+    static MatchResult match(MatchFixture fixture, List<Seat> seats, long seed, MatchListener listener) {
         try {
-            return Referee.of(kit.setup(), seed, seats, TimeControl.UNLIMITED, listener).play();
+            return Referee.of(fixture.setup(), seed, seats, TimeControl.UNLIMITED, listener).play();
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
             throw new IllegalStateException("interrupted", interrupted);
@@ -156,7 +156,7 @@ final class MatchSection implements Section {
         for (int count = 1; count <= threads; count *= 2) {
             about.accept(count + " threads");
             long start = System.nanoTime();
-            long hash = ParallelMatches.play(kit, games, count);
+            long hash = ParallelMatches.play(fixture, games, count);
             double speed = games * NANOS / (System.nanoTime() - start);
             if (count == 1) {
                 one = speed;

@@ -9,24 +9,25 @@ import steward.numerics.StateHash;
 /** Many matches on several threads. */
 public final class ParallelMatches {
 
-    private static final MatchListener NOBODY = new MatchListener() { };
+    private static final MatchListener NO_LISTENER = new MatchListener() { };
 
     private ParallelMatches() {
     }
 
     /**
-     * Plays the matches with the seeds 0, 1, ... between bots that look at the game.
+     * Plays the matches with the seeds 0, 1, ... between bots that read the game itself.
      *
      * @return a hash of all results, in the order of seeds
      */
-    public static long play(MatchKit kit, int games, int threads) throws InterruptedException {
+    public static long play(MatchFixture fixture, int games, int threads) throws InterruptedException {
         long[] results = new long[games];
         AtomicInteger next = new AtomicInteger();
         AtomicReference<RuntimeException> failure = new AtomicReference<>();
         Runnable work = () -> {
             try {
                 for (int game = next.getAndIncrement(); game < games; game = next.getAndIncrement()) {
-                    results[game] = result(MatchSection.match(kit, MatchSection.direct(kit), game, NOBODY));
+                    results[game] = result(
+                        MatchSection.match(fixture, MatchSection.direct(fixture), game, NO_LISTENER));
                 }
             } catch (RuntimeException failed) {
                 failure.compareAndSet(null, failed);

@@ -20,7 +20,9 @@ import steward.match.Seat;
 import steward.match.TimeControl;
 import steward.match.Turn;
 
-/** Turns between bot processes, against bare pipes to the same programs; and what a match costs before its turns. */
+/**
+ * Turns between bot processes, compared with bare pipes to the same programs; and the cost of a match before its turns.
+ */
 final class ProcessSection implements Section {
 
     private static final String[] CLOCKS =
@@ -28,23 +30,23 @@ final class ProcessSection implements Section {
     private static final int WARM_TURNS = 200;
     private static final double NANOS = 1e9;
     private static final double NANOS_PER_MS = 1e6;
-    /** As long as a turn frame of the official scene. */
+    /** The length of a turn frame of the official scene. */
     private static final int FRAME_BYTES = 480;
 
-    private final MatchKit kit;
+    private final MatchFixture fixture;
     private final GameSetup longGame;
     private final int longTurns;
     private final GameSetup oneTurn;
     private final List<String> shell;
 
     /**
-     * @param longGame  a scene in which bots that never arrive play many turns
-     * @param longTurns how many
+     * @param longGame  a scene in which bots that never reach a checkpoint play many turns
+     * @param longTurns how many turns
      * @param oneTurn   a scene that is over after one turn
-     * @param shell     a program that starts at once and answers every line with a good one
+     * @param shell     a program that starts at once and answers every line with a valid one
      */
-    ProcessSection(MatchKit kit, GameSetup longGame, int longTurns, GameSetup oneTurn, List<String> shell) {
-        this.kit = kit;
+    ProcessSection(MatchFixture fixture, GameSetup longGame, int longTurns, GameSetup oneTurn, List<String> shell) {
+        this.fixture = fixture;
         this.longGame = longGame;
         this.longTurns = longTurns;
         this.oneTurn = oneTurn;
@@ -118,8 +120,8 @@ final class ProcessSection implements Section {
         byte[] frame = new byte[FRAME_BYTES];
         Arrays.fill(frame, (byte) 'x');
         frame[FRAME_BYTES - 1] = '\n';
-        try (PipeRoundTrip one = new PipeRoundTrip(kit.responder());
-                PipeRoundTrip other = new PipeRoundTrip(kit.responder())) {
+        try (PipeRoundTrip one = new PipeRoundTrip(fixture.responder());
+                PipeRoundTrip other = new PipeRoundTrip(fixture.responder())) {
             exchange(one, other, frame, WARM_TURNS);
             Clocks clocks = new Clocks();
             clocks.start();
@@ -138,7 +140,7 @@ final class ProcessSection implements Section {
 
     private void match(double[][] into, int round) throws InterruptedException {
         Clocks clocks = new Clocks();
-        play(longGame, kit.responder(), new MatchListener() {
+        play(longGame, fixture.responder(), new MatchListener() {
             @Override
             public void played(Turn turn) {
                 if (turn.number() == WARM_TURNS) {
@@ -151,7 +153,7 @@ final class ProcessSection implements Section {
         clocks.write(into, round, longTurns - WARM_TURNS);
     }
 
-    /** Looked at by the thread that asks, while the bots are there. */
+    /** Read by the asking thread while the bots are running. */
     private static final class Clocks {
 
         private final Meter meter = new Meter();
@@ -160,7 +162,7 @@ final class ProcessSection implements Section {
         private long wall;
 
         void start() {
-            tree = TreeClock.nanos();
+            tree = ProcessTreeClock.nanos();
             thread = meter.cpu(false);
             wall = System.nanoTime();
         }
@@ -168,7 +170,7 @@ final class ProcessSection implements Section {
         void stop() {
             wall = System.nanoTime() - wall;
             thread = meter.cpu(false) - thread;
-            tree = TreeClock.nanos() - tree;
+            tree = ProcessTreeClock.nanos() - tree;
         }
 
         /** In the order of {@link #CLOCKS}. */

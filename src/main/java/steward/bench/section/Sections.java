@@ -7,62 +7,62 @@ import steward.bench.Section;
 import steward.game.Game;
 import steward.game.GameSetup;
 
-/** The parts of the table that every game has. */
+/** The sections of the table that every game has. */
 public final class Sections {
 
     private Sections() {
     }
 
-    /** Whole matches, and how they grow with threads. */
-    public static Section matches(MatchKit kit, int threads, int games) {
-        return new MatchSection(kit, threads, games);
+    /** Whole matches, and how they scale with threads. */
+    public static Section matches(MatchFixture fixture, int threads, int games) {
+        return new MatchSection(fixture, threads, games);
     }
 
     /**
      * Lines of one turn.
      *
-     * @param next   puts a game into another state, at next to no cost
-     * @param answer a good one
+     * @param next   changes the game's state, at next to no cost
+     * @param answer a valid one
      */
-    public static Section frames(MatchKit kit, Consumer<Game> next, String answer) {
-        return new FrameSection(kit, next, answer);
+    public static Section frames(MatchFixture fixture, Consumer<Game> next, String answer) {
+        return new FrameSection(fixture, next, answer);
     }
 
-    /** Replays. */
-    public static Section verify(MatchKit kit) {
-        return new VerifySection(kit);
+    /** Verification of replays. */
+    public static Section verify(MatchFixture fixture) {
+        return new VerifySection(fixture);
     }
 
     /**
      * Bot processes.
      *
-     * @param longGame  a scene in which bots that never arrive play many turns
-     * @param longTurns how many
+     * @param longGame  a scene in which bots that never reach a checkpoint play many turns
+     * @param longTurns how many turns
      * @param oneTurn   a scene that is over after one turn
-     * @param shell     a program that starts at once and answers every line with a good one
+     * @param shell     a program that starts at once and answers every line with a valid one
      */
-    public static Section processes(MatchKit kit, GameSetup longGame, int longTurns, GameSetup oneTurn,
+    public static Section processes(MatchFixture fixture, GameSetup longGame, int longTurns, GameSetup oneTurn,
                                     List<String> shell) {
-        return new ProcessSection(kit, longGame, longTurns, oneTurn, shell);
+        return new ProcessSection(fixture, longGame, longTurns, oneTurn, shell);
     }
 
     /**
      * Many bodies.
      *
-     * @param bodies how many, a gas of each
-     * @throws IllegalArgumentException if there cannot be so many, in words for people
+     * @param bodies the numbers of bodies, a gas for each
+     * @throws IllegalArgumentException if so many are not possible, with a readable message
      */
     public static Section crowds(List<Integer> bodies) {
         return new CrowdSection(bodies);
     }
 
     /** Other numbers of players and turns. */
-    public static Section growth(MatchKit kit, Map<String, GameSetup> scenes) {
-        return new GrowthSection(kit, scenes);
+    public static Section growth(MatchFixture fixture, Map<String, GameSetup> scenes) {
+        return new GrowthSection(fixture, scenes);
     }
 
     /** The start of the program. */
-    public static Section start(MatchKit kit) {
-        return new StartSection(kit);
+    public static Section start(MatchFixture fixture) {
+        return new StartupSection(fixture);
     }
 }

@@ -23,16 +23,16 @@ import steward.replay.verify.Resimulation;
 import steward.replay.verify.Verification;
 import tools.jackson.databind.json.JsonMapper;
 
-/** Recorded matches played again. */
+/** Recorded matches, played again and compared. */
 final class VerifySection implements Section {
 
     private static final int MATCHES = 50;
     private static final double MEGABYTE = 1e6;
 
-    private final MatchKit kit;
+    private final MatchFixture fixture;
 
-    VerifySection(MatchKit kit) {
-        this.kit = kit;
+    VerifySection(MatchFixture fixture) {
+        this.fixture = fixture;
     }
 
     @Override
@@ -82,8 +82,8 @@ final class VerifySection implements Section {
 
     private byte[] record(int seed) {
         ByteArrayOutputStream file = new ByteArrayOutputStream();
-        MatchSection.match(kit, MatchSection.direct(kit), seed,
-            new ReplayWriter(file, MatchSection.header(kit, seed)));
+        MatchSection.match(fixture, MatchSection.direct(fixture), seed,
+            new ReplayWriter(file, MatchSection.header(fixture, seed)));
         return file.toByteArray();
     }
 
@@ -96,7 +96,7 @@ final class VerifySection implements Section {
 
     private long verify(Path file) throws Exception {
         try (ReplayReader replay = ReplayReader.open(file)) {
-            Verification verification = Verification.of(replay, kit.types());
+            Verification verification = Verification.of(replay, fixture.types());
             if (!verification.verified()) {
                 throw new IllegalStateException("a fresh recording differs: " + verification.difference());
             }
@@ -105,7 +105,7 @@ final class VerifySection implements Section {
     }
 
     private long again(RecordedMatch match) {
-        Resimulation again = new Resimulation(match.header(), kit.types(), match.source());
+        Resimulation again = new Resimulation(match.header(), fixture.types(), match.source());
         for (RecordedTurn turn : match.turns()) {
             if (again.play(turn) != null) {
                 throw new IllegalStateException("a fresh recording cannot be played again");

@@ -5,11 +5,11 @@ import java.util.PriorityQueue;
 import steward.physics.Bodies;
 
 /**
- * Elastic discs in a square box as a textbook simulates them, to measure other ways against: a priority queue of all
- * foreseen impacts; who has had an impact is held anew against every other one, and an event is dropped when its turn
- * comes if one of its two has had another impact since (R. Sedgewick, K. Wayne, "Algorithms", 4th edition, section
- * 6.1). Plain formulas, an object per body and event, everybody moves at every impact. It shares nothing with the
- * physics of Steward but the list of bodies it starts from.
+ * Elastic discs in a square box as a textbook simulates them, a baseline for other ways: a priority queue of all
+ * predicted impacts; after an impact, a body is predicted anew against every other one, and an event is dropped when it
+ * is due if one of its two bodies has had another impact since (R. Sedgewick, K. Wayne, "Algorithms", 4th edition,
+ * section 6.1). Plain formulas, an object per body and event, all bodies move at every impact. It shares nothing with
+ * the physics of Steward but the list of bodies it starts from.
  */
 public final class TextbookCrowd {
 
@@ -33,7 +33,7 @@ public final class TextbookCrowd {
         }
     }
 
-    /** A foreseen impact of two discs, or of one with an upright wall (b is null) or a level one (a is null). */
+    /** A predicted impact of two discs, or of one with a vertical wall (b is null) or a horizontal one (a is null). */
     private record Event(double time, Disc a, Disc b, int impactsOfA, int impactsOfB) implements Comparable<Event> {
 
         Event(double time, Disc a, Disc b) {
@@ -57,7 +57,7 @@ public final class TextbookCrowd {
     private long impacts;
 
     /**
-     * @param bodies where they are and how fast, inside the box from (0, 0) to (side, side)
+     * @param bodies with positions and velocities, inside the box from (0, 0) to (side, side)
      * @throws IllegalArgumentException if one is not inside
      */
     public TextbookCrowd(Bodies bodies, double side) {
@@ -74,7 +74,7 @@ public final class TextbookCrowd {
         Arrays.stream(discs).forEach(this::foresee);
     }
 
-    /** Plays on until there have been so many impacts in all. */
+    /** Simulates until there have been this many impacts in all. */
     public void play(long untilImpacts) {
         while (impacts < untilImpacts && !queue.isEmpty()) {
             Event event = queue.poll();
@@ -100,12 +100,12 @@ public final class TextbookCrowd {
         }
     }
 
-    /** How many impacts there have been, with walls too. */
+    /** How many impacts there have been, including those with walls. */
     public long impacts() {
         return impacts;
     }
 
-    /** What of all is moving, summed: half of mass times speed squared. */
+    /** The total kinetic energy: the sum of half of mass times speed squared. */
     public double energy() {
         return Arrays.stream(discs).mapToDouble(d -> d.mass * (d.vx * d.vx + d.vy * d.vy) / 2).sum();
     }

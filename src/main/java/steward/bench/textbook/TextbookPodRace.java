@@ -1,12 +1,13 @@
 package steward.bench.textbook;
 
+import java.awt.geom.Line2D;
 import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The textbook baseline: the official turn of the pod race as a contestant writes it down from the rules, pod objects,
- * {@link StrictMath}, every pair's quadratic each time. It shares no code with the engine, so that it can be measured
- * against, and checked against. Without elimination and without the bound on impacts.
+ * The textbook baseline: the official turn of the pod race as a contestant writes it from the rules: pod objects,
+ * {@link StrictMath}, every pair's quadratic each time. It shares no code with the engine, so that the engine can be
+ * measured and checked against it. Without elimination and without the bound on impacts.
  *
  * <p>Units: u, turns, radians, pod masses.
  */
@@ -25,7 +26,7 @@ public final class TextbookPodRace {
     private static final double WINDOW = 1e-5;
     private static final double MINIMUM_IMPULSE = 120;
 
-    /** A pod, and where it has been in this turn. */
+    /** A pod and its path in this turn. */
     public static final class Pod {
         public double x;
         public double y;
@@ -39,10 +40,19 @@ public final class TextbookPodRace {
         /** Checkpoints passed since the start. */
         public int passed;
 
-        private double mass = 1;
+        /** 10 from the command of a shield until the next command. */
+        public double mass = 1;
         private double[] pathX = new double[16];
         private double[] pathY = new double[16];
         private int path;
+        private double cornerTime;
+
+        /** One corner an impact, the place after it; a later one at the same time replaces it. */
+        private void corner(double time) {
+            path -= cornerTime == time ? 1 : 0;
+            cornerTime = time;
+            remember();
+        }
 
         private void remember() {
             if (path == pathX.length) {
@@ -58,29 +68,28 @@ public final class TextbookPodRace {
     }
 
     private final double[][] checkpoints;
-    private final int toFinish;
     private final Pod[] pods;
 
     /** @param checkpoints {@code [n][x, y]} */
-    public TextbookPodRace(double[][] checkpoints, int pods, int laps) {
+    public TextbookPodRace(double[][] checkpoints, int pods) {
         this.checkpoints = checkpoints;
-        toFinish = laps * checkpoints.length;
         this.pods = new Pod[pods];
         for (int k = 0; k < pods; k++) {
             this.pods[k] = new Pod();
         }
     }
 
-    /** To read and to write between turns. */
+    /** A pod, to read and write between turns. */
     public Pod pod(int k) {
         return pods[k];
     }
 
-    /** Plays one turn: per pod a target and a thrust, {@link #SHIELD}, {@link #BOOST} or {@link #NO_COMMAND}. */
+    /** Plays one turn with a target and a thrust per pod, {@link #SHIELD}, {@link #BOOST} or {@link #NO_COMMAND}. */
     public void play(double[] targetX, double[] targetY, int[] thrust) {
         for (int k = 0; k < pods.length; k++) {
             pods[k].path = 0;
             pods[k].remember();
+            pods[k].cornerTime = Double.NaN;
             command(pods[k], targetX[k], targetY[k], thrust[k]);
         }
         advance();
@@ -90,7 +99,8 @@ public final class TextbookPodRace {
             pod.x = Math.floor(pod.x + 0.5) + 0.0;
             pod.y = Math.floor(pod.y + 0.5) + 0.0;
             pod.remember();
-            while (pod.passed < toFinish && passes(pod, checkpoints[(pod.passed + 1) % checkpoints.length])) {
+            int most = checkpoints.length;
+            while (most-- > 0 && passes(pod, checkpoints[(pod.passed + 1) % checkpoints.length])) {
                 pod.passed++;
             }
         }
@@ -103,7 +113,7 @@ public final class TextbookPodRace {
     private static void command(Pod pod, double targetX, double targetY, int command) {
         boolean shield = command == SHIELD;
         pod.shieldTimer = shield ? 4 : Math.max(0, pod.shieldTimer - 1);
-        pod.mass = shield ? 10 : 1;
+        pod.mass = command == NO_COMMAND ? pod.mass : shield ? 10 : 1;
         int thrust = Math.max(0, command);
         if (command == BOOST) {
             thrust = pod.boostLeft ? 650 : 200;
@@ -142,7 +152,7 @@ public final class TextbookPodRace {
             now = first;
             for (Impact impact : impacts) {
                 if (impact.time - first <= WINDOW) {
-                    react(impact.a, impact.b);
+                    react(impact.a, impact.b, impact.time);
                 }
             }
         }
@@ -191,50 +201,38 @@ public final class TextbookPodRace {
         }
     }
 
-    private static void react(Pod a, Pod b) {
-        a.remember();
-        b.remember();
+    private static void react(Pod a, Pod b, double time) {
         double dx = b.x - a.x;
         double dy = b.y - a.y;
         double distance = Math.sqrt(dx * dx + dy * dy);
         double nx = distance == 0 ? 1 : dx / distance;
         double ny = distance == 0 ? 0 : dy / distance;
-        double f = (nx * (a.vx - b.vx) + ny * (a.vy - b.vy)) / (1 / a.mass + 1 / b.mass);
+        double wa = 1 / a.mass;
+        double wb = 1 / b.mass;
+        double f = (nx * (a.vx - b.vx) + ny * (a.vy - b.vy)) / (wa + wb);
         double impulse = f + Math.max(MINIMUM_IMPULSE, f);
-        a.vx -= nx * impulse / a.mass;
-        a.vy -= ny * impulse / a.mass;
-        b.vx += nx * impulse / b.mass;
-        b.vy += ny * impulse / b.mass;
+        a.vx -= nx * impulse * wa;
+        a.vy -= ny * impulse * wa;
+        b.vx += nx * impulse * wb;
+        b.vy += ny * impulse * wb;
         if (distance <= TOUCH) {
             double each = (TOUCH - distance) / 2 + WINDOW;
             a.x -= nx * each;
             a.y -= ny * each;
             b.x += nx * each;
             b.y += ny * each;
-            a.remember();
-            b.remember();
         }
+        a.corner(time);
+        b.corner(time);
     }
 
     private static boolean passes(Pod pod, double[] checkpoint) {
         for (int k = 1; k < pod.path; k++) {
-            if (distance(checkpoint, pod.pathX[k - 1], pod.pathY[k - 1], pod.pathX[k], pod.pathY[k])
-                <= CHECKPOINT_RADIUS) {
+            if (Line2D.ptSegDist(pod.pathX[k - 1], pod.pathY[k - 1], pod.pathX[k], pod.pathY[k], checkpoint[0],
+                checkpoint[1]) <= CHECKPOINT_RADIUS) {
                 return true;
             }
         }
         return false;
-    }
-
-    /** Of a point from the segment a-b. */
-    private static double distance(double[] point, double ax, double ay, double bx, double by) {
-        double dx = bx - ax;
-        double dy = by - ay;
-        double square = dx * dx + dy * dy;
-        double share = square == 0 ? 0 : ((point[0] - ax) * dx + (point[1] - ay) * dy) / square;
-        share = Math.min(1, Math.max(0, share));
-        double offX = ax + share * dx - point[0];
-        double offY = ay + share * dy - point[1];
-        return Math.sqrt(offX * offX + offY * offY);
     }
 }

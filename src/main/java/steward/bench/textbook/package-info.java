@@ -1,6 +1,4 @@
-/**
- * Plain textbook ways of doing the same, to measure against; they share no code with the engine.
- */
+/** Plain textbook implementations as a baseline; they share no code with the engine. */
 @Internal
 package steward.bench.textbook;
 

@@ -8,26 +8,26 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * A bot as a person names it on the command line: {@code [NAME=][builtin:|json:|codingame:]COMMAND}, for example
+ * A bot as it is named on the command line: {@code [NAME=][builtin:|json:|codingame:]COMMAND}, for example
  * {@code racer.py}, {@code blue=python3 racer.py} or {@code builtin:racer}.
  *
- * @param name   the name before the {@code =} (letters, digits, dot, underscore, hyphen), or {@code null}
+ * @param name  the name before the {@code =} (letters, digits, dot, underscore, hyphen), or {@code null}
  * @param prefix what kind of command it is
  * @param words  the program and its arguments, split as by {@link CommandLine}; for {@link Prefix#BUILTIN} the bot's
  *     name and further arguments; at least one word
  */
 public record BotCommand(String name, Prefix prefix, List<String> words) {
 
-    /** What the word before the colon says about a bot. */
+    /** What the word before the colon selects. */
     public enum Prefix {
-        /** A bot that comes with the program; speaks JSON. */
+        /** A bot bundled with the program; uses the JSON protocol. */
         BUILTIN,
-        /** A program that speaks JSON; most often also one without a prefix. */
+        /** A program that uses the JSON protocol; usually also the meaning of a command without a prefix. */
         JSON,
-        /** A program that speaks CodinGame's text protocol. */
+        /** A program that uses CodinGame's text protocol. */
         CODINGAME;
 
-        /** As it is written, with its colon. */
+        /** The prefix as it is written, with its colon. */
         public String written() {
             return name().toLowerCase(Locale.ROOT) + ":";
         }
@@ -49,7 +49,7 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
         }
     }
 
-    /** As {@link #parse(String, Prefix)}; a program without a prefix speaks JSON. */
+    /** As {@link #parse(String, Prefix)}; a program without a prefix uses JSON. */
     public static BotCommand parse(String text) {
         return parse(text, Prefix.JSON);
     }
@@ -75,6 +75,29 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
         return new BotCommand(name, written == null ? usual : written, words);
     }
 
+    /**
+     * A bot command whose words a shell has split already: name and prefix may stand before the first of them.
+     *
+     * @param usual what a bot without a prefix is
+     * @throws IllegalArgumentException when there is no command
+     */
+    public static BotCommand of(List<String> words, Prefix usual) {
+        String first = words.isEmpty() ? "" : words.get(0);
+        Matcher named = NAMED.matcher(first);
+        String name = named.matches() ? named.group(1) : null;
+        String rest = named.matches() ? named.group(2) : first;
+        Prefix written = writtenPrefix(rest);
+        String program = written == null ? rest : rest.substring(written.written().length());
+        List<String> all = new ArrayList<>(words.subList(Math.min(1, words.size()), words.size()));
+        if (!program.isEmpty()) {
+            all.add(0, program);
+        }
+        if (all.isEmpty()) {
+            throw new IllegalArgumentException("bot '" + first + "': there is no command; expected " + FORM);
+        }
+        return new BotCommand(name, written == null ? usual : written, all);
+    }
+
     private static Prefix writtenPrefix(String text) {
         for (Prefix each : Prefix.values()) {
             if (text.startsWith(each.written())) {
@@ -86,14 +109,14 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
 
     private static List<String> split(String text, int start) {
         try {
-            // Blanks in place of what was read already: the columns of messages are then those of the whole text.
+            // Blanks replace what was already read, so that columns in messages are those of the whole text.
             return CommandLine.split(" ".repeat(start) + text.substring(start));
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException("bot '" + text + "', " + e.getMessage(), e);
         }
     }
 
-    /** The name given, otherwise the builtin bot's name, otherwise the name of the script or program. */
+    /** The given name; without one, the name of the builtin bot, the script or the program. */
     public String displayName() {
         if (name != null) {
             return name;
@@ -101,8 +124,8 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
         String program = words.get(0);
         boolean fromPath = prefix != Prefix.BUILTIN && program.indexOf('/') < 0;
         for (String word : words.subList(1, words.size())) {
-            // A program from the PATH that is given a file is most often an interpreter with its script.
-            if (fromPath && Programs.isFile(word)) {
+            // A program from the PATH with a file as argument is usually an interpreter and its script.
+            if (fromPath && ProgramFinder.isFile(word)) {
                 program = word;
                 break;
             }
@@ -112,21 +135,21 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
     }
 
     /**
-     * The program to start and its arguments, checked: the builtin bot is known, the program is there and executable.
+     * The program to start and its arguments, checked: the builtin bot is known, the program exists and is executable.
      *
      * @throws IllegalArgumentException when it cannot be started; the message says what was found and what was expected
      */
     public List<String> resolve() {
-        return resolve(Builtins.installed());
+        return resolve(BuiltinBots.installed());
     }
 
     /** As {@link #resolve()}, with builtin bots of the caller's choice. */
-    List<String> resolve(Builtins builtins) {
+    List<String> resolve(BuiltinBots builtins) {
         try {
             if (prefix == Prefix.BUILTIN) {
                 return builtins.command(words.get(0), words.subList(1, words.size()));
             }
-            Programs.check(words.get(0));
+            ProgramFinder.check(words.get(0));
             return words;
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException("bot '" + this + "': " + e.getMessage() + hint(), e);

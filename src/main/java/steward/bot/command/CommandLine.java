@@ -39,7 +39,7 @@ public final class CommandLine {
         return new CommandLine(text).split();
     }
 
-    /** One line that {@link #split} takes apart into the same words; for people to read and to paste into a shell. */
+    /** One line that {@link #split} takes apart into the same words; readable, and fit to paste into a shell. */
     public static String quote(List<String> words) {
         StringBuilder line = new StringBuilder();
         for (String each : words) {

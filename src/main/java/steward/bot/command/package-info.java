@@ -1,6 +1,6 @@
 /**
- * How a person names a bot: a command line split as a shell would, prefixes for the protocol, the bots that come with
- * the program, and finding the program.
+ * How a bot is named on the command line: splitting words as a shell does, prefixes for the protocol, the bundled bots,
+ * and finding the program.
  */
 @Internal
 package steward.bot.command;

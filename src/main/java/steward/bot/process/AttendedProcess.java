@@ -7,22 +7,22 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import steward.bot.Answer;
-import steward.bot.AnswerLines;
-import steward.bot.Faults;
+import steward.bot.AnswerReader;
+import steward.bot.FaultMessages;
 import steward.bot.Player;
 
 /**
- * A bot program that a person looks after, perhaps with a debugger: no deadline, no watchdog, no session of its own.
- * Its input and output are ours; its stderr and its terminal are left as they are.
+ * A bot program that a person attends to, perhaps with a debugger: no deadline, no watchdog, no session of its own. Its
+ * input and output are connected to the referee; stderr and terminal are left as they are.
  *
- * <p>Caveat: nothing ends it but itself, its person, or {@link #kill}.
+ * <p>Caveat: it ends only by itself, by its user, or by {@link #kill}.
  */
 public final class AttendedProcess implements Player {
 
     private final String name;
     private final Process process;
     private final OutputStream input;
-    private final AnswerLines output;
+    private final AnswerReader output;
     private byte[] queued = {};
     private boolean finished;
 
@@ -30,13 +30,13 @@ public final class AttendedProcess implements Player {
         this.name = name;
         this.process = process;
         input = process.getOutputStream();
-        output = new AnswerLines(process.getInputStream());
+        output = new AnswerReader(process.getInputStream());
     }
 
     /**
      * Starts a program.
      *
-     * @param name    how people call it
+     * @param name    its name in messages
      * @param command the program and its arguments
      * @throws IOException when it could not be started
      */
@@ -45,7 +45,7 @@ public final class AttendedProcess implements Player {
             new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.INHERIT).start());
     }
 
-    /** The number of the process, for whoever wants to attach to it. */
+    /** The number of the process, to attach a debugger to it. */
     public long pid() {
         return process.pid();
     }
@@ -55,7 +55,7 @@ public final class AttendedProcess implements Player {
         return process.onExit();
     }
 
-    /** Waits for the process to end; whether it has. */
+    /** Waits for the process to end; returns whether it has ended. */
     public boolean awaitEnd(long mostMs) throws InterruptedException {
         return process.waitFor(mostMs, TimeUnit.MILLISECONDS);
     }
@@ -73,21 +73,21 @@ public final class AttendedProcess implements Player {
         queued = more;
     }
 
-    /** The limit is not heeded. */
+    /** The limit is ignored. */
     @Override
     public Ending ask(byte[] frame, int length, int answerLines, long limitNanos, Answer answer) {
         answer.clear();
         tell(frame, length);
         send();
         long start = System.nanoTime();
-        AnswerLines.Outcome outcome = output.await(answerLines);
+        AnswerReader.Outcome outcome = output.await(answerLines);
         answer.setNanos(System.nanoTime() - start);
         switch (outcome) {
             case COMPLETE -> output.take(answerLines, answer);
-            case TOO_LONG -> answer.setFault(Faults.tooLong(AnswerLines.LINE_LIMIT));
+            case TOO_LONG -> answer.setFault(FaultMessages.tooLong(AnswerReader.LINE_LIMIT));
             default -> answer.setFault(endText());
         }
-        return outcome == AnswerLines.Outcome.COMPLETE ? Ending.ANSWERED : Ending.FAULT;
+        return outcome == AnswerReader.Outcome.COMPLETE ? Ending.ANSWERED : Ending.FAULT;
     }
 
     private void send() {
@@ -95,17 +95,17 @@ public final class AttendedProcess implements Player {
             input.write(queued);
             input.flush();
         } catch (IOException gone) {
-            // It has ended or closed its input; its output says the rest.
+            // The process has ended or closed its input; reading its output shows which.
             return;
         } finally {
             queued = new byte[0];
         }
     }
 
-    /** Its output has ended; a program under a debugger may be there still. */
+    /** The fault after the end of the output; a program under a debugger may still exist. */
     private String endText() {
         try {
-            return awaitEnd(TimeUnit.SECONDS.toMillis(1)) ? Faults.exited(process.exitValue())
+            return awaitEnd(TimeUnit.SECONDS.toMillis(1)) ? FaultMessages.exited(process.exitValue())
                 : "closed its output before answering";
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
@@ -113,13 +113,13 @@ public final class AttendedProcess implements Player {
         }
     }
 
-    /** It always comes back, or never. */
+    /** Never used: calls are never abandoned. */
     @Override
     public void onAbandoned(Consumer<Answer> continuation) {
-        // Nobody is abandoned.
+        // No call is abandoned.
     }
 
-    /** Says the last lines and closes its input; it may go on for as long as it likes. */
+    /** Sends the last lines and closes its input; the process may keep running. */
     @Override
     public void finish(byte[] lines, int length) {
         if (finished) {
@@ -129,7 +129,7 @@ public final class AttendedProcess implements Player {
         if (lines != null) {
             tell(lines, length);
         }
-        SpareThreads.run(() -> {
+        DaemonThreadPool.run(() -> {
             send();
             try {
                 input.close();
@@ -139,7 +139,7 @@ public final class AttendedProcess implements Player {
         });
     }
 
-    /** Asks it and all that it has started to end, and kills what has not after the time. */
+    /** Asks the process and its descendants to end, and kills those still alive after the given time. */
     public void kill(long graceMs) throws InterruptedException {
         List<ProcessHandle> descendants = process.descendants().toList();
         process.destroy();

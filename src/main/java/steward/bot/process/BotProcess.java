@@ -12,8 +12,8 @@ import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import steward.bot.Answer;
-import steward.bot.AnswerLines;
-import steward.bot.Faults;
+import steward.bot.AnswerReader;
+import steward.bot.FaultMessages;
 import steward.bot.LineBuffer;
 import steward.bot.Player;
 import steward.bot.command.BotCommand;
@@ -21,29 +21,29 @@ import steward.bot.command.BotCommand;
 /**
  * A bot program: reads its frames from its input and writes its answers to its output, line by line.
  *
- * <p>The process starts with the first {@link #ask}. The asking thread itself writes and reads, blocked for as long as
- * it takes; one watchdog for all bots kills the process group at the deadline, which ends the blocked call. A call
- * that has not come back {@value #ABANDON_AFTER_MS} ms after that, because some process outside the group holds the
- * pipe, is abandoned, see {@link Player#onAbandoned}; abandoned threads stay behind, so let daemon threads ask.
+ * <p>The process starts with the first {@link #ask}. The asking thread itself writes and reads with blocking calls; one
+ * watchdog for all bots kills the process group at the deadline, which ends the blocked call. A call that has not
+ * returned {@value #ABANDON_AFTER_MS} ms after that, because a process outside the group holds the pipe, is abandoned,
+ * see {@link Player#onAbandoned}. An abandoned thread stays behind, so call {@code ask} on daemon threads.
  *
- * <p>The bot is its first process: when that has exited, nothing that it left behind is listened to. A bot that
+ * <p>The bot is its first process: when that has exited, output of its remaining descendants is ignored. A bot that
  * closes its input may still answer. After a fault the bot is killed at once.
  *
- * <p>Caveats: processes that leave the group on purpose, and have lost their parents, survive. An answer that is
- * there before it was asked for counts as given at once.
+ * <p>Caveats: processes that leave the group on purpose, and whose parents have exited, survive. An answer that was
+ * written before it was asked for counts as given at once.
  */
 public final class BotProcess implements Player {
 
-    /** The time that a bot has by default to exit by itself at the end, in milliseconds. */
+    /** How long a bot may take by default to exit by itself at the end, in milliseconds. */
     public static final long DEFAULT_GRACE_MS = 100;
 
     private static final long ABANDON_AFTER_MS = 100;
 
-    /** How long a process that has closed its output may take to exit, in milliseconds, to be one that exited. */
+    /** How long a process may take to exit after closing its output, in milliseconds, to be reported as exited. */
     private static final long EXIT_MS = 200;
 
     /** How long the last lines may take to be written, in milliseconds. */
-    private static final long FAREWELL_MS = 100;
+    private static final long LAST_LINES_MS = 100;
 
     private static final String BROKEN_OFF = "asked again after its end";
 
@@ -61,32 +61,32 @@ public final class BotProcess implements Player {
 
     private StderrFile stderr;
     private OutputStream input;
-    private AnswerLines output;
+    private AnswerReader output;
 
-    /** Set when all of the above are there. */
+    /** Set last: once it is there, so are the three fields above. */
     private volatile ProcessGroup group;
 
-    /** The question that is being asked: what it may take, from when, how many lines, and whether it was written. */
+    /** The current question: time limit, start of the clock, lines of the answer, and whether the frame was written. */
     private long limit;
     private long clock;
     private int wanted;
     private boolean written;
 
-    /** Says the last lines. */
+    /** Writes the last lines. */
     private volatile FutureTask<Void> writer;
 
-    private volatile String lastWords;
+    private volatile String finalStderr;
 
-    /** No more questions. */
+    /** No more questions may be asked. */
     private volatile boolean over;
 
-    /** Another thread is stuck with the streams, which are then its own. */
+    /** Another thread is blocked in the streams and then owns them. */
     private boolean abandoned;
 
     /**
-     * A bot that is started when it is asked for the first time.
+     * A bot whose process is started by the first {@link #ask}.
      *
-     * @param name    how people call it
+     * @param name    its name in messages
      * @param command the program and its arguments, as from {@link BotCommand#resolve}
      */
     public BotProcess(String name, List<String> command) {
@@ -96,7 +96,7 @@ public final class BotProcess implements Player {
     /**
      * As {@link #BotProcess(String, List)}.
      *
-     * @param graceMs how long it may take to exit by itself at the end, in milliseconds, before it is killed
+     * @param graceMs how long the process may take to exit by itself at the end, in milliseconds, before it is killed
      * @throws IllegalArgumentException when there is no command, or the time is negative
      */
     public BotProcess(String name, List<String> command, long graceMs) {
@@ -152,16 +152,16 @@ public final class BotProcess implements Player {
         written = true;
         long later = due();
         if (deadline.postpone(due, later)) {
-            AnswerLines.Outcome outcome = output.await(answerLines);
+            AnswerReader.Outcome outcome = output.await(answerLines);
             return conclude(deadline.complete(later), outcome, answer);
         }
         clock = asked;
         written = false;
-        return conclude(false, AnswerLines.Outcome.ENDED, answer);
+        return conclude(false, AnswerReader.Outcome.ENDED, answer);
     }
 
-    /** The call has come back: in time, or because the watchdog has ended it, or after having been abandoned. */
-    private Ending conclude(boolean inTime, AnswerLines.Outcome outcome, Answer answer) {
+    /** Ends a call that has returned in time, or because the watchdog ended it, or after having been abandoned. */
+    private Ending conclude(boolean inTime, AnswerReader.Outcome outcome, Answer answer) {
         long waited = Watchdog.now() - clock;
         if (!inTime && !deadline.claim()) {
             output.close();
@@ -174,24 +174,24 @@ public final class BotProcess implements Player {
         }
         answer.setNanos(waited);
         if (cut || waited > limit) {
-            boolean complete = outcome == AnswerLines.Outcome.COMPLETE;
-            return fault(answer, lateText(waited, complete ? wanted : output.come(), output.loose()));
+            boolean complete = outcome == AnswerReader.Outcome.COMPLETE;
+            return fault(answer, lateText(waited, complete ? wanted : output.linesReceived(), output.partialBytes()));
         }
-        if (outcome == AnswerLines.Outcome.COMPLETE) {
+        if (outcome == AnswerReader.Outcome.COMPLETE) {
             output.take(wanted, answer);
-            answer.setExtraLines(output.extra());
+            answer.setExtraLines(output.extraLines());
             answer.setStderr(stderr.collect(false));
             return Ending.ANSWERED;
         }
-        return fault(answer, outcome == AnswerLines.Outcome.TOO_LONG
-            ? Faults.tooLong(AnswerLines.LINE_LIMIT) : endText());
+        return fault(answer, outcome == AnswerReader.Outcome.TOO_LONG
+            ? FaultMessages.tooLong(AnswerReader.LINE_LIMIT) : endText());
     }
 
     private long due() {
         return limit < Long.MAX_VALUE - clock ? clock + limit : Long.MAX_VALUE;
     }
 
-    /** Starts the process, and the clock with it; returns what went wrong, or {@code null}. */
+    /** Starts the process and the clock; returns the problem, or {@code null}. */
     private String start() {
         Sentinel.shared().start();
         try {
@@ -209,18 +209,18 @@ public final class BotProcess implements Player {
             stderr.unlink();
         }
         input = started.process().getOutputStream();
-        output = new AnswerLines(started.process().getInputStream());
+        output = new AnswerReader(started.process().getInputStream());
         Watchdog.shared().add(deadline);
         group = started;
         if (over) {
-            // Broken off by another thread, which may have come too early to see the process.
+            // Broken off by another thread, perhaps before the process was visible to it.
             Watchdog.shared().remove(deadline);
             return BROKEN_OFF;
         }
         return null;
     }
 
-    /** Writes what is queued and the frame in one piece. */
+    /** Writes the queued lines and the frame in one piece. */
     private void send(byte[] frame, int length) {
         byte[] bytes = frame;
         int count = length;
@@ -234,19 +234,20 @@ public final class BotProcess implements Player {
             input.write(bytes, 0, count);
             input.flush();
         } catch (IOException e) {
-            // It has exited or closed its input. What it answered before counts; its output says the rest.
+            // The bot has exited or closed its input. An earlier answer counts; reading the output shows which.
             return;
         }
     }
 
-    private String lateText(long waited, int lines, int loose) {
-        return written ? Faults.late(limit, waited, lines, wanted, loose) : Faults.deaf(limit, waited);
+    private String lateText(long waited, int lines, int partialBytes) {
+        return written
+            ? FaultMessages.late(limit, waited, lines, wanted, partialBytes) : FaultMessages.inputUnread(limit, waited);
     }
 
-    /** Why the output has ended. The exit status may come a little later than the end of the output. */
+    /** The fault after the end of the output. The exit status may be known a little later than that. */
     private String endText() {
         boolean exited = group.awaitExit(TimeUnit.MILLISECONDS.toNanos(EXIT_MS));
-        return exited ? Faults.exited(group.process().exitValue()) : "closed its output before answering";
+        return exited ? FaultMessages.exited(group.process().exitValue()) : "closed its output before answering";
     }
 
     private Ending fault(Answer answer, String reason) {
@@ -261,13 +262,16 @@ public final class BotProcess implements Player {
     }
 
     @Override
-    public void farewell(byte[] lines, int length) {
+    public void sendLastLines(byte[] lines, int length) {
         if (!over && group != null && writer == null) {
             startWriter(lines, length);
         }
     }
 
-    /** Another thread says the last lines and closes, since that may block; it stays behind if it does. */
+    /**
+     * Sends the last lines and closes the input on another thread, because both may block; a blocked thread is left
+     * behind.
+     */
     private void startWriter(byte[] lines, int length) {
         byte[] copy = lines == null ? new byte[0] : Arrays.copyOf(lines, length);
         FutureTask<Void> task = new FutureTask<>(() -> {
@@ -277,10 +281,10 @@ public final class BotProcess implements Player {
             closeInput();
         }, null);
         try {
-            SpareThreads.run(task);
+            DaemonThreadPool.run(task);
             writer = task;
         } catch (OutOfMemoryError e) {
-            // No more threads: it is not told.
+            // No more threads: the last lines are not sent.
             return;
         }
     }
@@ -307,37 +311,37 @@ public final class BotProcess implements Player {
             }
         }
         if (stderr != null) {
-            lastWords = polite ? stderr.collect(true) : lastWords;
+            finalStderr = polite ? stderr.collect(true) : finalStderr;
             stderr.close();
         }
     }
 
     @Override
-    public String lastWords() {
-        return lastWords;
+    public String finalStderr() {
+        return finalStderr;
     }
 
-    /** Waits until the last lines are written and the process has exited, for as long as either may take. */
+    /** Waits until the last lines are written and the process has exited, each within its time limit. */
     private void awaitExit() {
         try {
-            writer.get(FAREWELL_MS, TimeUnit.MILLISECONDS);
+            writer.get(LAST_LINES_MS, TimeUnit.MILLISECONDS);
             group.process().waitFor(graceMs, TimeUnit.MILLISECONDS);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         } catch (TimeoutException | ExecutionException e) {
-            // It does not read, or there is no memory left to write with: it is killed without having been told.
+            // The bot does not read, or no memory is left to write: it is killed without its last lines.
             return;
         }
     }
 
-    /** What happens at and before the deadline, on other threads than the asking one. */
+    /** The watchdog's side: what happens before and at the deadline, on other threads than the asking one. */
     private final class Alarm implements Deadline.Owner {
 
         /** Written by the watchdog before it decides. */
         private boolean leaderGone;
         private long goneSince;
 
-        /** Kills the group, which ends the blocked call of the asking thread; failing that, abandons that thread. */
+        /** Kills the group, which ends the blocked call of the asking thread; if that fails, abandons that thread. */
         @Override
         public void expired() {
             group.kill();
@@ -352,8 +356,8 @@ public final class BotProcess implements Player {
         }
 
         /**
-         * Bounds the stderr of a thinking bot, and gives up a bot that has exited while something it left behind
-         * keeps its output open: for one tick more, so that an answer on its way is read.
+         * Bounds the stderr of a computing bot. Ends the wait for a bot that has exited while a remaining descendant
+         * keeps its output open, one tick later, so that an answer already in the pipe is read.
          */
         @Override
         public boolean tick(long now) {
@@ -372,7 +376,7 @@ public final class BotProcess implements Player {
         Answer answer = new Answer();
         long waited = Watchdog.now() - clock;
         answer.setNanos(waited);
-        answer.setFault(alarm.leaderGone ? endText() : lateText(waited, output.come(), 0));
+        answer.setFault(alarm.leaderGone ? endText() : lateText(waited, output.linesReceived(), 0));
         answer.setStderr(stderr.collect(true));
         return answer;
     }
@@ -381,7 +385,7 @@ public final class BotProcess implements Player {
         try {
             input.close();
         } catch (IOException e) {
-            // Nobody reads it any more.
+            // The input has no reader any more.
             return;
         }
     }

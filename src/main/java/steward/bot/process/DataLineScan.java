@@ -7,12 +7,12 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 
 /**
- * Finds the lines that carry data for rating tools ({@code [TDATA]}, {@code [PDATA]}, {@code [PDATA+]}) among those of
- * a bot's stderr that are otherwise dropped because there are too many.
+ * Finds the lines that carry data for rating tools ({@code [TDATA]}, {@code [PDATA]}, {@code [PDATA+]}) in the part of
+ * a bot's stderr that is otherwise dropped because it is too long.
  */
 final class DataLineScan {
 
-    /** How far is looked, in bytes. */
+    /** How much is searched, in bytes. */
     static final int LOOKED_AT = 1 << 20;
     /** How much is kept, in bytes. */
     static final int KEPT = 4 * 1024;
@@ -26,7 +26,7 @@ final class DataLineScan {
         return text.getBytes(StandardCharsets.US_ASCII);
     }
 
-    /** Where the last line begins, if it can be one with data; otherwise {@code count}. */
+    /** Start of the last line, if it may be a data line; otherwise {@code count}. */
     static int begunLine(byte[] bytes, int count) {
         int start = count;
         while (start > 0 && bytes[start - 1] != '\n') {
@@ -35,7 +35,7 @@ final class DataLineScan {
         return start < count && isData(bytes, start, count) ? start : count;
     }
 
-    /** Whether what there is of a line begins like one with data. */
+    /** Whether the received part of a line begins like a data line. */
     private static boolean isData(byte[] bytes, int from, int to) {
         for (byte[] tag : TAGS) {
             int same = 0;
@@ -50,7 +50,7 @@ final class DataLineScan {
     }
 
     /**
-     * The lines with data, with their ends; the last may have come in part.
+     * The data lines, with their ends; the last may be incomplete.
      *
      * @param lineStart whether a line begins at {@code from}
      */

@@ -3,8 +3,8 @@ package steward.bot.process;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * Decides for one player between its answer and its deadline. All that matters is in one number, so that every
- * decision is one compare-and-set:
+ * Decides for one player between its answer and its deadline. The whole state is one number, so that every decision is
+ * one compare-and-set:
  *
  * <pre>
  *            arm              complete
@@ -15,20 +15,20 @@ import java.util.concurrent.atomic.AtomicLong;
  *                               └──────▶ ABANDONED   too late, and the player's thread is stuck
  * </pre>
  *
- * Pending is the positive time of the deadline itself, on the clock of {@link Watchdog#now}; idle is a negative
- * number, minus the time of the deadline before.
+ * Pending is the positive time of the deadline, on the clock of {@link Watchdog#now}; idle is minus the time of the
+ * previous deadline.
  */
 final class Deadline {
 
-    /** Whose deadline it is. */
+    /** The player that the deadline belongs to. */
     interface Owner {
 
-        /** The deadline has passed, and it has won. Called on a fresh daemon thread. */
+        /** The deadline has passed before the answer. Called on a new daemon thread. */
         void expired();
 
         /**
-         * Called by the watchdog, at least every {@link Watchdog#TICK} while pending. Returns at once, with true when
-         * there is nothing to wait for any more: the deadline then passes now.
+         * Called by the watchdog at least every {@link Watchdog#TICK} while pending. Must return at once; true means
+         * that no answer can come any more, and the deadline passes now.
          */
         boolean tick(long now);
     }
@@ -50,7 +50,7 @@ final class Deadline {
     }
 
     /**
-     * From now on pending.
+     * Makes the deadline pending.
      *
      * @param time when it passes; {@code Long.MAX_VALUE} is never
      */
@@ -59,22 +59,22 @@ final class Deadline {
         watchdog.look(time);
     }
 
-    /** Moves a pending deadline to a later time; false when it has passed before. */
+    /** Moves a pending deadline to a later time; false if it has already passed. */
     boolean postpone(long time, long later) {
         return state.compareAndSet(time, later);
     }
 
-    /** What was to be done is done; false when the deadline has passed before, and then {@link #claim} decides. */
+    /** The answer is complete; false if the deadline has already passed, and then {@link #claim} decides. */
     boolean complete(long time) {
         return state.compareAndSet(time, -time);
     }
 
-    /** After the deadline has passed: true when the player's thread goes on, false when it was abandoned. */
+    /** After the deadline has passed: true if the player's thread goes on, false if it was abandoned. */
     boolean claim() {
         return state.compareAndSet(EXPIRED, NEW);
     }
 
-    /** After the deadline has passed: true when the player's thread is given up, false when it went on before. */
+    /** After the deadline has passed: true if the player's thread is abandoned, false if it went on before. */
     boolean abandon() {
         return state.compareAndSet(EXPIRED, ABANDONED);
     }
@@ -83,12 +83,12 @@ final class Deadline {
         return state.get() == EXPIRED;
     }
 
-    /** After the deadline has passed: when that was seen. */
+    /** When the watchdog noticed that the deadline had passed. */
     long passedAt() {
         return seen;
     }
 
-    /** Called by the watchdog alone: decides about a pending deadline. */
+    /** Called only by the watchdog: decides about a pending deadline. */
     void check(long now) {
         long time = state.get();
         if (time < 0) {
@@ -104,14 +104,14 @@ final class Deadline {
         try {
             thread.start();
         } catch (OutOfMemoryError e) {
-            // No more threads: late for others is better than never for this one.
+            // No more threads: run it here, even if that delays the other deadlines.
             owner.expired();
         }
     }
 
     /**
-     * Called by the watchdog alone: when it has to look again. Between two turns that is still the deadline of the
-     * turn before: the next turn's is later, and so a player that answers at once does not wake the watchdog.
+     * Called only by the watchdog: when to check again. Between two turns that is the previous turn's deadline: the
+     * next one is later, so a player that answers at once does not wake the watchdog.
      */
     long nextLook(long now) {
         long time = state.get();

@@ -5,15 +5,15 @@ import java.util.List;
 import java.util.regex.Pattern;
 
 /**
- * A debugger that is called in place of a bot: it reads its own commands from where the bot reads its frames. So that
- * both find what they want, the debugger is given the terminal, and the bot that it runs the two pipes, which are kept
- * as descriptors 3 and 4 meanwhile.
+ * A debugger started in place of a bot. It reads its own commands from the input where the bot reads its frames, so the
+ * debugger gets the terminal, and the bot that it runs gets the two pipes, which are kept as descriptors 3 and 4 in the
+ * meantime.
  */
 public final class Debugger {
 
     private static final Pattern GDB = Pattern.compile("(.*/)?([a-z0-9_]+-)*gdb(-multiarch)?");
 
-    /** Without a terminal there is nothing to read, and what is said goes to stderr: for calls with -batch. */
+    /** Without a terminal there is no input, and output goes to stderr: for calls with -batch. */
     private static final String TERMINAL = "exec 3<&0 4>&1; if (: </dev/tty) 2>/dev/null; "
         + "then exec </dev/tty >/dev/tty; else exec </dev/null >&2; fi; exec \"$@\"";
 
@@ -23,12 +23,12 @@ public final class Debugger {
     private Debugger() {
     }
 
-    /** Whether a command is one that is known here: gdb. */
+    /** Whether a command starts a supported debugger: gdb. */
     public static boolean is(List<String> command) {
         return GDB.matcher(command.get(0)).matches();
     }
 
-    /** The command that starts the debugger so. */
+    /** The command that starts the debugger on the terminal. */
     public static List<String> onTerminal(List<String> command) {
         List<String> words = new ArrayList<>(List.of("sh", "-c", TERMINAL, "sh", command.get(0), "-iex", WRAPPER));
         words.addAll(command.subList(1, command.size()));

@@ -8,8 +8,8 @@ import java.lang.ProcessBuilder.Redirect;
 import java.util.List;
 
 /**
- * A program that is sent lines and answers each with a line, and nothing around it: no deadline, no limit, no group, no
- * stderr. It is the measure that {@link BotProcess} is held against.
+ * A program that is sent lines and answers each with a line, over bare pipes: no deadline, no limit, no group, no
+ * stderr. The baseline that {@link BotProcess} is compared with.
  */
 public final class PipeRoundTrip implements AutoCloseable {
 
@@ -28,8 +28,8 @@ public final class PipeRoundTrip implements AutoCloseable {
     /**
      * Sends lines and waits for one line.
      *
-     * @return how many bytes came
-     * @throws IOException if the program has gone
+     * @return how many bytes were received
+     * @throws IOException if the program has ended
      */
     public int exchange(byte[] lines, int length) throws IOException {
         input.write(lines, 0, length);
@@ -46,7 +46,7 @@ public final class PipeRoundTrip implements AutoCloseable {
         }
     }
 
-    /** Closes its input and waits for its end. */
+    /** Closes its input and waits for it to exit. */
     @Override
     public void close() {
         try (input; output) {

@@ -5,23 +5,22 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
-import steward.bot.command.Programs;
+import steward.bot.command.ProgramFinder;
 
 /**
- * A bot's process and all that it starts: a session and process group of its own, made by {@code setsid}, so that one
- * signal reaches a wrapper script together with its children. Where there is no {@code setsid}, the process and its
- * descendants.
+ * A bot's process and its descendants: a session and process group of its own, made by {@code setsid}, so that one
+ * signal reaches a wrapper script together with its children. Without {@code setsid}, the process and its descendants.
  *
- * <p>Caveat: a process that leaves the group on purpose is found only while its parents live.
+ * <p>Caveat: a process that leaves the group on purpose is found only while its parents are alive.
  */
 final class ProcessGroup {
 
-    /** How long a killed process may take to disappear before its group is looked at again, in milliseconds. */
+    /** How long a killed process may take to disappear before its group is checked again, in milliseconds. */
     private static final long DYING_MS = 200;
 
     private final Process process;
 
-    /** The same as {@link Process} for signals; unlike it, it never touches the streams and so cannot block. */
+    /** Equivalent to {@link Process} for signals, but it never uses the streams and so cannot block. */
     private final ProcessHandle handle;
     private final String target;
     private boolean killed;
@@ -32,7 +31,7 @@ final class ProcessGroup {
         target = (grouped ? "-" : "") + process.pid();
     }
 
-    /** The words before a command that give it a session of its own; none where that cannot be had. */
+    /** The prefix of a command that gives it a session of its own; empty where that is not possible. */
     static List<String> ownSession() {
         return Setsid.WORDS;
     }
@@ -41,7 +40,7 @@ final class ProcessGroup {
         static final List<String> WORDS = find();
 
         private static List<String> find() {
-            Path program = Programs.find("setsid");
+            Path program = ProgramFinder.find("setsid");
             return program == null ? List.of() : List.of(program.toString());
         }
     }
@@ -61,12 +60,12 @@ final class ProcessGroup {
         return group;
     }
 
-    /** The first process, the group's leader. */
+    /** The first process, leader of the group. */
     Process process() {
         return process;
     }
 
-    /** Waits for the first process to exit; whether it has. */
+    /** Waits for the first process to exit; returns whether it has. */
     boolean awaitExit(long nanos) {
         try {
             return process.waitFor(nanos, TimeUnit.NANOSECONDS);
@@ -76,7 +75,7 @@ final class ProcessGroup {
         }
     }
 
-    /** Kills everything that is left; the second time there is nothing to do. */
+    /** Kills all remaining processes; the second call does nothing. */
     synchronized void kill() {
         if (killed) {
             return;
@@ -85,7 +84,7 @@ final class ProcessGroup {
         Sentinel sentinel = Sentinel.shared();
         boolean running = process.isAlive();
         if (!running && ProcessHandle.of(process.pid()).isPresent()) {
-            // The number was given to another process, so it is no longer a group's: there is nothing left.
+            // The number now belongs to another process, so the group no longer exists: nothing is left.
             sentinel.forget(target);
             return;
         }
@@ -94,7 +93,7 @@ final class ProcessGroup {
         handle.destroyForcibly();
         descendants.forEach(ProcessHandle::destroyForcibly);
         if (running && !found && awaitExit(TimeUnit.MILLISECONDS.toNanos(DYING_MS))) {
-            // Killed before it had made its group, or in the very moment.
+            // Killed before the group was made, or while it was being made.
             sentinel.kill(target);
         }
     }

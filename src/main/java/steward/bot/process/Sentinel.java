@@ -12,22 +12,22 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * A small process beside this JVM that knows what to kill when the JVM is gone, whatever ended it: it reads orders
- * from a pipe and kills all it knows at the pipe's end. It also kills on demand, at once, which saves starting a
- * program for it: Java itself cannot signal a process group.
+ * A small process beside this JVM that kills the remaining bots when the JVM has ended for any reason: it reads orders
+ * from a pipe and kills all targets on its list at the end of the pipe. It also kills on demand, which avoids starting
+ * a program: Java itself cannot signal a process group.
  *
- * <p>It is a shell that uses only built-in commands, in a session of its own so that a Ctrl-C at the terminal passes
- * it by, deaf to every signal that can be ignored. Its list holds the running bots only and stays small.
+ * <p>It is a shell that uses only built-in commands, in a session of its own so that a Ctrl-C at the terminal does not
+ * reach it, and ignores every signal that can be ignored. Its list holds only the running bots and stays small.
  *
  * <p>A target is what the {@code kill} command takes: a process number, or minus the number of a group. When the
- * sentinel has died, a new one is told everything anew; where there is no shell, an external {@code kill} must do.
+ * sentinel has died, a new one is given the whole list; where there is no shell, an external {@code kill} is used.
  */
 final class Sentinel {
 
     /*
-     * +  remember a target;  -  forget it;  k  forget and kill it, and say whether there was anything to kill.
-     * At the end, a group that does not exist although its process does is one whose process has just been started
-     * and is about to make it: that is worth some tries.
+     * + adds a target; - removes it; k removes and kills it, and reports whether there was anything to kill. At the end
+     * of the pipe, a group may not exist although its process does: the process was just started and is about to make
+     * the group. That case is tried several times.
      */
     private static final String SCRIPT = """
         trap '' HUP INT QUIT TERM PIPE ALRM USR1 USR2 TSTP TTIN TTOU
@@ -51,13 +51,13 @@ final class Sentinel {
         done
         """;
 
-    /** How long the sentinel may take to say that it has killed, in nanoseconds, before it is taken for dead. */
-    private static final long PATIENCE = 500_000_000;
+    /** How long the sentinel may take to report a kill, in nanoseconds, before it is considered dead. */
+    private static final long REPORT_NANOS = 500_000_000;
 
-    /** So long it is waited for awake, in nanoseconds: mostly the answer comes sooner than a sleep would end. */
-    private static final long SOON = 100_000;
+    /** How long a report is awaited by spinning, in nanoseconds: it usually comes sooner than a sleep would end. */
+    private static final long SPIN_NANOS = 100_000;
 
-    private static final long EXTERNAL_PATIENCE_MS = 1000;
+    private static final long EXTERNAL_KILL_MS = 1000;
 
     private final Set<String> targets = new LinkedHashSet<>();
     private Process process;
@@ -73,7 +73,7 @@ final class Sentinel {
         return Shared.INSTANCE;
     }
 
-    /** Starts the process when it is not running. */
+    /** Starts the process unless it is running. */
     synchronized void start() {
         if (process != null && process.isAlive()) {
             return;
@@ -92,7 +92,7 @@ final class Sentinel {
         }
     }
 
-    /** From now on the target is killed when this JVM is gone. */
+    /** From now on the target is killed when this JVM ends. */
     synchronized void watch(String target) {
         targets.add(target);
         if (!order("+ " + target)) {
@@ -100,7 +100,7 @@ final class Sentinel {
         }
     }
 
-    /** Takes the target from the list without killing it. */
+    /** Removes the target from the list without killing it. */
     synchronized void forget(String target) {
         targets.remove(target);
         if (!order("- " + target)) {
@@ -109,7 +109,7 @@ final class Sentinel {
     }
 
     /**
-     * Kills the target and takes it from the list.
+     * Kills the target and removes it from the list.
      *
      * @return whether there was anything to kill
      */
@@ -125,22 +125,22 @@ final class Sentinel {
         return found;
     }
 
-    /** The process number, or -1 when there is none. */
+    /** The process number, or -1 without a process. */
     synchronized long pid() {
         return process == null ? -1 : process.pid();
     }
 
-    /** How many targets it knows. */
+    /** How many targets are on the list. */
     synchronized int size() {
         return targets.size();
     }
 
-    /** Closes the pipe, as the end of this JVM does: the sentinel kills all it knows, and exits. */
+    /** Closes the pipe, as the end of this JVM does: the sentinel kills all targets and exits. */
     synchronized void endOrders() throws IOException {
         orders.close();
     }
 
-    /** Whether the order is on its way. */
+    /** Sends an order; returns whether it was sent. */
     private boolean order(String line) {
         if (process == null) {
             return false;
@@ -159,7 +159,7 @@ final class Sentinel {
         orders.flush();
     }
 
-    /** The status of the kill that was ordered, or -1 when it did not come. */
+    /** The status of the ordered kill, or -1 if no report came. */
     private int report() {
         long start = Watchdog.now();
         int status = 0;
@@ -173,9 +173,9 @@ final class Sentinel {
                     status = 10 * status + digit - '0';
                 } else {
                     long waited = Watchdog.now() - start;
-                    if (waited < SOON) {
+                    if (waited < SPIN_NANOS) {
                         Thread.yield();
-                    } else if (waited > PATIENCE || !process.isAlive()) {
+                    } else if (waited > REPORT_NANOS || !process.isAlive()) {
                         return -1;
                     } else {
                         LockSupport.parkNanos(20_000);
@@ -187,7 +187,7 @@ final class Sentinel {
         }
     }
 
-    /** Ends a sentinel that does not do its duty, before it can see the end of its orders. */
+    /** Kills a sentinel that does not respond, before it can see the end of its orders. */
     synchronized void dismiss() {
         if (process != null) {
             process.toHandle().destroyForcibly();
@@ -200,7 +200,7 @@ final class Sentinel {
         try {
             Process kill = new ProcessBuilder("kill", "-KILL", "--", target)
                 .redirectOutput(ProcessBuilder.Redirect.DISCARD).redirectError(ProcessBuilder.Redirect.DISCARD).start();
-            return kill.waitFor(EXTERNAL_PATIENCE_MS, TimeUnit.MILLISECONDS) && kill.exitValue() == 0;
+            return kill.waitFor(EXTERNAL_KILL_MS, TimeUnit.MILLISECONDS) && kill.exitValue() == 0;
         } catch (IOException e) {
             return false;
         } catch (InterruptedException e) {

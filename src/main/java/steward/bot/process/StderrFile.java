@@ -16,22 +16,25 @@ import java.util.concurrent.ThreadLocalRandom;
 import steward.bot.Utf8;
 
 /**
- * Where a bot's stderr goes: a file without a name, open here and in the bot. A bot can never block on it, no thread
- * has to drain it, and what a bot wrote before its answer is there when the answer is read, every time.
+ * A bot's stderr: a file without a name, open in this process and in the bot. A bot can never block on it, no thread
+ * has to drain it, and whatever a bot wrote before its answer is in the file when the answer is read.
  *
- * <p>The bot appends, so the file may be cut to nothing at any time: that bounds it. A bot that opens
- * {@code /dev/stderr} anew, without appending, cuts the file itself; what it wrote since the last look is then
- * found only if the file has another length than before.
+ * <p>The bot appends, so the file may be truncated at any time, which bounds it. A bot that opens {@code /dev/stderr}
+ * anew, without appending, truncates the file itself; what it wrote since the last read is then found only if the
+ * length of the file has changed.
  */
 final class StderrFile {
 
-    /** What is kept of one turn, in bytes. */
+    /** How much of one turn is kept, in bytes. */
     static final int KEPT = 16 * 1024;
 
-    /** The file is cut when it is longer than this after having been looked at, in bytes. */
+    /** Of the last turn this much is from its end, in bytes: there a program says why it fails. */
+    static final int KEPT_OF_END = 4 * 1024;
+
+    /** The file is truncated after a read that left it longer than this, in bytes. */
     static final long CUT_AFTER_READING = 16L << 20;
 
-    /** The file is cut when it is longer than this while the bot is thinking, in bytes. */
+    /** The file is truncated when it grows longer than this while the bot is computing, in bytes. */
     static final long CUT_UNREAD = 256L << 20;
 
     private static final Set<StandardOpenOption> NEW =
@@ -53,7 +56,7 @@ final class StderrFile {
     /**
      * A new file in the directory for temporary files, readable by this user alone.
      *
-     * @throws IOException when there is none to be had
+     * @throws IOException when none can be created
      */
     static StderrFile create() throws IOException {
         Path folder = Path.of(System.getProperty("java.io.tmpdir"));
@@ -78,12 +81,12 @@ final class StderrFile {
             PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rw-------"))};
     }
 
-    /** The file by name, for as long as it has one. */
+    /** The file by name, for as long as it has a name. */
     File file() {
         return path.toFile();
     }
 
-    /** Takes the name away; the file itself goes with its last user. */
+    /** Removes the name; the file itself is deleted with its last user. */
     void unlink() {
         if (unlinked) {
             return;
@@ -92,15 +95,15 @@ final class StderrFile {
             Files.deleteIfExists(path);
             unlinked = true;
         } catch (IOException e) {
-            // A system that keeps the names of open files: the attempt at the end will do.
+            // The system does not delete open files: the attempt at the end will delete it.
             return;
         }
     }
 
     /**
-     * What has been written since the last call: its first {@value #KEPT} bytes, a line that says how many more
-     * there were, and of those the lines with data that {@link DataLineScan} finds. A character of which
-     * only a part has been written is left for the next call.
+     * What has been written since the last call: its first {@value #KEPT} bytes, a line that says how many more there
+     * were, and of those the data lines that {@link DataLineScan} finds. An incomplete character is left for the next
+     * call. In the last call {@value #KEPT_OF_END} of the bytes are the end of what has been written, in whole lines.
      *
      * @param last whether there is no next call
      * @return {@code null} when nothing has been written
@@ -128,8 +131,40 @@ final class StderrFile {
         if (buffer == null) {
             buffer = new byte[KEPT];
         }
-        file.seek(position);
-        int wanted = (int) Math.min(KEPT, size - position);
+        boolean withEnd = last && size - position > KEPT;
+        int count = fill(position, (int) Math.min(withEnd ? KEPT - KEPT_OF_END : KEPT, size - position));
+        boolean more = size - position > count;
+        int whole = last && !more ? count : Utf8.wholeCharacters(buffer, 0, count);
+        boolean lineStart = false;
+        if (more) {
+            int line = DataLineScan.begunLine(buffer, whole);
+            lineStart = line < whole || whole > 0 && buffer[whole - 1] == '\n';
+            whole = line;
+        }
+        String text = new String(buffer, 0, whole, StandardCharsets.UTF_8);
+        long from = position + whole;
+        long to = more ? size : from;
+        String end = "";
+        if (withEnd) {
+            int length = fill(size - KEPT_OF_END, KEPT_OF_END);
+            int start = endStart(length);
+            to = size - length + start;
+            end = new String(buffer, start, length - start, StandardCharsets.UTF_8);
+        }
+        byte[] data = more ? DataLineScan.read(file, from, to, lineStart) : new byte[0];
+        long dropped = to - from - data.length + lost;
+        position = more ? size : from;
+        lost = 0;
+        if (dropped > 0) {
+            text += (text.isEmpty() || text.endsWith("\n") ? "" : "\n") + "[" + dropped + " more bytes dropped]\n";
+        }
+        text += new String(data, StandardCharsets.UTF_8) + end;
+        return text.isEmpty() ? null : text;
+    }
+
+    /** Reads into the buffer; how much there was. */
+    private int fill(long from, int wanted) throws IOException {
+        file.seek(from);
         int count = 0;
         while (count < wanted) {
             int n = file.read(buffer, count, wanted - count);
@@ -138,24 +173,21 @@ final class StderrFile {
             }
             count += n;
         }
-        boolean more = size - position > count;
-        int whole = last && !more ? count : Utf8.wholeCharacters(buffer, 0, count);
-        byte[] data = {};
-        if (more) {
-            int line = DataLineScan.begunLine(buffer, whole);
-            boolean lineStart = line < whole || whole > 0 && buffer[whole - 1] == '\n';
-            whole = line;
-            data = DataLineScan.read(file, position + whole, size, lineStart);
+        return count;
+    }
+
+    /** Where the first whole line in the buffer begins; where none does, the first whole character. */
+    private int endStart(int length) {
+        for (int i = 0; i < length - 1; i++) {
+            if (buffer[i] == '\n') {
+                return i + 1;
+            }
         }
-        String text = new String(buffer, 0, whole, StandardCharsets.UTF_8);
-        long dropped = (more ? size - position - whole - data.length : 0) + lost;
-        position = more ? size : position + whole;
-        lost = 0;
-        if (dropped > 0) {
-            text += (text.isEmpty() || text.endsWith("\n") ? "" : "\n") + "[" + dropped + " more bytes dropped]\n";
+        int start = 0;
+        while (start < length && (buffer[start] & 0xC0) == 0x80) {
+            start++;
         }
-        text += new String(data, StandardCharsets.UTF_8);
-        return text.isEmpty() ? null : text;
+        return start;
     }
 
     private void cut() throws IOException {
@@ -163,7 +195,7 @@ final class StderrFile {
         position = 0;
     }
 
-    /** Cuts a file that has grown out of all proportion before anybody came to read it. */
+    /** Truncates a file that has grown far too long before it was read. */
     void bound() {
         try {
             if (file.length() <= CUT_UNREAD) {
@@ -174,17 +206,17 @@ final class StderrFile {
                 cut();
             }
         } catch (IOException e) {
-            // Closed meanwhile: nothing to bound.
+            // Closed in the meantime: nothing to bound.
             return;
         }
     }
 
-    /** Closes the file here. */
+    /** Closes the file in this process. */
     synchronized void close() {
         try {
             file.close();
         } catch (IOException e) {
-            // Nothing was written through it that could be lost.
+            // Nothing was written through this handle, so nothing is lost.
             return;
         } finally {
             unlink();

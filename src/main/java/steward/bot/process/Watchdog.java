@@ -4,24 +4,24 @@ import java.util.Arrays;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * The one thread of this JVM that looks after all deadlines. The threads that play are blocked in reads and writes
- * meanwhile; arming a deadline costs them a volatile store, and a wake-up of this thread only when it would otherwise
- * sleep beyond it.
+ * The one thread of this JVM that checks all deadlines. The threads that play are blocked in reads and writes in the
+ * meantime; arming a deadline costs them a volatile store, and a wake-up of this thread only if it would otherwise
+ * sleep beyond the deadline.
  *
- * <p>No deadline is missed: whoever arms stores the deadline first and looks at {@link #planned} second; this thread
- * stores {@link #planned} first and looks at the deadlines once more second. One of the two sees the other's store.
+ * <p>No deadline is missed: the arming thread stores the deadline first and reads {@link #planned} second; this thread
+ * stores {@link #planned} first and checks the deadlines again second. One of the two sees the other's store.
  */
 final class Watchdog implements Runnable {
 
-    /** The longest sleep while there are bots, in nanoseconds: what they write to stderr is then bounded. */
+    /** The longest sleep while there are bots, in nanoseconds; at each wake-up their stderr is bounded. */
     static final long TICK = 50_000_000;
 
-    /** The clock starts at one second, so that small numbers are no times. */
+    /** The clock starts at one second, so that small numbers are never times. */
     private static final long ORIGIN = System.nanoTime() - 1_000_000_000;
 
     private volatile Deadline[] watched = {};
 
-    /** When this thread will look again; while it is looking, any time. */
+    /** When this thread will check again; while it is checking, any time. */
     private volatile long planned = Long.MAX_VALUE;
 
     private volatile Thread thread;
@@ -63,7 +63,7 @@ final class Watchdog implements Runnable {
         watched = Arrays.stream(watched).filter(each -> each != deadline).toArray(Deadline[]::new);
     }
 
-    /** To be called after a deadline was stored that has to be looked at by {@code time}. */
+    /** To be called after storing a deadline that has to be checked by {@code time}. */
     void look(long time) {
         if (time < planned) {
             LockSupport.unpark(thread);

@@ -38,7 +38,7 @@ public final class BenchCommand implements Callable<Integer> {
     private static final List<Integer> QUICK_BODIES = List.of(100, 1000);
     private static final int MILLION = 1_000_000;
 
-    /** How long what was measured so far may take to be told, in milliseconds. */
+    /** How long an interrupted run may take to report its results so far, in milliseconds. */
     private static final long PATIENCE_MS = 2000;
 
     private final Streams streams;
@@ -113,7 +113,7 @@ public final class BenchCommand implements Callable<Integer> {
             crowds.add(MILLION);
         }
         try {
-            return BenchScenes.all(threads == null ? Runtime.getRuntime().availableProcessors() : threads,
+            return BenchSuite.all(threads == null ? Runtime.getRuntime().availableProcessors() : threads,
                 games == null ? quick ? 200 : 2000 : games, crowds);
         } catch (IllegalArgumentException problem) {
             throw new InputException("--bodies: " + problem.getMessage());

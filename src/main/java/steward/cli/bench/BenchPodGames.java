@@ -15,8 +15,8 @@ import steward.numerics.SplitMix64;
 import steward.numerics.StateHash;
 
 /**
- * Games of the official pod race whose commands are known beforehand, and everybody who can play them. Each checks that
- * the pods end where the textbook has them.
+ * Games of the official pod race whose commands are known beforehand, and all implementations that can play them. Each
+ * is checked to end with the pods where the textbook has them.
  */
 final class BenchPodGames {
 
@@ -28,8 +28,8 @@ final class BenchPodGames {
     private static final int THRUST = 200;
     private static final long SEED = 1;
     private static final int BESIDE = 500;
-    /** Turns after which a pod of a brawl looks for another enemy. */
-    private static final int HUNT = 20;
+    /** Turns after which a pod of a brawl changes its target. */
+    private static final int TARGET_TURNS = 20;
 
     private final PodRaceType.PodRaceSetup setup;
     private final double[][] map;
@@ -41,7 +41,7 @@ final class BenchPodGames {
     private final PodRaceBatch.Commands[] together = new PodRaceBatch.Commands[TURNS];
     private final long end;
 
-    /** @param brawl whether pods are after each other */
+    /** @param brawl whether pods chase each other */
     BenchPodGames(PodRaceType.PodRaceSetup setup, boolean brawl) {
         this.setup = setup;
         map = setup.create(SEED).checkpoints();
@@ -66,7 +66,7 @@ final class BenchPodGames {
 
     private void draw(PodRaceSimulator race, int game, int turn, int pod, boolean brawl, SplitMix64 random) {
         int next = race.nextCheckpoint(pod);
-        int enemy = (pod + 1 + turn / HUNT % (PODS - 1)) % PODS;
+        int enemy = (pod + 1 + turn / TARGET_TURNS % (PODS - 1)) % PODS;
         double x = brawl ? race.x(enemy) : race.checkpointX(next) - 3 * race.vx(pod);
         double y = brawl ? race.y(enemy) : race.checkpointY(next) - 3 * race.vy(pod);
         x += random.nextInt(-BESIDE, BESIDE);
@@ -83,7 +83,7 @@ final class BenchPodGames {
         return new PodRaceBatch(map, GAMES);
     }
 
-    /** A plain port first, which the others are compared with. */
+    /** A plain port first, with which the others are compared. */
     List<Contender> alone(String crowd) {
         PodRaceSimulator simulator = new PodRaceSimulator(map);
         PodRaceBatch batch = batch();
@@ -111,7 +111,7 @@ final class BenchPodGames {
     private long playTextbook() {
         StateHash hash = new StateHash();
         for (int game = 0; game < GAMES; game++) {
-            TextbookPodRace race = new TextbookPodRace(map, PODS, LAPS);
+            TextbookPodRace race = new TextbookPodRace(map, PODS);
             for (int pod = 0; pod < PODS; pod++) {
                 race.pod(pod).x = start.x(pod);
                 race.pod(pod).y = start.y(pod);
@@ -159,7 +159,7 @@ final class BenchPodGames {
         return hash.value();
     }
 
-    /** Plays a turn of every game. */
+    /** Plays one turn of every game. */
     private interface Player {
 
         void play(PodRaceBatch.Commands commands);

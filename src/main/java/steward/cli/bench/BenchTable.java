@@ -8,7 +8,7 @@ import steward.bench.Section;
 import steward.cli.shared.Streams;
 import steward.text.TextFormat;
 
-/** Prints the benchmarks' table row by row as it comes. */
+/** Prints the benchmarks' table row by row as it is measured. */
 final class BenchTable {
 
     private static final int NAME = 42;
@@ -31,12 +31,12 @@ final class BenchTable {
         streams.out().flush();
     }
 
-    /** Keeps a row back while a progress bar stands where it would be printed. */
+    /** Holds a row back while a progress line is in its place. */
     synchronized void hold(Row row) {
         held.add(row);
     }
 
-    /** Prints what was kept back; also when the run is interrupted. */
+    /** Prints the rows that were held back; also when the run is interrupted. */
     synchronized void release() {
         held.forEach(this::add);
         held.clear();

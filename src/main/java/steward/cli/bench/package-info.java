@@ -1,5 +1,5 @@
 /**
- * The command {@code bench}, and the contenders that know the pod race.
+ * The command {@code bench}, and the contenders for the pod race.
  */
 @Internal
 package steward.cli.bench;

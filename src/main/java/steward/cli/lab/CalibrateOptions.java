@@ -16,7 +16,7 @@ import steward.lab.calibration.Calibration;
 import steward.scene.AccuracyFigures;
 import steward.scene.SceneFiles;
 
-/** The options of {@code steward tradeoff} that have it calibrate scenes instead. */
+/** The options of {@code steward tradeoff} by which it calibrates scenes instead. */
 final class CalibrateOptions {
 
     private static final int MOST_STATES = 10_000_000;
@@ -37,7 +37,7 @@ final class CalibrateOptions {
     }
 
     /**
-     * Calibrates all scenes, once it is clear that all of them can be read and all figures written.
+     * Calibrates all scenes, after checking that all of them can be read and all figures written.
      *
      * @param out a folder for the figures, or {@code null} to put them beside the scenes
      */
@@ -47,7 +47,7 @@ final class CalibrateOptions {
         List<CalibrationRun> all = new ArrayList<>();
         List<Path> files = new ArrayList<>();
         for (String scene : scenes) {
-            // On any rung: the scene may state a demand that only this calibration can meet.
+            // On any rung: the scene may demand an accuracy whose rung only this calibration can determine.
             GameSetup setup = Games.open(scene, Calibration.PLAYED_ON);
             Path file = file(scene, out);
             if (files.contains(file.toAbsolutePath().normalize())) {

@@ -18,9 +18,9 @@ import steward.scene.AccuracyFigures;
 import steward.text.TextFormat;
 
 /**
- * Calibrates one scene: measures, writes the figures and shows them. They are written beside their place and moved
- * there in the end, so that old figures stay until there are new ones; when the run is interrupted, what was measured
- * is kept.
+ * Calibrates one scene: measures, writes the figures and prints them. They are written to a file beside the final one
+ * and moved at the end, so that old figures stay until there are new ones; after an interruption, the measured figures
+ * are kept.
  */
 final class CalibrationRun {
 
@@ -47,7 +47,7 @@ final class CalibrationRun {
         unfinished = file.resolveSibling(file.getFileName() + ".part");
     }
 
-    /** @param states how many */
+    /** @param states how many states */
     static CalibrationRun of(Streams streams, GameSetup setup, Path file, int states) {
         try {
             return new CalibrationRun(streams, setup, file,
@@ -57,7 +57,7 @@ final class CalibrationRun {
         }
     }
 
-    /** Makes sure that the figures can be written. */
+    /** Checks that the figures can be written. */
     void begin() {
         try {
             OutputFiles.open(unfinished, true).close();
@@ -89,9 +89,9 @@ final class CalibrationRun {
     }
 
     /**
-     * Writes what has been measured, once.
+     * Writes the measured figures, once.
      *
-     * @param place where the figures go in the end
+     * @param place the final file of the figures
      */
     private synchronized void write(Calibration.Figures figures, Path place) {
         if (written || figures.states() == 0) {
@@ -108,7 +108,7 @@ final class CalibrationRun {
         written = true;
     }
 
-    /** Keeps what there is: in its place, or beside it if there are older figures, which may be better ones. */
+    /** Keeps the measured figures: in their file, or beside it if there are older figures, which may be better. */
     void interrupted() {
         Calibration.Figures figures = calibration.figures();
         boolean older = !written && Files.exists(file);
@@ -139,7 +139,7 @@ final class CalibrationRun {
         streams.out().println("  \"accuracy\": { \"maxPositionError\": 0.01, \"share\": 0.999 }");
     }
 
-    /** Three digits. */
+    /** With three significant digits. */
     private static String error(double value) {
         return value == 0 ? "0" : value == Double.POSITIVE_INFINITY ? AccuracyFigures.UNKNOWN
             : value < LEAST_PLAIN ? String.format(Locale.ROOT, "%.2e", value)

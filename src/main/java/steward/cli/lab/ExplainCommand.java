@@ -21,7 +21,7 @@ import steward.scene.PlanTable;
 import steward.scene.Scene;
 import steward.text.TextFormat;
 
-/** {@code steward explain}: what a scene says, and which parts of the engine it needs. */
+/** {@code steward explain}: what a scene contains, and which parts of the engine it needs. */
 @Command(name = "explain", description = "Prints what a scene says, which parts of the engine it needs and why, and "
     + "what each adds to the time of a turn.",
     footer = {"", "Example:", "  steward explain walled-race"})

@@ -7,13 +7,13 @@ import java.util.regex.Matcher;
 import steward.cli.shared.Games;
 import steward.game.GameSetup;
 import steward.game.podrace.protocol.PodRaceType;
-import steward.lab.stability.Golden;
+import steward.lab.stability.GoldenHash;
 import steward.lab.trial.RunLength;
 import steward.numerics.SplitMix64;
 import steward.physics.Arithmetic;
 import steward.scene.SceneFiles;
 
-/** What the golden hash is taken over: worlds on every rung, and every shipped scene with every arithmetic. */
+/** What the golden hash covers: worlds on every rung, and every shipped scene with every arithmetic. */
 final class GoldenSuite {
 
     private static final String ACCURACY = "\"accuracy\"\\s*:\\s*\\{[^}]*}";
@@ -21,8 +21,8 @@ final class GoldenSuite {
     private GoldenSuite() {
     }
 
-    static List<Golden.Part> parts(RunLength size) {
-        List<Golden.Part> parts = new ArrayList<>(Golden.worlds(size));
+    static List<GoldenHash.Part> parts(RunLength size) {
+        List<GoldenHash.Part> parts = new ArrayList<>(GoldenHash.worlds(size));
         int turns = size == RunLength.SMALL ? 30 : 500;
         for (String scene : SceneFiles.shipped()) {
             for (Arithmetic arithmetic : Arithmetic.values()) {
@@ -35,14 +35,14 @@ final class GoldenSuite {
         return parts;
     }
 
-    private static Golden.Part play(String scene, String accuracy, String rung, int turns) {
+    private static GoldenHash.Part play(String scene, String accuracy, String rung, int turns) {
         String text = SceneFiles.load(scene).text().replaceFirst(ACCURACY, Matcher.quoteReplacement(accuracy));
         GameSetup setup = Games.types().open(text, scene);
         int pods = ((PodRaceType.PodRaceSetup) setup).settings().podsPerPlayer();
-        return Golden.game(scene + ", " + rung, setup, (player, random) -> crowd(pods, random), turns);
+        return GoldenHash.game(scene + ", " + rung, setup, (player, random) -> crowd(pods, random), turns);
     }
 
-    /** Every pod makes for somewhere in the middle, so that they meet; now and then one raises its shield. */
+    /** Every pod heads for a random place near the middle, so that they meet; now and then one raises its shield. */
     private static String crowd(int pods, SplitMix64 random) {
         StringJoiner all = new StringJoiner(",", "{\"pods\":[", "]}");
         for (int pod = 0; pod < pods; pod++) {

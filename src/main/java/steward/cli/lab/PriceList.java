@@ -9,15 +9,15 @@ import java.util.function.LongSupplier;
 import steward.cli.shared.Games;
 import steward.cli.shared.Streams;
 import steward.game.GameSetup;
+import steward.lab.calibration.PartByPartPhysics;
 import steward.lab.calibration.PartPrices;
 import steward.lab.calibration.PartPrices.Price;
-import steward.lab.calibration.PartSteps;
 import steward.scene.Part;
 
-/** What the parts of a scene add to a turn, measured here and now. */
+/** What each part of a scene adds to a turn, measured on this machine. */
 final class PriceList {
 
-    /** Long enough for medians that hold, short enough to wait for. */
+    /** Long enough for stable medians, short enough to wait for. */
     private static final long BUDGET_NANOS = 1_800_000_000;
     private static final long SEED = 1;
     private static final String CLEAR = "\r" + " ".repeat(40) + "\r";
@@ -32,14 +32,14 @@ final class PriceList {
         prices.prices().forEach(price -> byPart.put(price.part(), price));
     }
 
-    /** Measures for about two seconds; a terminal is told how far it is. */
+    /** Measures for about two seconds; progress is shown on a terminal. */
     static PriceList measure(Streams streams, GameSetup setup) {
         ThreadMXBean threads = ManagementFactory.getThreadMXBean();
         return measure(streams, setup, threads.isCurrentThreadCpuTimeSupported()
             ? threads::getCurrentThreadCpuTime : System::nanoTime, System::nanoTime);
     }
 
-    /** With two clocks in nanoseconds: one for the prices, and one for who waits. */
+    /** With two clocks in nanoseconds: one for the prices, and the wall clock. */
     static PriceList measure(Streams streams, GameSetup setup, LongSupplier work, LongSupplier wall) {
         int[] told = {-1};
         PartPrices.Prices prices = PartPrices.measure(setup.scene(), Games.types(), SeededPilots.race(setup, SEED),
@@ -58,13 +58,13 @@ final class PriceList {
         return new PriceList(setup, prices);
     }
 
-    /** The price of a part in nanoseconds a turn, in brackets for one that is left out; empty where there is none. */
+    /** The price of a part in nanoseconds a turn, in brackets for a part that is left out; empty without a price. */
     String of(Part part) {
         Price price = byPart.get(part.name());
         return price == null ? "" : part.in() ? text(price) + " ns" : "(" + text(price) + " ns)";
     }
 
-    /** A number, or less than what can be told apart. */
+    /** A number, or a text that it is below the measurable difference. */
     private static String text(Price price) {
         double least = Math.max(1, price.error());
         boolean saves = price.part().equals(Part.BROAD_PHASE) && -price.nanos() >= least;
@@ -72,9 +72,9 @@ final class PriceList {
             : "<" + (long) Math.ceil(least);
     }
 
-    /** What the numbers are. */
+    /** The meaning of the numbers. */
     String legend() {
-        return "A turn takes " + text(prices.turn()) + " ns here, " + text(byPart.get(PartSteps.EMPTY))
+        return "A turn takes " + text(prices.turn()) + " ns here, " + text(byPart.get(PartByPartPhysics.EMPTY))
             + " ns of them to fly straight; the parts add their prices (a broad phase saves), those left out would add "
             + "what is in brackets. "
             + "Measured now on " + setup.scene().accuracy() + ", medians of " + prices.rounds()

@@ -7,22 +7,22 @@ import steward.game.podrace.PodState;
 import steward.lab.calibration.SeededPlay;
 import steward.numerics.SplitMix64;
 
-/** Players by rule for seeded play: they take a game of a scene to the states that it really comes to. */
+/** Players by rule for seeded play: they lead a game to states that occur in real play of its scene. */
 final class SeededPilots {
 
-    /** One shield in so many commands. */
+    /** One of this many commands is a shield. */
     private static final int SHIELDS = 25;
     /** How many turns of its velocity a pod aims short of its checkpoint, so that the drift carries it there. */
     private static final int DRIFT = 3;
-    /** How far a pilot misses the place it aims at, in u, along each axis at most. */
+    /** The most by which a pilot misses its target along each axis, in u. */
     private static final int AIM = 300;
-    /** Who wants to stand somewhere gives a unit of thrust for so many u of the way. */
+    /** A pod that shall stop somewhere gets a unit of thrust per this many u of distance. */
     private static final int BRAKE = 10;
 
     private SeededPilots() {
     }
 
-    /** A play of a scene whose players try to win. Of the games there are, this knows the pod race. */
+    /** A play of a scene whose players try to win. The pod race is the only game that is supported. */
     static SeededPlay race(GameSetup setup, long seed) {
         return new SeededPlay(setup, racing(), seed);
     }
@@ -32,7 +32,7 @@ final class SeededPilots {
         return (game, player, random) -> answer((PodRace) game, player, random, false);
     }
 
-    /** A play of a pod race in which all pods want to stand on the same checkpoint, which nobody leaves. */
+    /** A play of a pod race in which all pods head for the same checkpoint and stay there. */
     static SeededPlay brawl(GameSetup setup, long seed) {
         return new SeededPlay(setup, (game, player, random) -> answer((PodRace) game, player, random, true), seed);
     }

@@ -13,7 +13,7 @@ import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Interruption;
 import steward.cli.shared.Streams;
 import steward.files.OutputFiles;
-import steward.lab.stability.Golden;
+import steward.lab.stability.GoldenHash;
 import steward.lab.stability.StabilityCases;
 import steward.lab.stability.StabilityFiles;
 import steward.lab.stability.StabilityRow;
@@ -22,7 +22,7 @@ import steward.lab.trial.Rung;
 import steward.lab.trial.StabilityCase;
 import steward.numerics.StateHash;
 
-/** {@code steward stability}: what the physics does at the numerical extremes, held against what is demanded. */
+/** {@code steward stability}: the physics at the numerical extremes, compared with what is demanded. */
 @Command(name = "stability", description = "Tries the physics at the numerical extremes, on every rung of accuracy, "
     + "and says what was demanded and what was seen.",
     footer = {"", "Examples:", "  steward stability",
@@ -94,11 +94,11 @@ public final class StabilityCommand implements Callable<Integer> {
     }
 
     private int golden(RunLength size) {
-        List<Golden.Part> parts = GoldenSuite.parts(size);
-        for (Golden.Part part : parts) {
+        List<GoldenHash.Part> parts = GoldenSuite.parts(size);
+        for (GoldenHash.Part part : parts) {
             streams.out().println(StateHash.toHex(part.hash()) + "  " + part.name());
         }
-        streams.out().println(StateHash.toHex(Golden.total(parts)) + "  all");
+        streams.out().println(StateHash.toHex(GoldenHash.total(parts)) + "  all");
         return ExitStatus.DONE;
     }
 

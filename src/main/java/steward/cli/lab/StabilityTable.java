@@ -7,7 +7,7 @@ import steward.lab.stability.StabilityRow;
 import steward.lab.trial.Finding;
 import steward.text.TextFormat;
 
-/** Prints the stability table as it comes: per case what is demanded, and a line per rung with what was seen. */
+/** Prints the stability table as it is measured: per case the demand, and a line per rung with the result. */
 final class StabilityTable {
 
     private static final int WIDTH = 100;
@@ -31,14 +31,14 @@ final class StabilityTable {
         this.rows = rows;
     }
 
-    /** What is tried now, for a terminal. */
+    /** Shows on a terminal what is being run. */
     void about(String name, String rung) {
         begun++;
         present = TextFormat.shorten(name, 40) + ", " + rung;
         show("");
     }
 
-    /** How far that is. */
+    /** Shows the progress of the current run. */
     void reached(double share, Supplier<String> soFar) {
         long now = System.nanoTime();
         if (now - saidNanos >= PAUSE_NANOS) {
@@ -49,7 +49,7 @@ final class StabilityTable {
         }
     }
 
-    /** The figures of the row that is not finished, or nothing; by any thread. */
+    /** The figures of the unfinished row, or nothing; any thread may call this. */
     String unfinished() {
         return unfinished;
     }

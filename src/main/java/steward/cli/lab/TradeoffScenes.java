@@ -17,18 +17,18 @@ import steward.physics.Motion;
 import steward.scene.SceneFiles;
 import steward.text.NearestName;
 
-/** The scenes that the trade-off is measured on: those of its own, and any scene that a match can be played in. */
+/** The scenes of the trade-off measurement: its own, and any scene that a match can be played in. */
 final class TradeoffScenes {
 
     static final String RACE = "official-race";
     static final String BRAWL = "brawl";
-    /** What is measured apart from the rungs: what trigonometry costs. */
+    /** Word for the measurement apart from the rungs: the cost of trigonometry. */
     static final String HEADINGS = "headings";
 
     private static final String OFFICIAL = "mad-pod-racing";
     private static final String WALLED = "walled-race";
     private static final long SEED = 4;
-    /** Of up to 4 pods; a crowd has fewer, because all pairs are looked at. */
+    /** For up to 4 pods; a crowd has fewer, because all pairs are scanned. */
     private static final int STATES = 5000;
     private static final int LEAST_STATES = 100;
     private static final int FREE_RUNS = 9;
@@ -38,7 +38,7 @@ final class TradeoffScenes {
     private TradeoffScenes() {
     }
 
-    /** All scenes of its own, in the order of the table. */
+    /** All of its own scenes, in the order of the table. */
     static List<TradeoffScene> all() {
         List<TradeoffScene> scenes = new ArrayList<>(List.of(named(RACE), named(BRAWL), named(WALLED)));
         scenes.addAll(TradeoffWorlds.all());
@@ -46,9 +46,9 @@ final class TradeoffScenes {
     }
 
     /**
-     * Scenes as they are called.
+     * The scenes that were asked for.
      *
-     * @param words names of its own scenes, of shipped ones, or files
+     * @param words names of its own scenes or of shipped ones, or files
      * @throws InputException                if there is no such scene
      * @throws steward.scene.json.SceneException if a file cannot be used
      */
@@ -75,7 +75,7 @@ final class TradeoffScenes {
         return race(setup.scene().name(), "states of games in this scene", setup);
     }
 
-    /** What is neither a name nor a file is told what it may have been meant to be. */
+    /** Refuses what is neither a name nor a file, and suggests similar names. */
     private static void checkKnown(String word) {
         Set<String> known = new LinkedHashSet<>(List.of(RACE, BRAWL, HEADINGS));
         TradeoffWorlds.all().forEach(world -> known.add(world.name()));

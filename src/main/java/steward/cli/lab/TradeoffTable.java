@@ -65,7 +65,7 @@ final class TradeoffTable {
         streams.out().flush();
     }
 
-    /** What the columns mean. */
+    /** Prints the meaning of the columns. */
     void end() {
         streams.out().println();
         streams.out().println("* on the Pareto front: no rung is both cheaper and nearer to the truth. Errors in u; "

@@ -36,7 +36,8 @@ import steward.files.OutputFiles;
         "nobody can press it, after 60 seconds). When the match is over it ends by itself as soon as every",
         "browser has everything: open pages stay complete, and their Save works from then on without the",
         "program. To look again later, use --view or --out.",
-        "", "Exit status: 0 there is a result; 1 there is none, or --strict and a bot failed; 2 wrong call."})
+        "", "Exit status: 0 there is a result; 1 there is none, or --strict and a bot failed;",
+        "2 wrong call; 130 interrupted (of many games, those that are over are told)."})
 public final class MatchCommand implements Callable<Integer> {
 
     private final Streams streams;
@@ -77,19 +78,8 @@ public final class MatchCommand implements Callable<Integer> {
     @Mixin
     private final TimeLimitOptions pace = new TimeLimitOptions();
 
-    @Option(names = "--games", paramLabel = "N",
-        description = "Play N games with the seeds SEED, SEED + 1, ... and print who scored how many points.")
-    private Integer games;
-
-    @Option(names = "--swap",
-        description = "Play each seed once for every way to move the bots up: with two bots, once from each side, "
-            + "2 N games in all.")
-    private boolean swap;
-
-    @Option(names = "--threads", paramLabel = "T",
-        description = "How many games are played at the same time (default: 1). The games do not depend on it, but "
-            + "bots that share processors take longer to answer.")
-    private Integer threads;
+    @Mixin
+    private final SeriesOptions many = new SeriesOptions();
 
     public MatchCommand(Streams streams) {
         this.streams = streams;
@@ -97,23 +87,20 @@ public final class MatchCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws InterruptedException {
-        boolean many = games != null || swap;
         check.exclusive("--json", json, "--quiet", quiet);
         double factor = pace.factor();
-        check.games(games);
-        check.threads(threads);
-        check.that(many || threads == null, "--threads is for many games, expected --games or --swap with it");
+        many.check(out != null);
         check.that(!overwrite || out != null || show.view() != null,
             "--overwrite: expected --out or --view with it");
-        String problem = show.problem(many);
+        String problem = show.problem(many.isAny());
         check.that(problem == null, problem);
         Contest contest = Contest.of(scene.open(), bots, ProtocolWord.parse(protocol), factor);
         long first = seed.orDrawn();
         Path path = out == null ? null : OutputFiles.path(out);
         Verbosity report = json ? Verbosity.JSON : quiet ? Verbosity.LINE : Verbosity.FULL;
-        if (many) {
-            Series series = new Series(contest, first, games == null ? 1 : games, swap, path);
-            return new SeriesRun(streams, series, report, strict).play(threads == null ? 1 : threads, overwrite);
+        if (many.isAny()) {
+            Series series = new Series(contest, first, many.games(), many.swap(), path, many.keep());
+            return new SeriesRun(streams, series, report, strict).play(many.threads(streams), overwrite);
         }
         SingleMatch game = new SingleMatch(streams, contest, report, strict);
         return show.isAny() ? game.play(first, path, overwrite, show) : game.play(first, path, overwrite);

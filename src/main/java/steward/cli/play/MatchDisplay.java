@@ -24,22 +24,22 @@ import steward.live.LiveServer;
 import steward.replay.page.ReplayPage;
 
 /**
- * A match as people see it: a page in a file, a page that follows the match while it is played, or both. What is
- * written here is kept in memory until it has been shown.
+ * The display of a match: a page in a file, a page that follows the match while it is played, or both. What is written
+ * here is kept in memory until it has been shown.
  */
 final class MatchDisplay implements AutoCloseable {
 
-    /** How long a match waits for its first viewer where no person can say that it shall not. */
+    /** How long a match waits for its first viewer when it cannot be continued from the terminal, in milliseconds. */
     private static final long VIEWER_MS = 60_000;
-    /** How often a match that waits without end looks up. */
+    /** How often a match that waits without end checks for viewers, in milliseconds. */
     private static final long GLANCE_MS = 100;
-    /** How long viewers that are slow, or gone without a word, are served after the match. */
+    /** How long slow or silently disconnected viewers are served after the match, in milliseconds. */
     private static final long DELIVERY_MS = 10_000;
-    /** How long their pages have to fetch the copy that they keep. */
+    /** How long their pages have to fetch the copy that they keep, in milliseconds. */
     private static final long COPY_MS = 3000;
 
     private final Streams streams;
-    /** Where the person who called is told where to look. */
+    /** Where the addresses and files are printed. */
     private final PrintStream said;
     private final String title;
     private final boolean open;
@@ -117,7 +117,7 @@ final class MatchDisplay implements AutoCloseable {
         return file == null ? recording : new TeeOutputStream(file, recording);
     }
 
-    /** Says where the match can be watched, and waits until somebody does or cannot wait any longer. */
+    /** Prints where the match can be watched and waits for a viewer: until Enter on a terminal, else a limited time. */
     void awaitViewer() throws InterruptedException {
         if (server == null) {
             return;
@@ -143,7 +143,7 @@ final class MatchDisplay implements AutoCloseable {
         }
     }
 
-    /** The match is over: writes its page, opens it, and stays until those who watch have seen the end. */
+    /** After the match: writes its page, opens it, and waits until the viewers have seen the end. */
     void finish() throws InterruptedException {
         recording.close();
         if (page != null) {

@@ -5,15 +5,15 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
+import steward.cli.shared.Json;
 import steward.cli.shared.Streams;
 import steward.contest.Contest;
+import steward.contest.Failure;
 import steward.game.JsonNumbers;
 import steward.match.MatchResult;
 import steward.match.MatchResult.PlayerResult;
-import steward.replay.page.UnclosedOutputStream;
 import steward.text.TextFormat;
 import tools.jackson.core.JsonGenerator;
-import tools.jackson.core.ObjectWriteContext;
 
 /** The result of a match for programs: one JSON object on one line. */
 final class MatchJson {
@@ -23,7 +23,8 @@ final class MatchJson {
     private MatchJson() {
     }
 
-    static void print(Streams streams, Contest contest, long seed, MatchResult result, Path file) {
+    static void print(Streams streams, Contest contest, long seed, MatchResult result, List<Failure> failures,
+                      Path file) {
         printObject(streams, out -> {
             out.writeStringProperty("seed", Long.toString(seed));
             out.writeStringProperty("scene", contest.sceneName());
@@ -38,7 +39,9 @@ final class MatchJson {
             out.writeArrayPropertyStart("players");
             for (int k = 0; k < result.players().size(); k++) {
                 out.writeStartObject();
-                writePlayer(out, result.players().get(k), contest.entrants().get(k).bot());
+                int player = k;
+                writePlayer(out, result.players().get(k), contest.entrants().get(k).bot(),
+                    failures.stream().filter(failure -> failure.player() == player).findFirst().orElse(null));
                 out.writeEndObject();
             }
             out.writeEndArray();
@@ -47,24 +50,41 @@ final class MatchJson {
         });
     }
 
-    private static void writePlayer(JsonGenerator out, PlayerResult player, String bot) {
+    private static void writePlayer(JsonGenerator out, PlayerResult player, String bot, Failure failure) {
         out.writeStringProperty("name", player.name());
         out.writeStringProperty("bot", bot);
         out.writeNumberProperty("rank", player.rank());
         JsonNumbers.write(out, "score", player.score());
         out.writeStringProperty("out", player.out());
         out.writeStringProperty("fault", player.fault());
+        out.writeName("failure");
+        if (failure == null) {
+            out.writeNull();
+        } else {
+            out.writeStartObject();
+            writeFailure(out, failure);
+            out.writeEndObject();
+        }
         out.writeObjectPropertyStart("answerMs");
         JsonNumbers.write(out, "average", player.averageNanos() / NANOS_PER_MS);
         JsonNumbers.write(out, "worst", player.worstNanos() / NANOS_PER_MS);
         JsonNumbers.write(out, "first", player.firstNanos() / NANOS_PER_MS);
         out.writeEndObject();
-        out.writeArrayPropertyStart("warnings");
-        for (String warning : warnings(player)) {
-            out.writeString(warning);
-        }
-        out.writeEndArray();
+        writeStrings(out, "warnings", warnings(player));
         writeData(out, player.data());
+    }
+
+    /** The turn, and what may help. */
+    static void writeFailure(JsonGenerator out, Failure failure) {
+        out.writeNumberProperty("turn", failure.turn());
+        writeStrings(out, "stderr", failure.stderr());
+        writeStrings(out, "hints", failure.hints());
+    }
+
+    private static void writeStrings(JsonGenerator out, String name, List<String> texts) {
+        out.writeArrayPropertyStart(name);
+        texts.forEach(out::writeString);
+        out.writeEndArray();
     }
 
     /** What bots reported on stderr. */
@@ -84,12 +104,6 @@ final class MatchJson {
 
     /** One object with its line end. */
     static void printObject(Streams streams, Consumer<JsonGenerator> fields) {
-        try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(),
-                new UnclosedOutputStream(streams.out()))) {
-            out.writeStartObject();
-            fields.accept(out);
-            out.writeEndObject();
-        }
-        streams.out().print('\n');
+        Json.print(streams, fields);
     }
 }

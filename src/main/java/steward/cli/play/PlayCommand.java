@@ -25,19 +25,25 @@ import steward.text.TextFormat;
 @Command(name = "play", description = "Plays one match as the game command of psyleague and tools like it: prints one "
     + "JSON object with ranks, errors and what the bots reported.",
     footer = {"",
-        "A bot is a command, its words quoted as for a shell, that speaks CodinGame's text protocol;",
-        "'json:COMMAND' speaks JSON; 'builtin:racer', 'builtin:regular', 'builtin:contender' and",
-        "'builtin:veteran', from weak to strong, come with the program.",
-        "What bots report on stderr: '[TDATA] name = value' about the match, '[PDATA] name = value' about",
-        "themselves, '[PDATA+] name = value' summed up, '[PDATA][turn] name = value' about a turn.",
+        "A bot is a command, its words quoted as for a shell, that speaks CodinGame's",
+        "text protocol; 'json:COMMAND' speaks JSON; 'builtin:racer', 'builtin:regular',",
+        "'builtin:contender' and 'builtin:veteran', from weak to strong, come with the",
+        "program. One that cannot be started has failed, and the match has a result.",
+        "", "The object: ranks (0 for the best), errors (1 for a bot that failed), faults",
+        "(why, or null), test_data (seed, and what was reported about the match),",
+        "player_data, attributes.",
+        "What bots report on stderr: '[TDATA] name = value' about the match,",
+        "'[PDATA] name = value' about themselves, '[PDATA+] name = value' summed up,",
+        "'[PDATA][turn] name = value' about a turn.",
         "", "Example, in psyleague.cfg:",
         "  cmd_play_game = \"steward play --json-league %%DIR%%/%%P1%% %%DIR%%/%%P2%%\"",
-        "", "Exit status: 0 there is a result, also if a bot failed; 1 there is none; 2 wrong call."})
+        "", "Exit status: 0 there is a result, also if a bot failed; 1 there is none; 2 wrong",
+        "call."})
 public final class PlayCommand implements Callable<Integer> {
 
     private final Streams streams;
 
-    @Option(names = "--json-league", required = true, description = "Print the result in this form, the only one.")
+    @Option(names = "--json-league", required = true, description = "Prints the result in this form, the only one.")
     private boolean league;
 
     @Parameters(paramLabel = "BOT", description = "The bots, one for each player of the scene; see below.")
@@ -64,7 +70,7 @@ public final class PlayCommand implements Callable<Integer> {
             throw new InputException("found " + TextFormat.count(bots.size(), "bot") + ", expected "
                 + TextFormat.count(players, "bot") + ", one for each player of the scene");
         }
-        Contest contest = Contest.of(setup, bots, Protocol.CODINGAME, pace.factor());
+        Contest contest = Contest.withFailing(setup, bots, Protocol.CODINGAME, pace.factor());
         long used = seed.orDrawn();
         LeagueAttributes attributes = new LeagueAttributes();
         MatchResult result = contest.play(used, 0, null, attributes);

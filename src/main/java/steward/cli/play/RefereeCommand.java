@@ -30,13 +30,18 @@ import steward.match.TimeControl;
 @Command(name = "referee", description = "Plays one match as the referee of cg-brutaltester and tools like it: prints "
     + "one whole number per player, in order; higher is better, negative for a bot that failed.",
     footer = {"",
-        "A bot is a command, its words quoted as for a shell, that speaks CodinGame's text protocol;",
-        "'json:COMMAND' speaks JSON; 'builtin:racer', 'builtin:regular', 'builtin:contender' and",
-        "'builtin:veteran', from weak to strong, come with the program.",
+        "A bot is a command, its words quoted as for a shell, that speaks CodinGame's",
+        "text protocol; 'json:COMMAND' speaks JSON; 'builtin:racer', 'builtin:regular',",
+        "'builtin:contender' and 'builtin:veteran', from weak to strong, come with the",
+        "program. One that cannot be started has failed, and the others win.",
+        "", "Files of -l and -r are replaced if they are empty or a file of their own kind,",
+        "since tools name the same files again; any other file is kept, and refused.",
         "", "Examples:",
         "  steward referee -p1 ./mine -p2 'python3 other.py' -d seed=7 -l game.json",
-        "  java -jar cg-brutaltester.jar -r 'steward referee' -p1 ./mine -p2 ./other -n 100 -s",
-        "  java -jar cg-brutaltester.jar -o -r 'steward referee --old' -p1 ./mine -p2 ./other -n 100",
+        "  java -jar cg-brutaltester.jar -r 'steward referee' -p1 ./mine -p2 ./other \\",
+        "      -n 100 -s",
+        "  java -jar cg-brutaltester.jar -o -r 'steward referee --old' -p1 ./mine \\",
+        "      -p2 ./other -n 100",
         "", "Exit status: 0 there is a result; 1 there is none; 2 wrong call."})
 public final class RefereeCommand implements Callable<Integer> {
 
@@ -51,13 +56,13 @@ public final class RefereeCommand implements Callable<Integer> {
     @Option(names = {"-seed", "--seed"}, paramLabel = "N", description = "The same as -d seed=N.")
     private Long seed;
 
-    @Option(names = "-l", paramLabel = "FILE", description = "Write the match as CodinGame's game result in JSON.")
+    @Option(names = "-l", paramLabel = "FILE", description = "Writes the match as CodinGame's game result in JSON.")
     private String log;
 
-    @Option(names = "-r", paramLabel = "FILE", description = "Write the replay of 'steward replay'.")
+    @Option(names = "-r", paramLabel = "FILE", description = "Writes the replay of 'steward replay'.")
     private String replay;
 
-    @Option(names = "-s", description = "Make a page that shows the match, and print where it is after the scores.")
+    @Option(names = "-s", description = "Makes a page that shows the match, and prints where it is after the scores.")
     private boolean page;
 
     @Option(names = {"-scene", "--scene"}, paramLabel = "FILE|NAME", defaultValue = SceneOptions.USUAL,
@@ -71,7 +76,7 @@ public final class RefereeCommand implements Callable<Integer> {
         description = "Accepted as other referees do; the rules are the scene's.")
     private Integer league;
 
-    @Option(names = {"--old", "-old"}, description = "Talk with the tool by ###Input and ###Output on the standard "
+    @Option(names = {"--old", "-old"}, description = "Talks with the tool by ###Input and ###Output on the standard "
         + "streams; the tool starts the bots.")
     private boolean old;
 
@@ -107,7 +112,7 @@ public final class RefereeCommand implements Callable<Integer> {
         }
         GameSetup setup = accuracy.open(scene);
         List<String> bots = arguments.bots(setup.scene().players(), setup.scene().name());
-        Contest contest = named(Contest.of(setup, bots, Protocol.CODINGAME, factor), arguments);
+        Contest contest = named(Contest.withFailing(setup, bots, Protocol.CODINGAME, factor), arguments);
         check.that(log == null || !log.isBlank(), "-l: found no name of a file");
         check.that(replay == null || !replay.isBlank(), "-r: found no name of a file");
         Path logFile = log == null ? null : OutputFiles.path(log);
@@ -115,6 +120,13 @@ public final class RefereeCommand implements Callable<Integer> {
         check.that(logFile == null || replayFile == null
             || !logFile.toAbsolutePath().normalize().equals(replayFile.toAbsolutePath().normalize()),
             "-l and -r: found " + log + " twice, expected two files");
+        RefereeFiles.check(logFile, replayFile, page);
+        for (int player = 0; player < contest.entrants().size(); player++) {
+            String problem = contest.entrants().get(player).problem();
+            if (problem != null) {
+                streams.warn("-p" + (player + 1) + " has failed, because it cannot be started: " + problem);
+            }
+        }
         return new RefereeGame(streams, contest, logFile, replayFile, page).play(wanted);
     }
 
@@ -136,8 +148,7 @@ public final class RefereeCommand implements Callable<Integer> {
         for (int player = 0; player < contest.entrants().size(); player++) {
             Contest.Entrant entrant = contest.entrants().get(player);
             String name = arguments.nameOf(player);
-            entrants.add(name == null ? entrant
-                : new Contest.Entrant(name, entrant.bot(), entrant.protocol(), entrant.words()));
+            entrants.add(name == null ? entrant : entrant.named(name));
         }
         return new Contest(contest.setup(), entrants, contest.time(), contest.timeFactor());
     }

@@ -21,7 +21,7 @@ import steward.replay.page.ReplayPage;
 import tools.jackson.core.JacksonException;
 
 /**
- * One match for an arena tool. Files that exist are replaced: tools make empty ones beforehand.
+ * One match for an arena tool. Files that exist are replaced; {@link RefereeFiles} has said which may be.
  *
  * @param log    for the game result in JSON, or {@code null}
  * @param replay for our replay, or {@code null}
@@ -30,8 +30,6 @@ import tools.jackson.core.JacksonException;
 record RefereeGame(Streams streams, Contest contest, Path log, Path replay, boolean page) {
 
     private static final MatchListener NOBODY = new MatchListener() { };
-    private static final String REPLAY = ".jsonl";
-    private static final String PAGE = ".html";
 
     /**
      * @param wanted the seed, or {@code null} for any
@@ -73,16 +71,14 @@ record RefereeGame(Streams streams, Contest contest, Path log, Path replay, bool
 
     private static Path temporary() {
         try {
-            return Files.createTempFile("steward-", REPLAY);
+            return Files.createTempFile("steward-", RefereeFiles.REPLAY);
         } catch (IOException problem) {
             throw new InputException("-s: cannot make a file for the replay (-r names one): " + problem.getMessage());
         }
     }
 
     private Path makePage(Path recording) {
-        String name = recording.getFileName().toString();
-        String base = name.endsWith(REPLAY) ? name.substring(0, name.length() - REPLAY.length()) : name;
-        Path file = recording.resolveSibling(base + PAGE);
+        Path file = RefereeFiles.pageOf(recording);
         try (OutputStream html = new BufferedOutputStream(OutputFiles.open(file, true))) {
             ReplayPage.write(recording, html, String.join(" - ",
                 contest.entrants().stream().map(Contest.Entrant::name).toList()));

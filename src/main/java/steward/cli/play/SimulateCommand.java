@@ -1,8 +1,6 @@
 package steward.cli.play;
 
 import java.io.BufferedReader;
-import java.io.FileDescriptor;
-import java.io.FileInputStream;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
@@ -10,6 +8,7 @@ import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
+import steward.cli.shared.StandardFiles;
 import steward.cli.shared.Streams;
 import steward.files.InputException;
 import steward.game.podrace.protocol.PodRaceType;
@@ -39,15 +38,17 @@ public final class SimulateCommand implements Callable<Integer> {
     }
 
     @Override
-    public Integer call() throws IOException {
+    public Integer call() {
         PodRaceType.PodRaceSetup setup = (PodRaceType.PodRaceSetup) Games.open(SCENE);
         // Whatever the bytes are, Latin-1 can read them: a strange one is quoted in the error about its line.
         BufferedReader in = new BufferedReader(
-            new InputStreamReader(new FileInputStream(FileDescriptor.in), StandardCharsets.ISO_8859_1));
+            new InputStreamReader(streams.in(), StandardCharsets.ISO_8859_1));
         try {
             new SimulatorProtocol(setup, in, streams.out()).run();
         } catch (IllegalArgumentException problem) {
             throw new InputException(problem.getMessage());
+        } catch (IOException problem) {
+            throw StandardFiles.unreadable(problem);
         }
         return ExitStatus.DONE;
     }

@@ -1,6 +1,5 @@
 package steward.cli.play;
 
-import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.io.UncheckedIOException;
@@ -14,10 +13,12 @@ import steward.cli.shared.Pages;
 import steward.cli.shared.Streams;
 import steward.cli.shared.Verbosity;
 import steward.contest.Contest;
-import steward.files.OutputFiles;
+import steward.contest.Failure;
+import steward.contest.GameLog;
+import steward.contest.ReplayFile;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
-import steward.replay.WriteBehind;
+import steward.match.TeeListener;
 import steward.text.TextFormat;
 
 /**
@@ -37,8 +38,9 @@ record SingleMatch(Streams streams, Contest contest, Verbosity report, boolean s
      * @return the exit status
      */
     int play(long seed, Path file, boolean overwrite) throws InterruptedException {
-        MatchResult result = result(seed, file, overwrite, null);
-        tell(seed, result, file);
+        GameLog log = new GameLog(contest, 0);
+        MatchResult result = result(seed, file, overwrite, null, log);
+        tell(seed, result, log.failures(), file);
         return status(result);
     }
 
@@ -46,38 +48,51 @@ record SingleMatch(Streams streams, Contest contest, Verbosity report, boolean s
     int play(long seed, Path file, boolean overwrite, DisplayOptions options) throws InterruptedException {
         PrintStream said = report == Verbosity.FULL ? streams.out() : streams.err();
         try (MatchDisplay show = MatchDisplay.prepare(streams, said, options, Pages.title(names()), file, overwrite)) {
-            MatchResult result = result(seed, file, overwrite, show);
-            tell(seed, result, file);
+            GameLog log = new GameLog(contest, 0);
+            MatchResult result = result(seed, file, overwrite, show, log);
+            tell(seed, result, log.failures(), file);
             streams.out().flush();
             show.finish();
             return status(result);
         }
     }
 
-    private MatchResult result(long seed, Path file, boolean overwrite, MatchDisplay show) throws InterruptedException {
-        try (OutputStream recording = file == null ? null : new WriteBehind(OutputFiles.open(file, overwrite))) {
+    private MatchResult result(long seed, Path file, boolean overwrite, MatchDisplay show, GameLog log)
+            throws InterruptedException {
+        MatchResult result;
+        ReplayFile recording = file == null ? null : new ReplayFile(file, overwrite);
+        try (recording) {
             if (show != null) {
                 show.awaitViewer();
             }
             try (Interruption hint = new Interruption(streams, file)) {
                 OutputStream written = show == null ? recording : show.with(recording);
-                MatchResult result = contest.play(seed, 0, written, follower(seed));
+                result = contest.play(seed, 0, written, new TeeListener(log, follower(seed)));
                 hint.over();
-                return result;
             }
         } catch (UncheckedIOException problem) {
-            throw new FailedException("the match could not be brought to a result: " + problem.getMessage());
-        } catch (IOException problem) {
-            throw new FailedException(file + ": cannot be closed: " + problem.getMessage());
+            throw withoutResult(recording, problem.getMessage());
         }
+        if (recording != null && recording.isBroken()) {
+            throw withoutResult(recording, null);
+        }
+        return result;
     }
 
-    private void tell(long seed, MatchResult result, Path file) {
+    private static FailedException withoutResult(ReplayFile recording, String problem) {
+        if (recording != null) {
+            recording.removeIfEmpty();
+        }
+        return new FailedException("the match could not be brought to a result: "
+            + (recording != null && recording.isBroken() ? recording.problem() : problem));
+    }
+
+    private void tell(long seed, MatchResult result, List<Failure> failures, Path file) {
         switch (report) {
-            case JSON -> MatchJson.print(streams, contest, seed, result, file);
-            case LINE -> streams.out().println(MatchText.headline(contest.sceneName(), seed, result));
+            case JSON -> MatchJson.print(streams, contest, seed, result, failures, file);
+            case LINE -> streams.out().println(MatchText.headline(contest.sceneName(), seed, result, failures));
             default -> {
-                MatchText.print(streams.out(), contest.sceneName(), seed, result);
+                MatchText.print(streams.out(), contest.sceneName(), seed, result, failures);
                 if (file != null) {
                     MatchText.printReplay(streams.out(), file);
                 }

@@ -9,7 +9,7 @@ import steward.match.MatchListener;
 import steward.match.Turn;
 import steward.text.TextFormat;
 
-/** Tells a person at a terminal what happens while a match is played: a line per headline, lead change and fault. */
+/** Prints to a terminal what happens while a match is played: a line per headline, lead change and fault. */
 final class TurnProgress implements MatchListener {
 
     private static final int NOBODY = -1;

@@ -1,14 +1,15 @@
 package steward.cli.replay;
 
+import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Json;
 import steward.cli.shared.MatchText;
-import steward.cli.shared.Streams;
+import steward.cli.shared.StandardFiles;
 import steward.match.MatchResult;
-import steward.replay.RecordedMatch;
+import steward.replay.ReplayHeader;
 import steward.replay.feed.FedTurn;
 import steward.replay.feed.Takeover;
 import steward.replay.verify.Difference;
@@ -23,18 +24,16 @@ final class FeedReport {
     private static final int WIDTH = 100;
     private static final String INDENT = " ".repeat(11);
 
-    private final Streams streams;
-    private final RecordedMatch match;
-    private final boolean quiet;
-    private final List<Integer> differing = new ArrayList<>();
+    private final FeedSession session;
+    private final PrintStream text;
+    private final List<FedTurn> differing = new ArrayList<>();
     private int compared;
     private int played;
     private boolean diverged;
 
-    FeedReport(Streams streams, RecordedMatch match, boolean quiet) {
-        this.streams = streams;
-        this.match = match;
-        this.quiet = quiet;
+    FeedReport(FeedSession session) {
+        this.session = session;
+        text = session.text();
     }
 
     /** A turn has been answered. */
@@ -47,13 +46,13 @@ final class FeedReport {
         } else {
             compared++;
             if (!turn.same()) {
-                differing.add(turn.number());
+                differing.add(turn);
             }
         }
-        if (!quiet || !turn.same() && !turn.replaced()) {
-            streams.out().println("turn " + TextFormat.right(Integer.toString(turn.number()), 4) + "  "
+        if (!session.json() && (!session.quiet() || !turn.same() && !turn.replaced())) {
+            text.println("turn " + TextFormat.right(Integer.toString(turn.number()), 4) + "  "
                 + TextFormat.wrap(TextFormat.plain(what), "; ", WIDTH - INDENT.length(), INDENT));
-            streams.out().flush();
+            text.flush();
         }
     }
 
@@ -77,32 +76,49 @@ final class FeedReport {
         return String.join("; ", fields);
     }
 
-    /** The counts of all turns that were compared. */
-    void sum() {
+    /**
+     * The counts of all turns that were compared, and what came of letting the bot play.
+     *
+     * @param outcome or {@code null} if it did not play
+     * @param file    of the new replay as it was typed, or {@code null}
+     */
+    void end(Takeover.Outcome outcome, String file) {
+        if (session.match().warning() != null) {
+            session.streams().warn(session.match().warning());
+        }
+        if (session.json()) {
+            Json.print(session.streams(), out -> {
+                FeedJson.write(out, session, compared, differing);
+                FeedJson.write(out, outcome, played, file);
+            });
+            return;
+        }
         String where = "";
         for (int k = 0; k < differing.size() && k < MOST_TURNS; k++) {
-            where += (k > 0 ? ", " : differing.size() > 1 ? " (turns " : " (turn ") + differing.get(k);
+            where += (k > 0 ? ", " : differing.size() > 1 ? " (turns " : " (turn ") + differing.get(k).number();
         }
         where += differing.isEmpty() ? "" : differing.size() > MOST_TURNS ? ", ...)" : ")";
-        streams.out().println(TextFormat.count(compared, "turn") + " compared: " + (compared - differing.size())
+        text.println(TextFormat.count(compared, "turn") + " compared: " + (compared - differing.size())
             + " the same, " + differing.size() + " different" + where);
-        if (match.warning() != null) {
-            streams.warn(match.warning());
+        if (outcome != null) {
+            printOutcome(outcome, file);
         }
     }
 
-    /** What came of letting the bot play. */
-    void outcome(Takeover.Outcome outcome, Path file) {
-        streams.out().println(TextFormat.count(played, "turn") + " played by the bot");
+    private void printOutcome(Takeover.Outcome outcome, String file) {
+        text.println(TextFormat.count(played, "turn") + " played by the bot");
         MatchResult result = outcome.result();
-        String scene = Json.word(Json.object(match.header().scene()).get("name"), 0);
+        ReplayHeader header = session.match().header();
+        String scene = Json.word(Json.object(header.scene()).get("name"), 0);
         if (result != null) {
-            streams.out().println(MatchText.headline(scene, match.header().seed(), result));
+            text.println(MatchText.headline(scene, header.seed(), result));
         } else {
-            streams.out().println(TextFormat.plain("no result after " + TextFormat.count(outcome.turns(), "turn") + ": "
-                + outcome.reason() + "; ahead then: " + FeedSession.names(match, outcome.ahead())));
+            text.println(TextFormat.plain("no result after " + TextFormat.count(outcome.turns(), "turn") + ": "
+                + outcome.reason() + "; ahead then: " + String.join(", ", outcome.ahead())));
         }
-        MatchText.printReplay(streams.out(), file);
+        if (!StandardFiles.is(file)) {
+            MatchText.printReplay(text, Path.of(file));
+        }
     }
 
     int status() {

@@ -2,11 +2,11 @@ package steward.cli.replay;
 
 import java.io.IOException;
 import java.io.OutputStream;
+import java.io.PrintStream;
 import java.io.UncheckedIOException;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
-import java.util.stream.Collectors;
+import steward.bot.command.BotCommand;
 import steward.bot.command.CommandLine;
 import steward.bot.process.AttendedProcess;
 import steward.bot.process.Debugger;
@@ -20,17 +20,21 @@ import steward.match.Protocol;
 import steward.replay.RecordedMatch;
 import steward.replay.feed.Feed;
 import steward.replay.feed.Takeover;
+import steward.replay.page.UnclosedOutputStream;
 import steward.text.TextFormat;
 
 /**
  * A recorded match, a player of it, and a bot that is started to be sent what that player was sent.
  *
- * @param words the program and its arguments
- * @param pause the turn before which is waited for Enter, or {@code null}
+ * @param bot      as it was called
+ * @param words    the program and its arguments
+ * @param pause    the turn before which is waited for Enter, or {@code null}
+ * @param quiet    whether turns that are the same are passed over
+ * @param json     whether nothing but one JSON object is printed to the standard output
+ * @param piped    whether the standard output is the new replay
  */
-record FeedSession(Streams streams, RecordedMatch match, int player, Protocol protocol, List<String> words,
-    boolean quiet,
-               Integer pause) {
+record FeedSession(Streams streams, RecordedMatch match, int player, BotCommand bot, Protocol protocol,
+                   List<String> words, Integer pause, boolean quiet, boolean json, boolean piped) {
 
     /** How long the bot may take to end by itself, where nobody is looking into it. */
     private static final long GRACE_MS = 1000;
@@ -38,31 +42,51 @@ record FeedSession(Streams streams, RecordedMatch match, int player, Protocol pr
 
     /** What is done with a bot once it runs; gives the exit status. */
     private interface Work {
-        int with(AttendedProcess bot, FeedReport report) throws InterruptedException;
+        int with(AttendedProcess process, FeedReport report, WaitingNotice waiting) throws InterruptedException;
+    }
+
+    /** Where a person reads what happens. */
+    PrintStream text() {
+        return json || piped ? streams.err() : streams.out();
+    }
+
+    /** As it was called, since a bundled bot's words are a long line of a JVM. */
+    private String called() {
+        return bot.prefix() == BotCommand.Prefix.BUILTIN ? bot.toString() : CommandLine.quote(words);
     }
 
     /** Sends the turns to the last or the given one, and compares. */
     int compare(int until) throws InterruptedException {
-        return start((bot, report) -> {
-            Feed feed = new Feed(match, Games.types(), player, protocol, bot);
-            Feed.Ending ending = feed.run(until, turn -> pauseBefore(turn, bot), report::add);
-            report.sum();
+        return start((process, report, waiting) -> {
+            Feed feed = new Feed(match, Games.types(), player, protocol, process);
+            Feed.Ending ending = feed.run(until, turn -> before(turn, process, waiting), turn -> {
+                waiting.answered();
+                report.add(turn);
+            });
+            report.end(null, null);
             if (ending == Feed.Ending.STOPPED) {
-                hold(until, bot);
+                hold(until, process);
             }
             return report.status();
         });
     }
 
-    /** Lets the bot play on, and records that. */
-    int replace(int from, Path file, boolean overwrite) throws InterruptedException {
-        try (OutputStream out = OutputFiles.open(file, overwrite)) {
-            return start((bot, report) -> {
-                Takeover takeover = new Takeover(match, Games.types(), player, protocol, bot, from,
-                    CommandLine.quote(words), out);
-                Takeover.Outcome outcome = takeover.run(turn -> pauseBefore(turn, bot), report::add);
-                report.sum();
-                report.outcome(outcome, file);
+    /**
+     * Lets the bot play on, and records that.
+     *
+     * @param file as it was typed
+     */
+    int replace(int from, String file, boolean overwrite) throws InterruptedException {
+        try (OutputStream out = piped ? new UnclosedOutputStream(streams.out())
+                : OutputFiles.open(OutputFiles.path(file), overwrite)) {
+            return start((process, report, waiting) -> {
+                Takeover takeover = new Takeover(match, Games.types(), player, protocol, process, from,
+                    bot.toString(), out);
+                Takeover.Outcome outcome = takeover.run(turn -> before(turn, process, waiting), turn -> {
+                    waiting.answered();
+                    report.add(turn);
+                });
+                report.end(outcome, file);
                 return report.status();
             });
         } catch (UncheckedIOException problem) {
@@ -74,31 +98,33 @@ record FeedSession(Streams streams, RecordedMatch match, int player, Protocol pr
 
     private int start(Work work) throws InterruptedException {
         boolean debugger = Debugger.is(words);
-        AttendedProcess bot;
+        AttendedProcess process;
         try {
-            bot = AttendedProcess.start(match.header().names().get(player),
-                debugger ? Debugger.onTerminal(words) : words);
+            process = AttendedProcess.start(bot.displayName(), debugger ? Debugger.onTerminal(words) : words);
         } catch (IOException problem) {
             throw new InputException("the bot could not be started: " + problem.getMessage());
         }
-        Thread last = new Thread(() -> end(bot), "feed-end");
+        Thread last = new Thread(() -> end(process), "feed-end");
         Runtime.getRuntime().addShutdownHook(last);
-        try {
-            streams.out().println(TextFormat.plain("process " + bot.pid() + " is player " + player + " of "
-                + match.source()
-                + ", speaks " + protocol.word() + ": " + CommandLine.quote(words)));
-            streams.out().flush();
-            int status = work.with(bot, new FeedReport(streams, match, quiet));
-            streams.out().flush();
-            bot.close();
+        PrintStream terminal = debugger ? null : streams.errTerminal() ? streams.err()
+            : streams.outTerminal() ? streams.out() : null;
+        try (WaitingNotice waiting = new WaitingNotice(terminal, protocol.word(), WaitingNotice.AFTER_MS)) {
+            if (!json || pause != null) {
+                text().println(TextFormat.plain("process " + process.pid() + " is player " + player + " of "
+                    + match.source() + ", speaks " + protocol.word() + ": " + called()));
+                text().flush();
+            }
+            int status = work.with(process, new FeedReport(this), waiting);
+            text().flush();
+            process.close();
             if (debugger || pause != null) {
-                bot.ended().join();
+                process.ended().join();
             } else {
-                bot.awaitEnd(GRACE_MS);
+                process.awaitEnd(GRACE_MS);
             }
             return status;
         } finally {
-            end(bot);
+            end(process);
             removeHook(last);
         }
     }
@@ -120,29 +146,25 @@ record FeedSession(Streams streams, RecordedMatch match, int player, Protocol pr
         }
     }
 
-    private void pauseBefore(int turn, AttendedProcess bot) {
+    private void before(int turn, AttendedProcess process, WaitingNotice waiting) {
         if (pause != null && pause == turn) {
-            streams.out().println("waiting before turn " + turn + ": attach to process " + bot.pid()
+            text().println("waiting before turn " + turn + ": attach to process " + process.pid()
                 + ", then press Enter");
-            streams.out().flush();
-            CompletableFuture.anyOf(EnterKey.pressed(streams), bot.ended()).join();
+            text().flush();
+            CompletableFuture.anyOf(EnterKey.pressed(streams), process.ended()).join();
         }
+        waiting.asked(turn);
     }
 
-    private void hold(int until, AttendedProcess bot) {
+    private void hold(int until, AttendedProcess process) {
         boolean debugger = Debugger.is(words);
-        streams.out().println("stopped after turn " + until + "; process " + bot.pid() + " waits for more until "
+        text().println("stopped after turn " + until + "; process " + process.pid() + " waits for more until "
             + (debugger ? "the debugger ends" : "it ends or you press Enter"));
-        streams.out().flush();
+        text().flush();
         if (debugger) {
-            bot.ended().join();
+            process.ended().join();
         } else {
-            CompletableFuture.anyOf(EnterKey.pressed(streams), bot.ended()).join();
+            CompletableFuture.anyOf(EnterKey.pressed(streams), process.ended()).join();
         }
-    }
-
-    /** Names of players for a sentence. */
-    static String names(RecordedMatch match, List<Integer> players) {
-        return players.stream().map(match.header().names()::get).collect(Collectors.joining(", "));
     }
 }

@@ -6,7 +6,6 @@ import steward.cli.shared.FailedException;
 import steward.cli.shared.Games;
 import steward.cli.shared.Json;
 import steward.cli.shared.Streams;
-import steward.files.InputException;
 import steward.match.Dialogue;
 import steward.numerics.StateHash;
 import steward.replay.RecordedTurn;
@@ -27,16 +26,11 @@ final class FramePrinter {
      * A bot that failed was sent the turn it failed in, and nothing after it; one that was out by the rules was sent no
      * more turns, but the end.
      *
-     * @throws InputException  if there is no such player
+     * @param player counted from 0
      * @throws FailedException if the replay does not say what the game gives, from that turn on
      */
     static void print(Streams streams, ReplayReader replay, int player) {
         Resimulation again = new Resimulation(replay.header(), Games.types(), replay.source());
-        int players = again.game().players();
-        if (player < 0 || player >= players) {
-            throw new InputException("--player: found " + player + ", expected 0 to " + (players - 1) + " in "
-                + replay.source());
-        }
         Dialogue frames = Dialogue.of(replay.header().protocols().get(player), again.setup(),
             again.game(), again.codec());
         print(streams, frames.setup(player));

@@ -13,6 +13,8 @@ import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
 import steward.cli.shared.Games;
 import steward.cli.shared.Pages;
+import steward.cli.shared.PlayerChoice;
+import steward.cli.shared.StandardFiles;
 import steward.cli.shared.Streams;
 import steward.files.InputException;
 import steward.files.OutputFiles;
@@ -30,47 +32,50 @@ import steward.text.TextFormat;
         "  steward replay match.jsonl --verify",
         "  steward replay match.jsonl --view match.html --open",
         "  steward replay match.jsonl --frames --player 1 | ./mybot",
-        "", "Exit status: 0 done; 1 a turn differs from what the rules give; 2 the file or the call is wrong."})
+        "", "Exit status: 0 done; 1 a turn differs from what the rules give; 2 the file or",
+        "the call is wrong."})
 public final class ReplayCommand implements Callable<Integer> {
 
     private final Streams streams;
     private final CallCheck check = CallCheck.withHelp();
 
-    @Parameters(index = "0", paramLabel = "FILE", description = "The replay.")
+    @Parameters(index = "0", paramLabel = "FILE",
+        description = "The replay; - is the standard input.")
     private String file;
 
-    @Option(names = "--turn", paramLabel = "N", description = "Print everything about this turn.")
+    @Option(names = "--turn", paramLabel = "N", description = "Prints everything about this turn.")
     private Integer turn;
 
-    @Option(names = "--from", paramLabel = "A", description = "Begin with this turn.")
+    @Option(names = "--from", paramLabel = "A", description = "Begins with this turn.")
     private Integer from;
 
-    @Option(names = "--to", paramLabel = "B", description = "End with this turn.")
+    @Option(names = "--to", paramLabel = "B", description = "Ends with this turn.")
     private Integer to;
 
-    @Option(names = "--impacts", description = "Print the impacts instead of the states.")
+    @Option(names = "--impacts", description = "Prints the impacts instead of the states.")
     private boolean impacts;
 
-    @Option(names = "--verify", description = "Play the match again and compare every turn.")
+    @Option(names = "--verify", description = "Plays the match again and compares every turn.")
     private boolean verify;
 
-    @Option(names = "--frames", description = "Print the lines that one bot was sent, byte for byte; with --player.")
+    @Option(names = "--frames", description = "Prints the lines that one bot was sent, byte for byte; with --player.")
     private boolean frames;
 
-    @Option(names = "--player", paramLabel = "P", description = "Which bot, counted from 0.")
-    private Integer player;
+    @Option(names = "--player", paramLabel = "P",
+        description = "Which bot: its number, counted from 0, or its name.")
+    private String player;
 
     @Option(names = "--view", paramLabel = "HTML",
-        description = "Write a page that shows the match to this file: everything in it, opens from disk.")
+        description = "Writes a page that shows the match to this file: everything in it, opens from disk.")
     private String view;
 
-    @Option(names = "--open", description = "Open the page of --view, or one without a name, in the browser.")
+    @Option(names = "--open", description = "Opens the page of --view, or one without a name, in the browser.")
     private boolean open;
 
-    @Option(names = "--overwrite", description = "Replace a page that exists.")
+    @Option(names = "--overwrite", description = "Replaces a page that exists.")
     private boolean overwrite;
 
-    @Option(names = "--quiet", description = "Print only the summary; with --verify, only a difference.")
+    @Option(names = "--quiet", description = "Prints only the summary; with --verify, only a difference.")
     private boolean quiet;
 
     public ReplayCommand(Streams streams) {
@@ -80,11 +85,12 @@ public final class ReplayCommand implements Callable<Integer> {
     @Override
     public Integer call() throws InterruptedException {
         checkCall();
-        Path path = OutputFiles.path(file);
+        boolean piped = StandardFiles.is(file);
         if (view != null || open) {
-            return view(path);
+            check.that(!piped, "--view and --open read the replay twice, expected a file, found -");
+            return view(OutputFiles.path(file));
         }
-        try (ReplayReader replay = open(path)) {
+        try (ReplayReader replay = piped ? StandardFiles.openReplay(streams) : open(OutputFiles.path(file))) {
             if (verify) {
                 return verify(replay);
             }
@@ -93,7 +99,8 @@ public final class ReplayCommand implements Callable<Integer> {
                 return ExitStatus.DONE;
             }
             if (frames) {
-                FramePrinter.print(streams, replay, player);
+                FramePrinter.print(streams, replay,
+                    PlayerChoice.of(player, replay.header().names(), replay.source()));
             } else if (turn != null && !impacts) {
                 TurnDetail.print(streams, replay, turn);
             } else {

@@ -1,6 +1,6 @@
 package steward.cli.shared;
 
-/** The options of a call do not go together, or one is out of range; who is told is also told where help is. */
+/** The options of a call do not go together, or one is out of range; the message is followed by a pointer to help. */
 public final class CallException extends RuntimeException {
 
     private static final long serialVersionUID = 1L;

@@ -3,13 +3,13 @@ package steward.cli.shared;
 import java.io.IOException;
 import java.util.concurrent.CompletableFuture;
 
-/** Notices that a person presses Enter. */
+/** Waits for Enter at the terminal. */
 public final class EnterKey {
 
     private EnterKey() {
     }
 
-    /** Completes with the next end of a line, or where the input ends. A thread waits for it, perhaps for ever. */
+    /** Completes with the next end of a line, or at the end of the input. A thread waits for it, perhaps for ever. */
     public static CompletableFuture<Void> pressed(Streams streams) {
         CompletableFuture<Void> pressed = new CompletableFuture<>();
         Thread reader = new Thread(() -> {

@@ -14,7 +14,7 @@ import steward.replay.ReplayException;
 import steward.scene.json.SceneException;
 import steward.text.TextFormat;
 
-/** Turns what went wrong into a message and an exit status. */
+/** Turns an exception into a message and an exit status. */
 public final class ErrorHandler implements IParameterExceptionHandler, IExecutionExceptionHandler {
 
     private final Streams streams;
@@ -23,7 +23,7 @@ public final class ErrorHandler implements IParameterExceptionHandler, IExecutio
         this.streams = streams;
     }
 
-    /** A wrong call: the problem, the nearest names there are, and where help is. */
+    /** A wrong call: the problem, similar names that exist, and where help is. */
     @Override
     public int handleParseException(ParameterException problem, String[] arguments) {
         CommandLine command = problem.getCommandLine();

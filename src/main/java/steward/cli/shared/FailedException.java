@@ -1,6 +1,6 @@
 package steward.cli.shared;
 
-/** The call was right, but what it asked for could not be brought to its end; the message says why. */
+/** The call was right, but it could not be carried out to its end; the message says why. */
 public final class FailedException extends RuntimeException {
 
     private static final long serialVersionUID = 1L;

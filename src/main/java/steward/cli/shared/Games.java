@@ -14,7 +14,7 @@ public final class Games {
     private Games() {
     }
 
-    /** All of them. */
+    /** All games. */
     public static GameTypes types() {
         return new GameTypes(List.of(new PodRaceType()));
     }
@@ -24,7 +24,7 @@ public final class Games {
         return open(scene, null);
     }
 
-    /** @param accuracy the rung to compute it on, or {@code null} for the scene's own */
+    /** @param accuracy the rung to use, or {@code null} for the scene's own */
     public static GameSetup open(String scene, Accuracy accuracy) {
         return types().open(SceneReader.read(SceneFiles.load(scene), accuracy));
     }

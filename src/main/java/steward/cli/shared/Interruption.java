@@ -4,29 +4,30 @@ import java.nio.file.Path;
 import java.util.function.Supplier;
 
 /**
- * Says where the turns so far are when a match ends by Ctrl-C. There is nothing else to do then: each turn has been
- * written when it was played, and no bot outlives this process.
+ * Prints where the turns so far are when a match ends by Ctrl-C. Nothing else is needed then: each turn was written
+ * when it was played, and no bot outlives this process.
  */
 public final class Interruption implements AutoCloseable {
 
     private final Thread hook;
     private volatile boolean over;
 
-    /** @param file the replay, or {@code null}: then there is nothing to say */
+    /** @param file the replay, or {@code null} to print nothing */
     public Interruption(Streams streams, Path file) {
         this(streams, file == null ? null : "the turns so far are in " + file);
     }
 
-    /** @param kept says where what was done so far is, or {@code null}: then there is nothing to say */
+    /** @param kept says where the results so far are, or {@code null} to print nothing */
     public Interruption(Streams streams, String kept) {
         this(streams, kept == null ? null : () -> kept);
     }
 
-    /** @param kept is asked when it happens, in another thread; {@code null} if there is nothing to say */
+    /** @param kept is called at the interruption, on another thread; gives {@code null} to print nothing */
     public Interruption(Streams streams, Supplier<String> kept) {
         hook = kept == null ? null : new Thread(() -> {
-            if (!over) {
-                streams.err().println("steward: interrupted; " + kept.get());
+            String told = over ? null : kept.get();
+            if (told != null) {
+                streams.err().println("steward: interrupted; " + told);
             }
         }, "interruption");
         if (hook != null) {
@@ -47,7 +48,7 @@ public final class Interruption implements AutoCloseable {
                 Runtime.getRuntime().removeShutdownHook(hook);
             }
         } catch (IllegalStateException shutdown) {
-            // It runs already, or has run.
+            // The hook is already running or has run.
             return;
         }
     }

@@ -4,15 +4,19 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 import steward.game.JsonNumbers;
+import steward.replay.page.UnclosedOutputStream;
 import steward.text.TextFormat;
+import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;
+import tools.jackson.core.ObjectWriteContext;
 
 /**
- * Small JSON values read whole, without the weight of a data-binding library: objects are maps in their written order,
- * arrays are lists, numbers are doubles, null is null.
+ * Small JSON values read as a whole, without the start-up cost of a data-binding library: objects are maps in their
+ * written order, arrays are lists, numbers are doubles, null is null. And the objects that commands print for programs.
  */
 public final class Json {
 
@@ -41,6 +45,17 @@ public final class Json {
             in.nextToken();
             return array(in);
         }
+    }
+
+    /** Prints one object on a line of its own. */
+    public static void print(Streams streams, Consumer<JsonGenerator> fields) {
+        try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(),
+                new UnclosedOutputStream(streams.out()))) {
+            out.writeStartObject();
+            fields.accept(out);
+            out.writeEndObject();
+        }
+        streams.out().print('\n');
     }
 
     private static Map<String, Object> object(JsonParser in) {
@@ -91,7 +106,7 @@ public final class Json {
         return value instanceof Double number ? number : Double.NaN;
     }
 
-    /** A scalar as a word for people; {@code -} for nothing. */
+    /** A scalar as readable text; {@code -} for nothing. */
     public static String word(Object value, int decimals) {
         if (value instanceof Double number) {
             return TextFormat.number(number, decimals);

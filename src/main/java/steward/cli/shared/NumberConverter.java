@@ -4,14 +4,14 @@ import picocli.CommandLine;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
-/** Reads the numbers of a call; the library's own readers tell people about {@code int} and {@code long}. */
+/** Converts numbers of a call; the library's own converters name {@code int} and {@code long} in their messages. */
 public enum NumberConverter implements ITypeConverter<Number> {
 
     /** 32 bits. */
     INTEGER("a whole number below 2^31"),
     /** 64 bits. */
     LONG("a whole number of 64 bits"),
-    /** Any. */
+    /** Any number. */
     DOUBLE("a number");
 
     private final String expected;
@@ -33,7 +33,7 @@ public enum NumberConverter implements ITypeConverter<Number> {
         }
     }
 
-    /** Uses these for all options of a program; call when its commands are there. */
+    /** Registers these for all options of a program; to be called after its commands are added. */
     public static void register(CommandLine program) {
         register(program, Integer.class, INTEGER);
         register(program, Long.class, LONG);
@@ -41,7 +41,7 @@ public enum NumberConverter implements ITypeConverter<Number> {
         register(program, Double.class, DOUBLE);
     }
 
-    /** What is read for a type is of that type, or of its box. */
+    /** The converted value has the option's type, or its box type. */
     @SuppressWarnings("unchecked")
     private static <K> void register(CommandLine program, Class<K> type, NumberConverter reader) {
         program.registerConverter(type, (ITypeConverter<K>) (ITypeConverter<?>) reader);

@@ -13,7 +13,7 @@ import steward.live.Browser;
 import steward.replay.page.ReplayPage;
 import steward.text.TextFormat;
 
-/** Pages that show a match: what is written above them, where they go, and how they are opened. */
+/** Pages that show a match: their titles, where they are written, and how they are opened. */
 public final class Pages {
 
     private static final int TITLE = 80;
@@ -26,7 +26,7 @@ public final class Pages {
         return TextFormat.shorten(TextFormat.plain(String.join(" against ", players)), TITLE);
     }
 
-    /** A place for a page that nobody gave a name. */
+    /** A path for a page without a given name. */
     public static Path unnamed() {
         try {
             return Files.createTempFile("steward-", ".html");
@@ -50,7 +50,7 @@ public final class Pages {
         return html.toByteArray();
     }
 
-    /** Writes a page whole. */
+    /** Writes a whole page. */
     public static void write(OutputStream file, byte[] html, Path path) {
         try {
             file.write(html);
@@ -60,7 +60,7 @@ public final class Pages {
         }
     }
 
-    /** Opens a page in the browser. That this fails is no failure: the page is there. */
+    /** Opens a page in the browser. A failure to open it is only a warning, because the page exists. */
     public static void open(Streams streams, URI page) throws InterruptedException {
         String problem = Browser.ofSystem().open(page);
         if (problem != null) {

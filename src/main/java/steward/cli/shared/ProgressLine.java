@@ -5,28 +5,35 @@ import me.tongfei.progressbar.ConsoleProgressBarConsumer;
 import me.tongfei.progressbar.ProgressBar;
 import me.tongfei.progressbar.ProgressBarBuilder;
 import me.tongfei.progressbar.ProgressBarStyle;
+import steward.text.TextFormat;
 
-/** How many games or other steps are done and how long the rest will take, on one line of a terminal; then gone. */
+/**
+ * How many games or other steps are done and how long the rest will take, on one line of a terminal, erased at the end.
+ */
 public final class ProgressLine implements AutoCloseable {
 
-    /** Given, because finding out the terminal's width would load a library of its own. */
+    /** Fixed, because finding the terminal's width would need another library. */
     private static final int WIDTH = 79;
     private static final int REFRESH_MS = 250;
 
+    /** How long the word on how it stands may be, so that there is room for the bar. */
+    private static final int WORD = 24;
+
     private final ProgressBar bar;
+    private boolean closed;
 
     public ProgressLine(PrintStream terminal, int games) {
         this(terminal, "games", games);
     }
 
-    /** @param task what the steps are of */
+    /** @param task what is being done */
     public ProgressLine(PrintStream terminal, String task, int steps) {
         bar = new ProgressBarBuilder().setTaskName(task).setInitialMax(steps).setStyle(ProgressBarStyle.ASCII)
             .setUpdateIntervalMillis(REFRESH_MS).clearDisplayOnFinish()
             .setConsumer(new ConsoleProgressBarConsumer(terminal, WIDTH)).build();
     }
 
-    /** One for whoever watches the terminal; {@code null} where nobody does. */
+    /** A line on the standard error if that is a terminal, otherwise {@code null}. */
     public static ProgressLine watched(Streams streams, String task, int steps) {
         return streams.errTerminal() ? new ProgressLine(streams.err(), task, steps) : null;
     }
@@ -36,15 +43,25 @@ public final class ProgressLine implements AutoCloseable {
         bar.step();
     }
 
-    /** One more, where anybody watches. */
+    /** One more, if there is a line. */
     public static void step(ProgressLine watched) {
         if (watched != null) {
             watched.step();
         }
     }
 
+    /** One more, with a word on how it stands; by any thread. */
+    public void step(String standing) {
+        bar.setExtraMessage(TextFormat.plain(TextFormat.shorten(standing, WORD)));
+        bar.step();
+    }
+
+    /** The second time there is nothing to do. */
     @Override
-    public void close() {
-        bar.close();
+    public synchronized void close() {
+        if (!closed) {
+            closed = true;
+            bar.close();
+        }
     }
 }

@@ -16,8 +16,8 @@ import java.nio.file.Path;
 import steward.text.TextFormat;
 
 /**
- * What a command reads, and where it writes: UTF-8 whatever the locale says, since frames are printed byte for byte.
- * The standard output is buffered; {@link PrintStream#flush} shows what has come so far.
+ * The input and outputs of a command: UTF-8 in every locale, because frames are printed byte for byte. The standard
+ * output is buffered; {@link PrintStream#flush} writes it out.
  */
 public final class Streams {
 
@@ -31,14 +31,14 @@ public final class Streams {
     private final boolean outTerminal;
     private final boolean errTerminal;
 
-    /** Without an input. */
+    /** Streams without an input. */
     public Streams(OutputStream out, OutputStream err, boolean outTerminal, boolean errTerminal) {
         this(InputStream.nullInputStream(), false, out, err, outTerminal, errTerminal);
     }
 
     /**
-     * @param inTerminal  whether a person types {@code in}
-     * @param outTerminal whether a person reads {@code out} as it comes
+     * @param inTerminal  whether {@code in} is a terminal
+     * @param outTerminal whether {@code out} is a terminal
      * @param errTerminal likewise for {@code err}
      */
     public Streams(InputStream in, boolean inTerminal, OutputStream out, OutputStream err, boolean outTerminal,
@@ -52,14 +52,14 @@ public final class Streams {
         this.errTerminal = errTerminal;
     }
 
-    /** Those of the process. */
+    /** The streams of the process. */
     public static Streams standard() {
         return new Streams(new FileInputStream(FileDescriptor.in), isTerminal(0),
             new FileOutputStream(FileDescriptor.out), new FileOutputStream(FileDescriptor.err), isTerminal(1),
             isTerminal(2));
     }
 
-    /** Java only tells whether input and output both are terminals; Linux tells it of each. */
+    /** Java only tells whether input and output are both terminals; Linux tells it for each. */
     private static boolean isTerminal(int descriptor) {
         Path link = Path.of(LINUX_DESCRIPTORS + descriptor);
         if (!Files.isSymbolicLink(link)) {
@@ -73,7 +73,7 @@ public final class Streams {
         }
     }
 
-    /** From Java 22 on there is a console in any case, and it can be asked. */
+    /** From Java 22 on there is always a console, which tells whether it is a terminal. */
     private static boolean consoleIsTerminal() {
         try {
             return System.console() != null && (boolean) Console.class.getMethod("isTerminal").invoke(System.console());
@@ -82,8 +82,8 @@ public final class Streams {
         }
     }
 
-    /** What a person types; to be read by one at a time. */
-    InputStream in() {
+    /** The typed input, or a file or pipe; to be read by one reader at a time. */
+    public InputStream in() {
         return in;
     }
 
@@ -109,23 +109,23 @@ public final class Streams {
         return errTerminal;
     }
 
-    /** Whether nobody takes the output any more ({@code | head}), so that there is no need to go on. */
+    /** Whether the output has no reader any more ({@code | head}), so that the command can stop. */
     public boolean outEnded() {
         return watched.problem != null;
     }
 
-    /** Why the output could not be written, or {@code null}; a reader that has gone is no problem. */
+    /** Why the output could not be written, or {@code null}; a reader that has closed it is no problem. */
     public String outProblem() {
         out.flush();
         return watched.problem == null || watched.problem.contains("Broken pipe") ? null : watched.problem;
     }
 
-    /** A warning: the program goes on. */
+    /** Prints a warning; the program goes on. */
     public void warn(String message) {
         err.println("steward: warning: " + TextFormat.plain(message));
     }
 
-    /** Remembers the first failure, which a print stream does not tell. */
+    /** Keeps the first failure, which a print stream does not report. */
     private static final class Watched extends FilterOutputStream {
 
         private volatile String problem;

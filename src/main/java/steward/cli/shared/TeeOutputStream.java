@@ -11,7 +11,7 @@ public final class TeeOutputStream extends OutputStream {
 
     /**
      * @param first  is written first
-     * @param second is not written what the first could not be
+     * @param second gets nothing that could not be written to the first
      */
     public TeeOutputStream(OutputStream first, OutputStream second) {
         this.first = first;

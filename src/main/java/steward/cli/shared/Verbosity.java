@@ -1,10 +1,10 @@
 package steward.cli.shared;
 
-/** How much is said about matches. */
+/** How much is printed about matches. */
 public enum Verbosity {
-    /** What happens while it is watched, and all about the result. */
+    /** What happens during a match on a terminal, and the whole result. */
     FULL,
-    /** The line of the result. */
+    /** One line with the result. */
     LINE,
     /** One JSON object. */
     JSON

@@ -25,33 +25,33 @@ import steward.scene.PhysicsFingerprint;
 import steward.scene.SceneKey;
 
 /*
- * Work is counted, not timed, so that the figures are the same on every machine. A turn looks at all pairs, and at all
- * bodies and walls, once per step, or once more than there are moments with impacts; each look costs a weight per pair,
- * each impact another. The weights are the costs relative to a look for overlaps, as `steward tradeoff` shows them,
- * rounded: they only have to order the rungs.
+ * Work is counted, not timed, so that the figures are the same on every machine. A turn scans all pairs, and all bodies
+ * and walls, once per step, or once more than there are moments with impacts; each scan costs a weight per pair, each
+ * impact another. The weights are the costs relative to a scan for overlaps, as `steward tradeoff` shows them, rounded:
+ * they only have to give the order of the rungs.
  */
 
 /**
- * How far off each rung of the ladder is after one turn, over many states of seeded play of a scene, held against the
- * oracle: the position of the body that is off the most, before positions are rounded at the end of a turn (rounding
- * would hide most errors and blow up a few). States come in blocks, each from a play with a seed of its own, so that
- * any number of threads comes to the same figures; what is done of it at any time can be taken.
+ * The error of each rung of the ladder after one turn, over many states of seeded play of a scene, compared with the
+ * oracle: the largest position error of a body, before positions are rounded at the end of a turn (rounding would hide
+ * most errors and magnify a few). States come in blocks, each from a play with a seed of its own, so that any number of
+ * threads gives the same figures; the blocks done so far can be read at any time.
  */
 public final class Calibration {
 
-    /** How many states a calibration has unless asked for another number. */
+    /** How many states a calibration has by default. */
     public static final int STATES = 100_000;
-    /** What the games are played on that states come from, whatever rung the scene asks for. */
+    /** The rung on which the games are played that states come from, whatever the scene's rung. */
     public static final Accuracy PLAYED_ON = Accuracy.event(Arithmetic.DOUBLE);
-    /** States with a play of their own; the first block is also the sample that shows whether figures still hold. */
+    /** States per play; the first block is also the sample that shows whether stored figures still hold. */
     public static final int BLOCK = 1000;
 
-    /** Per pair and look, in looks for overlaps. */
+    /** Weight of a pair in a step's scan, the unit of all weights. */
     private static final double STEP_WEIGHT = 1;
     private static final double[] EVENT_WEIGHTS = {3, 3, 4, 5};
     private static final int DIGITS = 3;
     private static final double LEAST_PLAIN = 1e-3;
-    /** Per impact. */
+    /** Weight of an impact. */
     private static final double IMPACT_WEIGHT = 5;
 
     private final GameSetup setup;
@@ -62,16 +62,16 @@ public final class Calibration {
     private final Block[] blocks;
     private final AtomicInteger next = new AtomicInteger();
 
-    /** What a block of states has shown. */
+    /** The results of a block of states. */
     private record Block(double[][] errors, double[] work, int withImpacts) {
     }
 
     /**
-     * Figures.
+     * The figures of a calibration.
      *
-     * @param states      how many states they are of
+     * @param states      how many states were measured
      * @param withImpacts how many of these had impacts
-     * @param rungs       of each rung, in the order of the ladder
+     * @param rungs       the figures of each rung, in the order of the ladder
      * @param sample      a hash of the errors of the first block
      */
     public record Figures(int states, int withImpacts, List<AccuracyFigures.OfRung> rungs, String sample) {
@@ -80,8 +80,8 @@ public final class Calibration {
     /**
      * @param setup  a scene whose contacts all bounce, opened on {@link #PLAYED_ON}
      * @param plays  seeded play of it, from a seed
-     * @param states how many, at least 1
-     * @throws IllegalArgumentException if contacts ask the game: the oracle knows no reactions
+     * @param states how many states, at least 1
+     * @throws IllegalArgumentException if contacts ask the game: the oracle has no reactions
      */
     public Calibration(GameSetup setup, LongFunction<SeededPlay> plays, int states) {
         this.setup = setup;
@@ -92,11 +92,11 @@ public final class Calibration {
     }
 
     /**
-     * Measures what is not measured yet.
+     * Measures the remaining blocks.
      *
      * @param threads how many
-     * @param done    told by any of them after each block
-     * @throws InterruptedException if the caller is; what was measured stays
+     * @param done    called by any of the threads after each block
+     * @throws InterruptedException if the calling thread is interrupted; results so far are kept
      */
     public void run(int threads, Runnable done) throws InterruptedException {
         AtomicReference<Throwable> problem = new AtomicReference<>();
@@ -155,7 +155,7 @@ public final class Calibration {
         return new Block(errors, work, withImpacts);
     }
 
-    /** How many pairs there are to look at, and bodies with walls. */
+    /** How many pairs, and bodies with walls, a scan tests. */
     private int tests(Bodies bodies) {
         int movable = 0;
         for (int k = 0; k < bodies.size(); k++) {
@@ -171,7 +171,7 @@ public final class Calibration {
         return looks * tests + moments.impacts * IMPACT_WEIGHT;
     }
 
-    /** Counts impacts, and the moments at which there are any. */
+    /** Counts impacts, and the distinct times at which there are any. */
     private static final class Moments extends Probe {
 
         private int moments;
@@ -194,7 +194,7 @@ public final class Calibration {
         }
     }
 
-    /** Figures of what has been measured without a gap from the first block on; of 0 states if nothing has. */
+    /** Figures of all blocks that are complete without a gap from the first on; of 0 states if there are none. */
     public Figures figures() {
         List<Block> done;
         synchronized (blocks) {
@@ -217,7 +217,7 @@ public final class Calibration {
             done.isEmpty() ? "" : sample(done.get(0)));
     }
 
-    /** The least error that at least so many of the states do not exceed. */
+    /** The least error that at least this share of the states does not exceed. */
     static double atShare(double[] sorted, String share) {
         int count = new BigDecimal(share).multiply(BigDecimal.valueOf(sorted.length))
             .setScale(0, RoundingMode.CEILING).intValueExact();

@@ -17,27 +17,27 @@ import steward.scene.Part;
 import steward.scene.Scene;
 
 /**
- * What each part of a scene's engine adds to a turn, in time, on this machine: states of seeded play are flown through
- * the {@link PartSteps} of the scene, all steps in turn, round after round; a price is the median over the rounds of
- * the difference of two steps. The parts of the game have the price of what the game does before and after its bodies
- * fly, measured in games whose bodies stay where they are; those that work at the same time of a turn share a price.
+ * The time that each part of a scene's engine adds to a turn on this machine. States of seeded play are played with the
+ * {@link PartByPartPhysics} of the scene, all steps in turn, round after round; a price is the median over the rounds
+ * of the difference of two steps. The price of the game's parts is the time of the game before and after its bodies
+ * fly, measured in games whose bodies do not move; parts that work at the same point of a turn share a price.
  *
  * <p>Caveat: all steps share a JVM, whose compiler sees more kinds of parts at one place than a match ever does, so
- * that prices are a little high; the benchmark {@code Part} gives each step a JVM of its own.
+ * prices are a little high; the benchmark {@code Part} gives each step a JVM of its own.
  */
 public final class PartPrices {
 
     private static final int STATES = 256;
-    /** A slice of so many turns is long enough for the clock. */
+    /** Turns of a slice, long enough for the clock. */
     private static final int TURNS = 1024;
     private static final int GAMES = 64;
     private static final long SEED = 1;
-    /** Of the time, for the compiler. */
+    /** Share of the time that is spent on warming up the compiler. */
     private static final double WARM_UP = 0.4;
     private static final int LEAST_ROUNDS = 5;
-    /** Half-planes to try stand so many times farther off than any state reaches: looked at, not met. */
+    /** Distance of the trial half-planes, as a multiple of the farthest point of any state: tested, but not touched. */
     private static final double FAR = 2;
-    /** A standard deviation, of the median absolute deviation of what is normal; and one of a median, of that. */
+    /** Standard deviation of a normal distribution from its median absolute deviation; and that of a median from it. */
     private static final double NORMAL = 1.4826;
     private static final double OF_MEDIAN = 1.2533;
 
@@ -48,19 +48,19 @@ public final class PartPrices {
      * The price of a part.
      *
      * @param part  its name
-     * @param nanos a turn; may be below 0
-     * @param error of that: two standard errors
+     * @param nanos nanoseconds a turn; may be below 0
+     * @param error two standard errors of that
      */
     public record Price(String part, double nanos, double error) {
     }
 
     /**
-     * All that was measured.
+     * The results.
      *
-     * @param prices first the empty scene's, then the parts' of the physics in the order of {@link PartSteps}, then the
-     *               game's
+     * @param prices first that of the empty scene, then those of the physics' parts in the order of
+     *               {@link PartByPartPhysics}, then those of the game's parts
      * @param turn   a turn of the whole scene, in nanoseconds
-     * @param rounds how many rounds count
+     * @param rounds how many rounds were used
      */
     public record Prices(List<Price> prices, Price turn, int rounds) {
     }
@@ -69,15 +69,15 @@ public final class PartPrices {
     }
 
     /**
-     * Measures.
+     * Measures the prices.
      *
      * @param types    to open the scene with
      * @param play     of states of the scene
      * @param script   of its players
-     * @param work     the clock that prices are read from, best one that stands still while others have the processor
-     * @param wall     the clock of those who wait; both in nanoseconds, from anywhere
-     * @param budget   for all rounds together, on the second; five rounds are made in any case
-     * @param progress told after each round what share of the budget is spent
+     * @param work     the clock for the prices, preferably one that stops while other processes have the processor
+     * @param wall     the wall clock; both in nanoseconds from any origin
+     * @param budget   for all rounds together, on the wall clock; five rounds are made in any case
+     * @param progress receives the spent share of the budget after each round
      */
     public static Prices measure(Scene scene, GameTypes types, SeededPlay play, SeededPlay.Script script,
                                  LongSupplier work, LongSupplier wall, long budget, DoubleConsumer progress) {
@@ -85,18 +85,18 @@ public final class PartPrices {
         GameSetup still = types.open(scene.withObserver((parts, advance) -> (bodies, sink) -> { }));
         Bodies[] states = new Bodies[STATES];
         Arrays.setAll(states, k -> play.next());
-        List<PartSteps.Step> steps = PartSteps.of(setup, box(states));
+        List<PartByPartPhysics.Step> steps = PartByPartPhysics.of(setup, box(states));
         PartPrices prices = new PartPrices();
         prices.slices.add(flights(states, (bodies, sink) -> { }, new Motion(false, false, false)));
         steps.forEach(step -> prices.slices.add(flights(states, step.advance(), step.motion())));
         prices.slices.add(flights(states, (bodies, sink) -> { }, setup.plan().motion()));
-        prices.slices.add(new StillGames(still, null, GAMES, SEED));
-        prices.slices.add(new StillGames(still, script, GAMES, SEED));
+        prices.slices.add(new RulesOnlyTurns(still, null, GAMES, SEED));
+        prices.slices.add(new RulesOnlyTurns(still, script, GAMES, SEED));
         prices.time(work, wall, budget, progress);
         return prices.result(setup.plan().parts(), steps);
     }
 
-    /** Far walls on all sides of all states. */
+    /** Distant walls on all sides of all states. */
     static List<Wall> box(Bodies[] states) {
         double far = 0;
         for (Bodies bodies : states) {
@@ -152,11 +152,11 @@ public final class PartPrices {
         rounds.subList(0, warm).clear();
     }
 
-    private Prices result(List<Part> parts, List<PartSteps.Step> steps) {
+    private Prices result(List<Part> parts, List<PartByPartPhysics.Step> steps) {
         List<Price> prices = new ArrayList<>();
         int whole = 0;
         for (int k = 0; k < steps.size(); k++) {
-            PartSteps.Step step = steps.get(k);
+            PartByPartPhysics.Step step = steps.get(k);
             prices.add(difference(step.part(), 1 + k, step.in() ? k : whole));
             whole = step.in() ? 1 + k : whole;
         }

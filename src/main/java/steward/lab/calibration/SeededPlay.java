@@ -10,27 +10,27 @@ import steward.physics.Impact;
 import steward.physics.TurnLog;
 
 /*
- * A game shows its bodies between turns, with what the end of the last turn has done to them; the flight of a turn
- * begins from other velocities, which the commands have made. They are found again after the turn: of a body that was
- * hit, as it stood before its first impact; of any other, it is the way that it has flown. Where the game has rounded
- * the place where that ended, the velocity is known to half a unit, and the rest of it is drawn by lot.
+ * A game shows its bodies between turns, after the rounding of the last turn; the flight of a turn begins with other
+ * velocities, which the commands have changed. They are reconstructed after the turn: for a body that was hit, as the
+ * velocity before its first impact; for any other body, as the distance that it has flown. Where the game has rounded
+ * the final position, the velocity is known to half a unit, and the rest of it is drawn at random.
  */
 
 /**
- * States that a scene really comes to: games from seeds, one after the other, whose players answer by a script. Each
- * turn gives the bodies as they stood when its flight began; but where the game rounds positions, the velocities of
- * bodies that nothing touched are good to half a unit only. Deterministic.
+ * States that occur in play of a scene: seeded games, one after the other, whose players answer by a script. Each turn
+ * gives the bodies as they were when its flight began; but where the game rounds positions, the velocities of bodies
+ * without an impact are accurate to half a unit only. Deterministic.
  */
 public final class SeededPlay {
 
-    /** What the players answer, as the line they would send. */
+    /** A player's answers, each as the line it would send. */
     @FunctionalInterface
     public interface Script {
 
         /**
-         * @param game   as it stands
-         * @param player who is to answer
-         * @param random the play's own, to be used by all players in turn
+         * @param game   its current state
+         * @param player the player that answers
+         * @param random the play's own generator, used by all players in turn
          */
         String answer(Game game, int player, SplitMix64 random);
     }
@@ -51,9 +51,9 @@ public final class SeededPlay {
     }
 
     /**
-     * Plays a turn, of a new game when the last is over.
+     * Plays a turn; of a new game if the last one is over.
      *
-     * @return the bodies when its flight began, not shared with anybody
+     * @return a new copy of the bodies as they were when its flight began
      * @throws IllegalArgumentException if an answer is refused
      */
     public Bodies next() {
@@ -82,7 +82,10 @@ public final class SeededPlay {
         return copy;
     }
 
-    /** The places of before with the masses and velocities of the turn; as they are, if bodies came or went. */
+    /**
+     * The positions before the turn with the masses and velocities of the turn; unchanged if bodies were added or
+     * removed.
+     */
     private Bodies begun(Bodies before, Bodies after) {
         boolean same = before.size() == after.size() && before.nextId() == after.nextId();
         for (int k = 0; same && k < before.size(); k++) {

@@ -1,15 +1,15 @@
 package steward.lab.calibration;
 
-/** So many turns that are timed together, long enough for a clock. */
+/** Some turns that are timed together, long enough for a clock. */
 interface TimedTurns {
 
-    /** Is not timed. */
+    /** Prepares the turns; not timed. */
     default void prepare() {
     }
 
     /** Plays the turns. */
     void run();
 
-    /** How many turns it has. */
+    /** How many turns there are. */
     int turns();
 }

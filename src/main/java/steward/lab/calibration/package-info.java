@@ -1,6 +1,6 @@
 /**
- * One scene, measured: which accuracy each rung reaches on seeded states of it, and what each part of its engine costs
- * a turn.
+ * Measurements of one scene: the accuracy of each rung on seeded states of it, and the cost that each part of its
+ * engine adds to a turn.
  */
 @Internal
 package steward.lab.calibration;

@@ -7,15 +7,16 @@ import steward.physics.ImpactLaw;
 import steward.physics.Wall;
 
 /**
- * A turn from the definitions in {@link Digits#COUNT} decimal digits: find the earliest touch of all pairs and walls,
- * fly there, let it react, look anew. Slow, and meant to be obviously right: nothing is kept from one impact to the
- * next, and only those who are too far apart to meet in the rest of the turn are not looked at ({@link OracleReach}).
- * It reads {@link ImpactLaw} and {@link Wall} as plain data and calls nothing of the physics.
+ * A turn computed from the definitions in {@link Decimals#COUNT} decimal digits: find the earliest touch of all pairs
+ * and walls, move all bodies there, let the impact react, search again. Slow, and meant to be obviously right: nothing
+ * is kept from one impact to the next, and only pairs too far apart to meet in the rest of the turn are skipped
+ * ({@link OracleBroadPhase}). It reads {@link ImpactLaw} and {@link Wall} as plain data and calls nothing of the
+ * physics.
  *
- * <p>Where the physics has to decide whether two rounded distances are equal, the oracle takes numbers that agree to
- * {@code COUNT - 16} digits for the same: whoever has flown to a touch touches, whoever slides does not approach.
+ * <p>Where the physics has to decide whether two rounded distances are equal, the oracle treats numbers that agree to
+ * {@code COUNT - 16} digits as equal: a body moved to a touch does touch, and a body that slides does not approach.
  *
- * <p>Caveat: all contacts bounce (no {@code ASK}), and a turn that reaches the bound on impacts stops there.
+ * <p>Caveat: all contacts bounce (no {@code ASK}), and a turn that reaches the limit on impacts stops there.
  */
 public final class Oracle {
 
@@ -30,10 +31,10 @@ public final class Oracle {
         reaction = new OracleReaction(law, this.walls);
     }
 
-    /** A touch to come; b is an index or {@code ~wall}. */
+    /** A future touch; b is an index or {@code ~wall}. */
     private record Touch(BigDecimal until, int a, int b) {
 
-        /** Lower body first, then the other; walls behind all bodies. */
+        /** Order of pairs: the lower body first, then the other; walls after all bodies. */
         boolean isBefore(Touch other) {
             int low = b < 0 ? a : Math.min(a, b);
             int otherLow = other.b < 0 ? other.a : Math.min(other.a, other.b);
@@ -44,12 +45,12 @@ public final class Oracle {
         }
     }
 
-    /** Whether the last turn came to the bound on impacts: then it stopped there, in the middle. */
+    /** Whether the last turn reached the limit on impacts; then it stopped there, in the middle of the turn. */
     public boolean limited() {
         return limited;
     }
 
-    /** Plays a time from now, a turn being 1; the bodies are altered. */
+    /** Plays for a duration from now, a turn being 1; changes the bodies. */
     List<OracleImpact> play(List<OracleBody> bodies, BigDecimal duration) {
         List<OracleImpact> impacts = new ArrayList<>();
         BigDecimal now = BigDecimal.ZERO;
@@ -86,12 +87,12 @@ public final class Oracle {
         bodies.forEach(body -> body.fly(time));
     }
 
-    /** All touches to come within a time, in the order of the scan: pairs, then walls. */
+    /** All touches within a time, in scan order: pairs, then walls. */
     private List<Touch> touches(List<OracleBody> bodies, BigDecimal left) {
         List<Touch> touches = new ArrayList<>();
         int size = bodies.size();
         boolean descending = law.scanOrder() == ImpactLaw.ScanOrder.DESCENDING;
-        OracleReach reach = new OracleReach(bodies);
+        OracleBroadPhase reach = new OracleBroadPhase(bodies);
         double time = left.doubleValue();
         for (int k = 0; k < size; k++) {
             int i = descending ? size - 1 - k : k;
@@ -105,7 +106,7 @@ public final class Oracle {
         for (int i = 0; i < size; i++) {
             for (int w = 0; w < walls.size() && bodies.get(i).mass != null; w++) {
                 if (!reach.apart(i, walls.get(w), time)) {
-                    add(touches, OracleTimes.wall(bodies.get(i), walls.get(w)), left, i, ~w);
+                    add(touches, OracleTimeOfImpact.wall(bodies.get(i), walls.get(w)), left, i, ~w);
                 }
             }
         }
@@ -125,13 +126,16 @@ public final class Oracle {
         BigDecimal dx = p.x.subtract(q.x);
         BigDecimal dy = p.y.subtract(q.y);
         BigDecimal touch = p.radius.add(q.radius);
-        if (law.separatingPairsReact() && OracleTimes.within(dx, dy, touch)) {
+        if (law.separatingPairsReact() && OracleTimeOfImpact.within(dx, dy, touch)) {
             return BigDecimal.ZERO;
         }
-        return OracleTimes.circle(dx, dy, p.vx.subtract(q.vx), p.vy.subtract(q.vy), touch);
+        return OracleTimeOfImpact.circle(dx, dy, p.vx.subtract(q.vx), p.vy.subtract(q.vy), touch);
     }
 
-    /** What happens next: the earliest alone, ties to the lowest pair; or all within the window, in order. */
+    /**
+     * The impacts that react next: the earliest alone, ties to the lowest pair; or all within the batch window, in
+     * order.
+     */
     private List<Touch> together(List<Touch> touches) {
         List<Touch> sorted = new ArrayList<>();
         for (Touch touch : touches) {
@@ -142,7 +146,7 @@ public final class Oracle {
             sorted.add(place, touch);
         }
         if (sorted.isEmpty() || law.batchWindow() > 0 || law.separatingPairsReact()) {
-            BigDecimal window = Digits.of(law.batchWindow()).add(Digits.SAME);
+            BigDecimal window = Decimals.of(law.batchWindow()).add(Decimals.SAME);
             return sorted.stream()
                 .filter(touch -> touch.until.subtract(sorted.get(0).until).compareTo(window) <= 0).toList();
         }
@@ -153,8 +157,8 @@ public final class Oracle {
         return List.of(lowest);
     }
 
-    /** By more than rounding, a turn being 1. */
+    /** Whether one touch is later than another by more than rounding, a turn being 1. */
     private static boolean isLater(Touch one, Touch other) {
-        return one.until.subtract(other.until).compareTo(Digits.SAME) > 0;
+        return one.until.subtract(other.until).compareTo(Decimals.SAME) > 0;
     }
 }

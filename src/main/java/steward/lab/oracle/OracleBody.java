@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import steward.physics.Bodies;
 
-/** A body of the oracle: a circle with a place and a velocity of {@link Digits#COUNT} digits. */
+/** A body of the oracle: a circle with a position and a velocity of {@link Decimals#COUNT} digits. */
 public final class OracleBody {
 
     public BigDecimal x;
@@ -18,16 +18,16 @@ public final class OracleBody {
     final BigDecimal restitution;
 
     private OracleBody(Bodies from, int k) {
-        x = Digits.of(from.x[k]);
-        y = Digits.of(from.y[k]);
-        vx = Digits.of(from.vx[k]);
-        vy = Digits.of(from.vy[k]);
-        radius = Digits.of(from.radius[k]);
-        mass = from.mass[k] == Double.POSITIVE_INFINITY ? null : Digits.of(from.mass[k]);
-        restitution = Digits.of(from.restitution[k]);
+        x = Decimals.of(from.x[k]);
+        y = Decimals.of(from.y[k]);
+        vx = Decimals.of(from.vx[k]);
+        vy = Decimals.of(from.vy[k]);
+        radius = Decimals.of(from.radius[k]);
+        mass = from.mass[k] == Double.POSITIVE_INFINITY ? null : Decimals.of(from.mass[k]);
+        restitution = Decimals.of(from.restitution[k]);
     }
 
-    /** All bodies, exactly as stored. */
+    /** All bodies, with the stored values converted exactly. */
     public static List<OracleBody> of(Bodies bodies) {
         List<OracleBody> all = new ArrayList<>();
         for (int k = 0; k < bodies.size(); k++) {
@@ -38,37 +38,37 @@ public final class OracleBody {
 
     /** 1 / mass. */
     BigDecimal inverseMass() {
-        return mass == null ? BigDecimal.ZERO : Digits.divide(BigDecimal.ONE, mass);
+        return mass == null ? BigDecimal.ZERO : Decimals.divide(BigDecimal.ONE, mass);
     }
 
-    /** Flies straight. */
+    /** Moves the body along a straight line. */
     void fly(BigDecimal time) {
         move(vx.multiply(time), vy.multiply(time));
     }
 
     void move(BigDecimal dx, BigDecimal dy) {
-        x = Digits.round(x.add(dx));
-        y = Digits.round(y.add(dy));
+        x = Decimals.round(x.add(dx));
+        y = Decimals.round(y.add(dy));
     }
 
-    /** Takes an impulse along a unit vector; an infinite mass does not notice. */
+    /** Applies an impulse along a unit vector; an infinite mass does not change. */
     void push(BigDecimal impulse, BigDecimal nx, BigDecimal ny) {
         if (mass != null) {
-            BigDecimal change = Digits.divide(impulse, mass);
-            vx = Digits.round(vx.add(change.multiply(nx)));
-            vy = Digits.round(vy.add(change.multiply(ny)));
+            BigDecimal change = Decimals.divide(impulse, mass);
+            vx = Decimals.round(vx.add(change.multiply(nx)));
+            vy = Decimals.round(vy.add(change.multiply(ny)));
         }
     }
 
-    /** Turns the velocity round. */
+    /** Reverses the velocity. */
     void reverse() {
         vx = vx.negate();
         vy = vy.negate();
     }
 
-    /** m v.v / 2, exact; 0 for an infinite mass. */
+    /** Kinetic energy m v.v / 2, exact; 0 for an infinite mass. */
     public BigDecimal energy() {
         return mass == null ? BigDecimal.ZERO
-            : Digits.dot(vx, vy, vx, vy).multiply(mass).divide(BigDecimal.valueOf(2));
+            : Decimals.dot(vx, vy, vx, vy).multiply(mass).divide(BigDecimal.valueOf(2));
     }
 }

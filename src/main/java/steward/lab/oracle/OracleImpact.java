@@ -3,7 +3,7 @@ package steward.lab.oracle;
 import java.math.BigDecimal;
 
 /**
- * One impact as the oracle saw it.
+ * One impact computed by the oracle.
  *
  * @param time    within the turn
  * @param a       index of the first body

@@ -7,8 +7,8 @@ import steward.physics.Wall;
 
 /**
  * What an impact does in the oracle's arithmetic: the first step of the impulse stops the approach, the second gives
- * back the share e of it or what the law's minimum asks for, and then the push-out. Source: the description of the
- * impulse in the law ({@link ImpactLaw}); momentum and energy follow and are tested.
+ * back the share e of it or the law's minimum, and then comes the push-out. Source: the description of the impulse in
+ * the law ({@link ImpactLaw}); conservation of momentum and energy follows and is tested.
  */
 final class OracleReaction {
 
@@ -28,12 +28,12 @@ final class OracleReaction {
     private OracleImpact pair(OracleBody p, OracleBody q, int a, int b, BigDecimal time) {
         BigDecimal dx = q.x.subtract(p.x);
         BigDecimal dy = q.y.subtract(p.y);
-        BigDecimal distance = Digits.length(dx, dy);
+        BigDecimal distance = Decimals.length(dx, dy);
         boolean apart = distance.signum() > 0;
-        BigDecimal nx = apart ? Digits.divide(dx, distance) : BigDecimal.ONE;
-        BigDecimal ny = apart ? Digits.divide(dy, distance) : BigDecimal.ZERO;
-        BigDecimal approach = Digits.dot(nx, ny, p.vx.subtract(q.vx), p.vy.subtract(q.vy));
-        BigDecimal first = Digits.divide(approach, p.inverseMass().add(q.inverseMass()));
+        BigDecimal nx = apart ? Decimals.divide(dx, distance) : BigDecimal.ONE;
+        BigDecimal ny = apart ? Decimals.divide(dy, distance) : BigDecimal.ZERO;
+        BigDecimal approach = Decimals.dot(nx, ny, p.vx.subtract(q.vx), p.vy.subtract(q.vy));
+        BigDecimal first = Decimals.divide(approach, p.inverseMass().add(q.inverseMass()));
         BigDecimal impulse = first.add(second(first, p.restitution.min(q.restitution), true));
         BigDecimal ax = p.x;
         BigDecimal ay = p.y;
@@ -42,8 +42,8 @@ final class OracleReaction {
         p.push(impulse.negate(), nx, ny);
         q.push(impulse, nx, ny);
         BigDecimal touch = p.radius.add(q.radius);
-        if (!Double.isNaN(law.pushOut()) && OracleTimes.within(dx, dy, touch)) {
-            BigDecimal both = touch.subtract(distance).add(Digits.of(law.pushOut()).multiply(BigDecimal.valueOf(2)));
+        if (!Double.isNaN(law.pushOut()) && OracleTimeOfImpact.within(dx, dy, touch)) {
+            BigDecimal both = touch.subtract(distance).add(Decimals.of(law.pushOut()).multiply(BigDecimal.valueOf(2)));
             BigDecimal each = both.divide(BigDecimal.valueOf(2));
             shift(p, q.mass == null ? both.negate() : each.negate(), nx, ny);
             shift(q, p.mass == null ? both : each, nx, ny);
@@ -53,36 +53,36 @@ final class OracleReaction {
 
     private OracleImpact withWall(OracleBody body, int a, int b, BigDecimal time) {
         Wall wall = walls.get(~b);
-        BigDecimal[] n = OracleWall.normal(body, wall);
-        BigDecimal approach = Digits.dot(n[0], n[1], body.vx, body.vy);
+        BigDecimal[] n = OracleWallGeometry.normal(body, wall);
+        BigDecimal approach = Decimals.dot(n[0], n[1], body.vx, body.vy);
         if (approach.signum() <= 0) {
             return null;
         }
         BigDecimal first = approach.multiply(body.mass);
         BigDecimal impulse = first.add(
-            second(first, body.restitution.min(Digits.of(wall.restitution())), law.minimumImpulseAtWalls()));
+            second(first, body.restitution.min(Decimals.of(wall.restitution())), law.minimumImpulseAtWalls()));
         BigDecimal ax = body.x;
         BigDecimal ay = body.y;
-        BigDecimal gap = OracleWall.gap(body, wall);
+        BigDecimal gap = OracleWallGeometry.gap(body, wall);
         body.push(impulse.negate(), n[0], n[1]);
-        if (!Double.isNaN(law.pushOut()) && gap.subtract(Digits.SAME.multiply(body.radius)).signum() <= 0) {
-            shift(body, gap.subtract(Digits.of(law.pushOut()).multiply(BigDecimal.valueOf(2))), n[0], n[1]);
+        if (!Double.isNaN(law.pushOut()) && gap.subtract(Decimals.SAME.multiply(body.radius)).signum() <= 0) {
+            shift(body, gap.subtract(Decimals.of(law.pushOut()).multiply(BigDecimal.valueOf(2))), n[0], n[1]);
         }
         return new OracleImpact(time, a, b, impulse, ax, ay, ax, ay, body.vx, body.vy, BigDecimal.ZERO,
             BigDecimal.ZERO);
     }
 
-    /** e times the first step; the minimum raises it, or only its magnitude when that is beyond the dead zone. */
+    /** e times the first step, raised to the minimum; or only in magnitude when it exceeds the dead zone. */
     private BigDecimal second(BigDecimal first, BigDecimal restitution, boolean withMinimum) {
         BigDecimal back = law.restitution() == ImpactLaw.Restitution.ELASTIC ? first : restitution.multiply(first);
-        BigDecimal minimum = Digits.of(law.minimumImpulse());
+        BigDecimal minimum = Decimals.of(law.minimumImpulse());
         if (!withMinimum || minimum.signum() == 0) {
             return back;
         }
         if (Double.isNaN(law.deadZone())) {
             return back.max(minimum);
         }
-        boolean raised = back.abs().compareTo(Digits.of(law.deadZone())) > 0 && back.abs().compareTo(minimum) < 0;
+        boolean raised = back.abs().compareTo(Decimals.of(law.deadZone())) > 0 && back.abs().compareTo(minimum) < 0;
         return !raised ? back : back.signum() < 0 ? minimum.negate() : minimum;
     }
 

@@ -12,13 +12,13 @@ import steward.physics.TurnLog;
 
 /*
  * A true number t is kept as t = h + l, h the double nearest to t and l the one nearest to the rest, so that |f - t| of
- * a double f is (f - h) - l with one rounding of a number of its own size. The energy that is wrong is summed as
- * m (f - t)(f + t) / 2, which subtracts nothing but a true number from a found one.
+ * a double f is (f - h) - l with one rounding of a number of its own size. The error of the energy is summed as m (f -
+ * t)(f + t) / 2, in which only a true number is subtracted from a computed one.
  */
 
 /**
- * What a turn truly does from a given start, by the {@link Oracle}; any rung can be held against it. Slow to make,
- * cheap to ask. Immutable.
+ * The true turn from a given start, computed by the {@link Oracle}; any rung can be compared with it. Slow to create,
+ * fast to query. Immutable.
  */
 public final class TurnTruth {
 
@@ -55,14 +55,14 @@ public final class TurnTruth {
 
     private void keep(int k, BigDecimal value) {
         high[k] = value.doubleValue();
-        low[k] = value.subtract(Digits.of(high[k])).doubleValue();
+        low[k] = value.subtract(Decimals.of(high[k])).doubleValue();
     }
 
     /**
-     * Plays the turn; the bodies stay as they are.
+     * Plays the turn; the bodies are not changed.
      *
-     * @param parts their law and walls count; the arithmetic does not
-     * @throws IllegalArgumentException if not everything bounces: the oracle knows no reactions
+     * @param parts their law and walls are used; the arithmetic is not
+     * @throws IllegalArgumentException if not everything bounces: the oracle has no reactions
      */
     public static TurnTruth of(Bodies start, PhysicsParts parts) {
         if (!parts.contacts().allBounce()) {
@@ -79,15 +79,15 @@ public final class TurnTruth {
         return pairs.length;
     }
 
-    /** Whether the turn came to the bound on impacts: then this is no truth to hold anything against. */
+    /** Whether the turn reached the limit on impacts; then nothing may be compared with it. */
     public boolean limited() {
         return limited;
     }
 
     /**
-     * Compares.
+     * Compares a computed turn with the true one.
      *
-     * @param after the bodies after the turn, in the order of the start, none missing
+     * @param after all bodies after the turn, in the order of the start
      * @param log   of the turn
      */
     public TurnError error(Bodies after, TurnLog log) {
@@ -95,7 +95,7 @@ public final class TurnTruth {
             energyError(after));
     }
 
-    /** The most that a centre is off, in u; infinite if it is no number. */
+    /** The largest error of a body's centre, in u; infinite if it is not a number. */
     public double positionError(Bodies after) {
         double most = 0;
         for (int k = 0; k < size; k++) {
@@ -123,12 +123,12 @@ public final class TurnTruth {
     }
 
     /**
-     * How many bodies end the turn with other numbers than the true ones, after the scene has rounded both. The true
-     * drag is the decimal that the scene says: 0.15 of 100 leaves 85.
+     * How many bodies end the turn with numbers that differ from the true ones, after the scene's rounding of both. The
+     * true drag is the decimal in the scene: 0.15 of 100 leaves 85.
      *
-     * @param start  the bodies before the turn: their drag counts
+     * @param start  the bodies before the turn: their drag is used
      * @param ended  the bodies after the turn and after {@link Motion#endTurn}
-     * @param motion that of the scene; one that rounds both positions and velocities
+     * @param motion the scene's motion, which rounds both positions and velocities
      */
     public int differing(Bodies start, Bodies ended, Motion motion) {
         int count = 0;
@@ -161,13 +161,13 @@ public final class TurnTruth {
         return found;
     }
 
-    /** Two ids in either order, or an id and {@code ~wall}, in one number. */
+    /** Two ids in either order, or an id and {@code ~wall}, as one number. */
     private static long pair(int a, int b) {
         return b < 0 ? (long) a << Integer.SIZE | b & 0xffff_ffffL
             : (long) Math.min(a, b) << Integer.SIZE | Math.max(a, b);
     }
 
-    /** How many of the ones are not among the others, each of which goes with one; both ascending. */
+    /** How many elements of the first array have no partner in the second; both ascending. */
     private static int beyond(long[] ones, long[] others) {
         int count = 0;
         int k = 0;

@@ -2,13 +2,13 @@ package steward.lab.stability;
 
 import java.util.List;
 import steward.lab.stability.crowds.BulletCase;
-import steward.lab.stability.crowds.CollapseCase;
-import steward.lab.stability.crowds.CradleCase;
 import steward.lab.stability.crowds.CrowdCase;
 import steward.lab.stability.crowds.DensePackingCase;
+import steward.lab.stability.crowds.InelasticCollapseCase;
 import steward.lab.stability.crowds.LatticeCase;
 import steward.lab.stability.crowds.LongRunCase;
 import steward.lab.stability.crowds.MirrorCase;
+import steward.lab.stability.crowds.NewtonsCradleCase;
 import steward.lab.stability.crowds.OfficialHeapsCase;
 import steward.lab.stability.crowds.TimeReversalCase;
 import steward.lab.stability.pairs.ContactCase;
@@ -25,7 +25,7 @@ import steward.lab.stability.pairs.RandomPairsCase;
 import steward.lab.stability.pairs.RoundingCase;
 import steward.lab.trial.StabilityCase;
 
-/** The rows of the stability table, in its order: the one place that lists them. */
+/** The rows of the stability table, in order; the only place that lists them. */
 public final class StabilityCases {
 
     private StabilityCases() {
@@ -36,7 +36,7 @@ public final class StabilityCases {
         return all(0);
     }
 
-    /** @param crowdImpacts how many impacts each crowd is played for, or 0 for what the size says */
+    /** @param crowdImpacts how many impacts each crowd is played for, or 0 for the number of the run length */
     public static List<StabilityCase> all(long crowdImpacts) {
         return List.of(
             new PiBlocksCase(),
@@ -49,9 +49,9 @@ public final class StabilityCases {
             new RadiusRatioCase(),
             new LateTimesCase(),
             new CornerCase(),
-            new CradleCase(),
+            new NewtonsCradleCase(),
             new MirrorCase(),
-            new CollapseCase(),
+            new InelasticCollapseCase(),
             new LatticeCase(),
             new OfficialHeapsCase(),
             new OfficialEdgesCase(),

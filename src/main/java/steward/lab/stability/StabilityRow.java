@@ -10,12 +10,12 @@ import steward.lab.trial.Rung;
 import steward.lab.trial.StabilityCase;
 
 /**
- * A case on a rung, tried.
+ * The result of a case on a rung, with its time.
  *
  * @param name    of the case
  * @param demand  what is demanded
  * @param rung    name of the rung
- * @param seen    what was seen
+ * @param seen    what was found
  * @param seconds how long it took
  */
 public record StabilityRow(String name, String demand, String rung, Finding seen, double seconds) {
@@ -23,11 +23,11 @@ public record StabilityRow(String name, String demand, String rung, Finding seen
     private static final double NANOS = 1e9;
 
     /**
-     * Tries cases on rungs, one after the other. An exception that a case did not expect is a failure.
+     * Runs cases on rungs, one after the other. An exception that a case did not expect is a failure.
      *
-     * @param before   told of each case and rung that is about to be tried
-     * @param progress told how far that one is
-     * @param after    given each row as it comes
+     * @param before   called before each case and rung
+     * @param progress receives the progress of the current one
+     * @param after    receives each row as soon as it is known
      */
     public static void tryAll(List<StabilityCase> cases, List<Rung> rungs, RunLength size,
                               BiConsumer<StabilityCase, Rung> before, Progress progress,
@@ -48,7 +48,7 @@ public record StabilityRow(String name, String demand, String rung, Finding seen
         }
     }
 
-    /** Whether a demand was not met. */
+    /** Whether the demand was not met. */
     public boolean failed() {
         return seen.verdict() == Finding.Verdict.FAILS;
     }

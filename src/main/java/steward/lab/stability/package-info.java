@@ -1,5 +1,5 @@
 /**
- * The stability table: all its cases in order, its rows and files; and the golden hash that must be the same on every
+ * The stability table: all its cases in order, its rows and files; and the golden hash, which must be the same on every
  * machine.
  */
 @Internal

@@ -8,11 +8,13 @@ import steward.physics.TurnSink;
 
 /*
  * Every measured stretch plays up to BATCH turns from copies that were made before it, so that neither the copying nor
- * the clock is in it. The rungs take turns round by round, so that an hour in which the machine is slow is slow for
- * all; what counts is the median of the rounds. The first, unmeasured stretches let the compiler see every rung.
+ * the clock is included. The rungs take turns in each round, so that a slow period of the machine affects all of them;
+ * the result is the median of the rounds. The first, unmeasured stretches let the compiler see every rung.
  */
 
-/** Times rungs on the same states. One JVM compiles for all of them, as in a program that uses several. */
+/**
+ * Measures the costs of rungs on the same states. One JVM compiles for all of them, as in a program that uses several.
+ */
 final class TradeoffCosts {
 
     private static final int BATCH = 512;
@@ -36,12 +38,12 @@ final class TradeoffCosts {
         Arrays.fill(bytes, clock.tellsBytes() ? Double.POSITIVE_INFINITY : Double.NaN);
     }
 
-    /** Runs a rung without measuring, for so many seconds at least. */
+    /** Runs a rung without measuring, for at least the given number of seconds. */
     void warmUp(int rung, double least) {
         run(rung, least);
     }
 
-    /** How long all rounds have taken so far. */
+    /** Duration of all rounds so far. */
     double seconds() {
         return seconds;
     }
@@ -94,8 +96,8 @@ final class TradeoffCosts {
     }
 
     /**
-     * What a turn costs: time is the median of the rounds; bytes are of the round with the fewest, for the JVM's own
-     * work (a compiled method that is thrown away, a buffer that grows) is no cost of a turn.
+     * What a turn costs: time is the median of the rounds; bytes are those of the round with the fewest, because the
+     * JVM's own work (a discarded compiled method, a growing buffer) is no cost of a turn.
      *
      * @param computed how many impacts the rung computes in all states together
      */
@@ -105,7 +107,7 @@ final class TradeoffCosts {
             bytes[rung]);
     }
 
-    /** The time of a turn as a multiple of another rung's: the median of what it was in each round. */
+    /** The time of a turn as a multiple of another rung's: the median of the ratios of the rounds. */
     double ratio(int rung, int other) {
         double[] ratios = new double[rounds];
         for (int round = 0; round < rounds; round++) {

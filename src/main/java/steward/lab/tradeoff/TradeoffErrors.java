@@ -8,7 +8,7 @@ import steward.physics.Bodies;
 import steward.physics.Motion;
 import steward.physics.TurnLog;
 
-/** Gathers how far one rung is from the truth, state by state. */
+/** Collects the errors of one rung, state by state. */
 final class TradeoffErrors {
 
     private final Advance advance;
@@ -30,7 +30,7 @@ final class TradeoffErrors {
         positions = new double[most];
     }
 
-    /** Plays a turn and compares it. */
+    /** Plays a turn and compares it with the true one. */
     void add(Bodies start, TurnTruth truth) {
         Bodies after = new Bodies(start.capacity());
         after.copyFrom(start);
@@ -51,14 +51,14 @@ final class TradeoffErrors {
         }
     }
 
-    /** That share of the turns is off by at most this, 0 < share <= 1. */
+    /** The error that this share of the turns does not exceed, 0 < share <= 1. */
     double quantile(double share) {
         double[] sorted = Arrays.copyOf(positions, states);
         Arrays.sort(sorted);
         return sorted[(int) Math.ceil(share * states) - 1];
     }
 
-    /** Impacts that the rung has computed. */
+    /** How many impacts the rung has computed. */
     long computed() {
         return computed;
     }

@@ -9,19 +9,21 @@ import steward.physics.Bodies;
 import steward.physics.PhysicsParts;
 import steward.physics.TurnSink;
 
-/** Bodies that fly on by themselves, turn after turn, on every rung and in truth: how long they stay together. */
+/**
+ * Bodies that fly on by themselves, turn after turn, on every rung and in truth: after how many turns a rung diverges.
+ */
 final class TradeoffFreeRun {
 
-    /** A body that is farther away than this, in u, is off. */
+    /** A body farther than this from its true position, in u, has diverged. */
     static final double OFF = 1;
 
     private TradeoffFreeRun() {
     }
 
     /**
-     * After how many turns each rung is off; one more than the bound if it never is.
+     * After how many turns each rung has diverged; one more than the bound if it never does.
      *
-     * @param bound how many turns at most; fewer if the truth comes to the law's bound on impacts
+     * @param bound how many turns at most; fewer if the true turn reaches the law's limit on impacts
      */
     static int[] turns(Bodies start, PhysicsParts parts, List<Advance> rungs, int bound) {
         List<OracleBody> truth = OracleBody.of(start);

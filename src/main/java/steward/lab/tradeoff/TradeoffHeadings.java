@@ -3,23 +3,23 @@ package steward.lab.tradeoff;
 import steward.numerics.SplitMix64;
 
 /*
- * The official rule (published referee of the pod race): delta = (atan2(target - place) - heading) mod 2 pi, the
- * shortest of its kind; the heading moves by at most pi / 10 towards it; the direction (cos, sin), divided by its
- * length, times the thrust is added to the speed; then the place moves by the speed, the speed is cut toward zero after
- * 15% of drag, the place is rounded.
+ * The official rule (published referee of the pod race): delta = (atan2(target - position) - heading) mod 2 pi, the
+ * shortest such angle; the heading moves by at most pi / 10 towards it; the direction (cos, sin), divided by its
+ * length, times the thrust is added to the speed; then the position moves by the speed, the speed is cut toward zero
+ * after 15% of drag, the position is rounded.
  *
- * Without trigonometry the heading is a unit vector h and the wanted one d = (target - place) / |target - place|. The
- * turn is within pi / 10 when h.d >= cos(pi / 10), and then the heading is d; otherwise h is turned by the constant
- * rotation (cos(pi / 10), -+ sin(pi / 10)) to the side that h x d tells.
+ * Without trigonometry the heading is a unit vector h and the wanted one d = (target - position) / |target - position|.
+ * The turn is within pi / 10 when h.d >= cos(pi / 10), and then the heading is d; otherwise h is turned by the constant
+ * rotation (cos(pi / 10), -+ sin(pi / 10)) to the side given by the sign of h x d.
  */
 
 /**
- * What trigonometry costs, and what it changes: free turns of a pod under the official rule with angles, against the
- * same with unit vectors. Written here from the definition; the game has its own.
+ * What trigonometry costs, and what it changes: free turns of a pod under the official rule with angles, compared with
+ * the same turns with unit vectors. Written here from the definition; the game has its own.
  *
  * @param headings    which headings: random, or along the axes
  * @param podTurns    how many
- * @param differing   how many end with other whole numbers (place or speed)
+ * @param differing   how many end with different integers (position or speed)
  * @param nanosAngles CPU of a pod's turn with StrictMath's atan2, cos and sin, in ns
  * @param nanosVector CPU of a pod's turn with unit vectors, in ns
  */
@@ -34,12 +34,12 @@ public record TradeoffHeadings(String headings, long podTurns, long differing, d
     private static final double KEEP = 1 - 0.15;
     private static final int BLOCK = 10_000;
 
-    /** The words for the two kinds of headings. */
+    /** The names of the two kinds of headings. */
     public static final String RANDOM = "random";
     /** Heading and target along the axes. */
     public static final String AXIS = "axis-aligned";
 
-    /** Numbers of a block of pods: a start, and the ends by both ways, four numbers each. */
+    /** Numbers of a block of pods: the start, and the end by either way, four numbers each. */
     private static final class Block {
 
         private final double[] place = new double[2 * BLOCK];
@@ -58,11 +58,11 @@ public record TradeoffHeadings(String headings, long podTurns, long differing, d
     }
 
     /**
-     * Measures.
+     * Measures one kind of headings.
      *
      * @param aligned  whether headings and targets are along the axes
      * @param podTurns rounded up to whole blocks of 10,000
-     * @param step     told after each block
+     * @param step     called after each block
      */
     public static TradeoffHeadings measure(boolean aligned, int podTurns, Runnable step) {
         SplitMix64 random = new SplitMix64(SEED);
@@ -94,7 +94,9 @@ public record TradeoffHeadings(String headings, long podTurns, long differing, d
             TradeoffCosts.median(angles), TradeoffCosts.median(vectors));
     }
 
-    /** Along the axes straight ahead; else half of the targets about ahead, so that some turns are cut short. */
+    /**
+     * Along the axes straight ahead; otherwise half of the targets about ahead, so that some turns are below the limit.
+     */
     private static void fill(Block block, SplitMix64 random, boolean aligned) {
         for (int pod = 0; pod < BLOCK; pod++) {
             int x = 2 * pod;

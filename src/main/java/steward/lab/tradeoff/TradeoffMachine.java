@@ -6,7 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Stream;
 
-/** What figures were measured on: processor, cores, system, JDK. */
+/** The machine of a measurement: processor, cores, system, JDK. */
 public final class TradeoffMachine {
 
     private static final Path LINUX = Path.of("/proc/cpuinfo");
@@ -14,7 +14,7 @@ public final class TradeoffMachine {
     private TradeoffMachine() {
     }
 
-    /** A line for people. */
+    /** A readable line. */
     public static String line() {
         int cores = Runtime.getRuntime().availableProcessors();
         return processor() + ", " + cores + (cores == 1 ? " core, " : " cores, ") + System.getProperty("os.name")

@@ -9,14 +9,12 @@ import steward.physics.Bodies;
 import steward.physics.PhysicsParts;
 import steward.scene.Accuracy;
 
-/**
- * Measures all rungs on one scene. The same states, drawn first, give the errors and the costs.
- */
+/** Measures all rungs on one scene. Errors and costs come from the same states, which are drawn first. */
 public final class TradeoffMeasurement {
 
     private static final int LEAST_STATES = 3;
     private static final int LEAST_ROUNDS = 3;
-    /** States whose truth has no end (the law's bound on impacts) are replaced by others, so many times at most. */
+    /** States whose true turn reaches the law's limit on impacts are replaced, this many times at most. */
     private static final int TRIES = 10;
 
     private final TradeoffScene scene;
@@ -26,7 +24,7 @@ public final class TradeoffMeasurement {
     private final int freeRuns;
     private final int freeTurns;
 
-    /** @param effort how many of the states, rounds and free runs that the scene names */
+    /** @param effort how much of the scene's states, rounds and free runs */
     public TradeoffMeasurement(TradeoffScene scene, TradeoffEffort effort) {
         this.scene = scene;
         this.effort = effort;
@@ -53,9 +51,9 @@ public final class TradeoffMeasurement {
     }
 
     /**
-     * Measures.
+     * Measures the scene.
      *
-     * @param step told after each step
+     * @param step called after each step
      * @return a row per rung, in the order of the ladder
      */
     public List<TradeoffRow> run(Runnable step) {
@@ -103,7 +101,7 @@ public final class TradeoffMeasurement {
             nanos[r] = cost[r].nanosPerTurn();
             off[r] = errors.get(r).quantile(0.99);
         }
-        boolean[] front = TradeoffFront.of(nanos, off);
+        boolean[] front = ParetoFront.of(nanos, off);
         List<TradeoffRow> rows = new ArrayList<>();
         for (int r = 0; r < cost.length; r++) {
             rows.add(errors.get(r).row(scene.name(), ladder.get(r).text(), impacts, costs.rounds(), cost[r],

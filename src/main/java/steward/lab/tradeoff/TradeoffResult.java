@@ -3,9 +3,9 @@ package steward.lab.tradeoff;
 import java.util.List;
 
 /**
- * What a run has measured.
+ * The results of a run.
  *
- * @param machine  what it ran on
+ * @param machine  the machine of the run
  * @param date     when, as year-month-day
  * @param rows     scene by scene, each in the order of the ladder
  * @param headings random, then along the axes; empty if they were not measured

@@ -1,7 +1,7 @@
 package steward.lab.tradeoff;
 
 /**
- * A rung on a scene: what it costs, and how far it is from the truth, both from the same starting states.
+ * A rung on a scene: what it costs, and its errors, both from the same starting states.
  *
  * @param scene       name of the scene
  * @param rung        name of the rung
@@ -10,18 +10,18 @@ package steward.lab.tradeoff;
  * @param rounds      of timing, whose median the cost is
  * @param cost        what a turn costs
  * @param costRatio   the time of a turn as a multiple of that of {@code event/double} in the same round, the median
- * @param median      position error after one turn, in u: half of the turns are off by at most this
- * @param most99      99% of the turns are off by at most this
- * @param worst       no turn is off by more
+ * @param median      position error after one turn, in u: half of the turns have at most this error
+ * @param most99      99% of the turns have at most this error
+ * @param worst       the largest error of a turn
  * @param missed      true impacts that were not computed
- * @param invented    computed impacts that never were
- * @param energyError the most that the kinetic energy after a turn is off, as a share of the true one
- * @param freeTurns   after how many turns of a free run a body is off by more than 1 u, the median of the runs; one
- *                    more than {@code freeBound} if that does not happen before
+ * @param invented    computed impacts that do not happen
+ * @param energyError largest error of the kinetic energy after a turn, as a share of the true one
+ * @param freeTurns   after how many turns of a free run a body's error exceeds 1 u, the median of the runs; one more
+ *                    than {@code freeBound} if that does not happen
  * @param freeBound   how many turns the free runs had
  * @param differing   body-turns whose final numbers, rounded as the scene does, differ from the true ones
- * @param compared    of so many; 0 where the scene does not round
- * @param onFront     whether no rung of the scene is both cheaper and nearer to the truth (by {@code most99})
+ * @param compared    body-turns compared; 0 where the scene does not round
+ * @param onFront     whether no rung of the scene is both cheaper and more accurate (by {@code most99})
  */
 public record TradeoffRow(String scene, String rung, int states, long impacts, int rounds, Cost cost,
                           double costRatio, double median, double most99, double worst, long missed, long invented,
@@ -36,7 +36,7 @@ public record TradeoffRow(String scene, String rung, int states, long impacts, i
      *
      * @param nanosPerTurn   of the thread's CPU
      * @param nanosPerImpact the same by the impacts that the rung computes; NaN if there are none
-     * @param bytesPerTurn   allocated; NaN where the JVM does not tell
+     * @param bytesPerTurn   allocated; NaN where the JVM does not provide it
      */
     public record Cost(double nanosPerTurn, double nanosPerImpact, double bytesPerTurn) {
     }

@@ -14,7 +14,7 @@ import steward.physics.TurnSink;
 import steward.physics.Wall;
 import steward.physics.event.EventAdvance;
 
-/** The scenes of the trade-off that are no games: a dense box, a gas, fast bullets, grazing passes. */
+/** The scenes of the trade-off that are not games: a dense box, a gas, fast bullets, grazing passes. */
 public final class TradeoffWorlds {
 
     private static final long SEED = 4;
@@ -35,7 +35,7 @@ public final class TradeoffWorlds {
         return new PhysicsParts(ImpactLaw.PHYSICS, Arithmetic.DOUBLE, new Contacts(1), List.of(walls), null, false);
     }
 
-    /** 50 of radius 50 cover 60% of their box: the gaps between them are about a turn's way. */
+    /** 50 of radius 50 cover 60% of their box: the gaps between them are about as wide as the path of a turn. */
     private static TradeoffScene denseBox() {
         double cell = 108;
         return crowd("dense-box", "50 bodies that cover 60% of a box, elastic", 50, 7, cell, 50, 10, 150, 3, 40,
@@ -48,7 +48,7 @@ public final class TradeoffWorlds {
         return crowd("gas", "1,000 bodies that cover 10% of a box, elastic", 1000, 32, cell, 10, 5, 4, 1, 10, 64);
     }
 
-    /** A crowd that flies on by itself: a state every other turn. */
+    /** A crowd that flies on by itself; every other turn gives a state. */
     private static TradeoffScene crowd(String name, String about, int count, int perRow, double cell, double radius,
                                        double speed, int states, int freeRuns, int freeTurns, int mostSteps) {
         SplitMix64 random = new SplitMix64(SEED);
@@ -70,7 +70,7 @@ public final class TradeoffWorlds {
         return new TradeoffScene(name, about, parts, null, source, states, freeRuns, freeTurns, mostSteps);
     }
 
-    /** 10 small bodies fly 2,000 to 4,000 u a turn among 30 big ones; a new world each time. */
+    /** 10 small bodies fly 2,000 to 4,000 u a turn among 30 big ones; each state is a new world. */
     private static TradeoffScene bullets() {
         double side = 4000;
         SplitMix64 random = new SplitMix64(SEED);
@@ -88,7 +88,7 @@ public final class TradeoffWorlds {
             + "elastic", elastic(Wall.box(side, side, 1)), null, source, 200, 5, 20, ALL_STEPS);
     }
 
-    /** Adds a body where there is room, if the lot finds one. */
+    /** Adds a body at a random free place, if one is found. */
     private static void place(Bodies bodies, SplitMix64 random, double side, double radius, double mass, double speed) {
         double x = radius + (side - 2 * radius) * random.nextDouble();
         double y = radius + (side - 2 * radius) * random.nextDouble();

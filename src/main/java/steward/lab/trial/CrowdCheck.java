@@ -8,20 +8,20 @@ import steward.physics.ImpactLaw;
 import steward.physics.TurnSink;
 
 /*
- * What rounding allows. A time within the turn is known to 2^-53, so that two that close in at speed u meet up to
- * u 2^-53 too early or too late; each of their four coordinates is rounded when they are flown there and when they are
- * looked at, half a unit in the last place of the side each time. Together less than 2^-52 u + 8 ulp(side), u at most
- * the sum of their speeds. Deeper, and an impact was missed.
+ * The overlap that rounding explains. A time within the turn is known to 2^-53, so two bodies that approach at speed u
+ * meet up to u 2^-53 too early or too late; each of their four coordinates is rounded when they are moved there and
+ * when they are checked, half a unit in the last place of the side each time. Together less than 2^-52 u + 8 ulp(side),
+ * u at most the sum of their speeds. A deeper overlap means that an impact was missed.
  *
- * The official expressions lose more: D = b^2 - a c, with b^2 and a c up to a d^2, is off by up to 2^-51 a d^2, the
- * time by 1 / (2 a sqrt D) of that, and the distance, which changes at sqrt D / s when they touch at s = 2, by
- * 2^-53 d^2. No way is longer than the diagonal: 2^-52 side^2.
+ * The official expressions lose more: D = b^2 - a c, with b^2 and a c up to a d^2, is wrong by up to 2^-51 a d^2, the
+ * time by 1 / (2 a sqrt D) of that, and the distance, which changes at sqrt D / s when they touch at s = 2, by 2^-53
+ * d^2. No distance is longer than the diagonal: 2^-52 side^2.
  */
 
 /**
- * Plays a crowd on for many impacts and looks, after each turn and at each impact, whether any was missed: discs that
- * overlap or have left the box by more than rounding, impacts of discs that do not touch, and how far the energy has
- * drifted. Looks at all pairs with code of its own.
+ * Plays a crowd for many impacts and checks, after each turn and at each impact, whether any was missed: discs that
+ * overlap or have left the box by more than rounding, impacts of discs that do not touch, and the drift of the energy.
+ * Checks all pairs with code of its own.
  */
 public final class CrowdCheck {
 
@@ -31,20 +31,20 @@ public final class CrowdCheck {
     }
 
     /**
-     * What was seen.
+     * What was found.
      *
-     * @param impacts      how many there were
-     * @param turns        and in how many turns
-     * @param overlaps     pairs deeper in each other than rounding explains, counted at the end of each turn
-     * @param escapes      discs further outside the box than that, likewise
-     * @param apart        impacts of discs further from touching than that
-     * @param worstGap     the furthest that an impact was from an exact touch, in radii, to either side
-     * @param drift        by how much the energy has changed, relative to itself
+     * @param impacts      how many impacts there were
+     * @param turns        in how many turns
+     * @param overlaps     pairs that overlap more than rounding explains, counted at the end of each turn
+     * @param escapes      discs farther outside the box than that, likewise
+     * @param apart        impacts of discs farther from touching than that
+     * @param worstGap     largest distance of an impact from an exact touch, in radii, to either side
+     * @param drift        relative change of the energy
      */
     public record Result(long impacts, long turns, long overlaps, long escapes, long apart, double worstGap,
                          double drift) {
 
-        /** Whether nothing was missed and nobody escaped. */
+        /** Whether no impact was missed and no disc escaped. */
         public boolean isRight() {
             return overlaps == 0 && escapes == 0 && apart == 0;
         }
@@ -58,16 +58,16 @@ public final class CrowdCheck {
     }
 
     /**
-     * Plays until there have been so many impacts, or none in {@value #IDLE_TURNS} turns in a row.
+     * Plays until there have been the given number of impacts, or none in {@value #IDLE_TURNS} turns in a row.
      *
-     * @param rung     on which {@link Rung#crowdAdvance} is tried
-     * @param progress told after each turn
+     * @param rung     whose {@link Rung#crowdAdvance} is tested
+     * @param progress called after each turn
      */
     public static Result run(Gas gas, Rung rung, long impacts, Progress progress) {
         return run(gas.bodies(), gas, rung, impacts, progress);
     }
 
-    /** The same with bodies of one's own in the box of a gas. */
+    /** The same with given bodies in the box of a gas. */
     static Result run(Bodies bodies, Gas gas, Rung rung, long impacts, Progress progress) {
         Advance advance = rung.crowdAdvance(ImpactLaw.PHYSICS.withMaximumImpacts(Integer.MAX_VALUE), gas.walls());
         Watch watch = new Watch(bodies, gas.side(), rung.arithmetic() == Arithmetic.OFFICIAL);
@@ -81,7 +81,7 @@ public final class CrowdCheck {
         return watch.result();
     }
 
-    /** Looks at the bodies, sorted along x. */
+    /** Checks the bodies, sorted along x. */
     private static final class Watch implements TurnSink {
 
         private final Bodies bodies;
@@ -154,7 +154,7 @@ public final class CrowdCheck {
             }
         }
 
-        /** By insertion: from turn to turn hardly anybody overtakes many. */
+        /** Insertion sort: from turn to turn few bodies change places. */
         private void sort() {
             for (int k = 1; k < order.length; k++) {
                 int body = order[k];

@@ -1,24 +1,24 @@
 package steward.lab.trial;
 
 /**
- * What was seen of a case on a rung.
+ * The result of a case on a rung.
  *
  * @param verdict what it means
- * @param text    the figures, for people
+ * @param text    the figures, readable
  */
 public record Finding(Verdict verdict, String text) {
 
-    /** What a case's demand has become of. */
+    /** Whether a case's demand is met. */
     public enum Verdict {
         /** The demand is met. */
         HOLDS,
-        /** It is not. */
+        /** The demand is not met. */
         FAILS,
         /** Nothing is demanded of this rung; the figures are for comparison. */
         REPORTED
     }
 
-    /** Something is demanded of this rung, and it is met or not. */
+    /** The result where something is demanded of this rung. */
     public static Finding demanded(boolean met, String text) {
         return new Finding(met ? Verdict.HOLDS : Verdict.FAILS, text);
     }

@@ -6,17 +6,18 @@ import steward.physics.Bodies;
 import steward.physics.Wall;
 
 /**
- * Crowds to measure with: equal discs of radius 1 and mass 1 in a square box whose walls give everything back, with
- * velocities uniform in a square, always the same for the same seed. They begin near the points of a lattice (square,
- * or triangular where that is too dense), each a random bit off, and have forgotten it after a few impacts each.
+ * Crowds for measurements: equal discs of radius 1 and mass 1 in a square box with perfectly elastic walls, with
+ * velocities uniform in a square, always the same for the same seed. They start near the points of a lattice (square,
+ * or triangular where that is too dense), each with a small random offset; after a few impacts each, no trace of the
+ * lattice is left.
  */
 public final class Gas {
 
-    /** The most that can be covered: a triangular lattice with a hundredth of room to move. */
+    /** Largest coverage: a triangular lattice with a hundredth of room to move. */
     public static final double MOST_COVERAGE = 0.88;
-    /** The most bodies. */
+    /** Largest number of bodies. */
     public static final int MOST_BODIES = 10_000_000;
-    /** What a body takes at most, in bytes: 100 in {@link Bodies}, twice, and 200 in an advance. */
+    /** Most memory for a body, in bytes: 100 in {@link Bodies}, twice, and 200 in an advance. */
     private static final long BYTES = 400;
     private static final double SPEED = 100;
 
@@ -27,8 +28,9 @@ public final class Gas {
 
     /**
      * @param count    how many bodies
-     * @param coverage the share of the box that they cover
-     * @throws IllegalArgumentException if there are too many for the box, or for the memory, with what would be right
+     * @param coverage the share of the box that is covered
+     * @throws IllegalArgumentException if there are too many for the box or the memory; the message says what would be
+     *     possible
      */
     public Gas(long seed, int count, double coverage) {
         this.seed = seed;
@@ -67,7 +69,7 @@ public final class Gas {
         return count;
     }
 
-    /** How long a side of the box is, in radii. */
+    /** Length of a side of the box, in radii. */
     public double side() {
         return side;
     }
@@ -77,7 +79,7 @@ public final class Gas {
         return Wall.box(side, side, 1);
     }
 
-    /** The bodies at the beginning. */
+    /** The bodies at the start. */
     public Bodies bodies() {
         SplitMix64 random = new SplitMix64(seed);
         Bodies bodies = new Bodies(count);

@@ -3,7 +3,7 @@ package steward.lab.trial;
 import java.math.BigDecimal;
 import java.util.List;
 import java.util.Locale;
-import steward.lab.oracle.Digits;
+import steward.lab.oracle.Decimals;
 import steward.lab.oracle.Oracle;
 import steward.lab.oracle.OracleBody;
 import steward.physics.Bodies;
@@ -11,13 +11,13 @@ import steward.physics.ImpactLaw;
 import steward.physics.Wall;
 
 /**
- * Plays one turn of many small worlds on a rung and by the oracle: the engine must come to the same impacts and, to a
- * tolerance relative to the largest number of its kind in the world, the same end; or, where that is allowed, refuse by
- * an exception that names what it cannot do. NaN, infinity and another answer are failures.
+ * Plays one turn of many small worlds on a rung and by the oracle. The engine must find the same impacts and, to a
+ * tolerance relative to the largest number of its kind in the world, the same final state; or, where that is allowed,
+ * throw an exception that names what it cannot do. NaN, infinity and a different result are failures.
  */
 public final class OracleCheck {
 
-    /** So many failures are told in full. */
+    /** How many failures are reported in full. */
     private static final int NAMED = 3;
 
     private final Rung rung;
@@ -33,12 +33,12 @@ public final class OracleCheck {
         this.tolerance = tolerance;
     }
 
-    /** It must be right. @param what names the world if it fails */
+    /** The result must be right. @param what names the world if it fails */
     public void add(String what, ImpactLaw law, Bodies bodies, Wall... walls) {
         add(false, what, law, bodies, walls);
     }
 
-    /** It must be right, or refused by naming the body, what was found and what was expected. */
+    /** The result must be right, or refused by naming the body, what was found and what was expected. */
     public void addOrRefused(String what, ImpactLaw law, Bodies bodies, Wall... walls) {
         add(true, what, law, bodies, walls);
     }
@@ -88,9 +88,9 @@ public final class OracleCheck {
         for (int k = 0; k < truth.size(); k++) {
             OracleBody body = truth.get(k);
             worst = Math.max(worst, Math.max(
-                Math.max(Digits.relative(bodies.x[k], body.x, place), Digits.relative(bodies.y[k], body.y, place)),
-                Math.max(Digits.relative(bodies.vx[k], body.vx, speed),
-                    Digits.relative(bodies.vy[k], body.vy, speed))));
+                Math.max(Decimals.relative(bodies.x[k], body.x, place), Decimals.relative(bodies.y[k], body.y, place)),
+                Math.max(Decimals.relative(bodies.vx[k], body.vx, speed),
+                    Decimals.relative(bodies.vy[k], body.vy, speed))));
         }
         return worst;
     }

@@ -3,20 +3,20 @@ package steward.lab.trial;
 import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 
-/** Makes two bodies that meet, or nearly. */
+/** Draws two bodies that meet or nearly meet. */
 public final class PairSampler {
 
     private PairSampler() {
     }
 
     /**
-     * A pair that flies past at a given distance.
+     * A pair that passes at a given distance.
      *
      * @param touch  the sum of the radii
-     * @param share  how far off their centres pass, of the touch: below 1 they meet
-     * @param gap    how far apart they are along the path, beyond the touch
-     * @param time   about when they meet
-     * @param baseX  where b is
+     * @param share  the distance at which their centres pass, as a share of the touch: below 1 they meet
+     * @param gap    their distance along the path, beyond the touch
+     * @param time   approximate time of impact
+     * @param baseX  position of b
      */
     public static Bodies passing(SplitMix64 random, double touch, double share, double gap, double time, double baseX,
                           double baseY) {
@@ -37,7 +37,7 @@ public final class PairSampler {
         return bodies;
     }
 
-    /** A number between 1 and 10 times 10 to a power. */
+    /** A random number between 1 and 10 times a power of 10. */
     public static double around(SplitMix64 random, int exponent) {
         return (1 + 9 * random.nextDouble()) * StrictMath.pow(10, exponent);
     }

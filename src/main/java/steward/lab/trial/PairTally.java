@@ -2,11 +2,11 @@ package steward.lab.trial;
 
 import java.util.List;
 import java.util.Locale;
-import steward.lab.oracle.Digits;
+import steward.lab.oracle.Decimals;
 import steward.lab.oracle.Oracle;
 import steward.lab.oracle.OracleBody;
 import steward.lab.oracle.OracleImpact;
-import steward.lab.oracle.PairTruth;
+import steward.lab.oracle.PairOracle;
 import steward.physics.Advance;
 import steward.physics.Bodies;
 import steward.physics.Impact;
@@ -14,8 +14,8 @@ import steward.physics.ImpactLaw;
 import steward.physics.TurnLog;
 
 /**
- * Plays the first impact of many pairs on a rung and counts what is not as {@link PairTruth} and {@link Oracle} say:
- * wrong decisions, and the worst errors in units in the last place.
+ * Plays the first impact of many pairs on a rung and compares it with {@link PairOracle} and {@link Oracle}: counts
+ * wrong decisions, and keeps the worst errors in units in the last place.
  */
 public final class PairTally {
 
@@ -40,9 +40,9 @@ public final class PairTally {
         advance = rung.advance(ImpactLaw.PHYSICS);
     }
 
-    /** Decision and time of impact. @param whole whether positions, impulse and velocities are compared as well */
+    /** Decision and time of impact. @param whole whether to compare positions, impulse and velocities as well */
     public void add(Bodies bodies, boolean whole) {
-        PairTruth truth = new PairTruth(bodies);
+        PairOracle truth = new PairOracle(bodies);
         List<OracleBody> state = whole && truth.hit() ? OracleBody.of(bodies) : null;
         before.copyFrom(bodies);
         pairs++;
@@ -71,12 +71,12 @@ public final class PairTally {
 
     private void compare(Impact seen, OracleImpact truth) {
         positionUlps = Math.max(positionUlps, Math.max(
-            Math.max(Digits.ulps(seen.ax(), truth.ax()), Digits.ulps(seen.ay(), truth.ay())),
-            Math.max(Digits.ulps(seen.bx(), truth.bx()), Digits.ulps(seen.by(), truth.by()))));
-        impulseUlps = Math.max(impulseUlps, Digits.ulps(seen.impulse(), truth.impulse()));
+            Math.max(Decimals.ulps(seen.ax(), truth.ax()), Decimals.ulps(seen.ay(), truth.ay())),
+            Math.max(Decimals.ulps(seen.bx(), truth.bx()), Decimals.ulps(seen.by(), truth.by()))));
+        impulseUlps = Math.max(impulseUlps, Decimals.ulps(seen.impulse(), truth.impulse()));
         velocityUlps = Math.max(velocityUlps, Math.max(
-            Math.max(Digits.ulps(seen.vaxAfter(), truth.vax()), Digits.ulps(seen.vayAfter(), truth.vay())),
-            Math.max(Digits.ulps(seen.vbxAfter(), truth.vbx()), Digits.ulps(seen.vbyAfter(), truth.vby()))));
+            Math.max(Decimals.ulps(seen.vaxAfter(), truth.vax()), Decimals.ulps(seen.vayAfter(), truth.vay())),
+            Math.max(Decimals.ulps(seen.vbxAfter(), truth.vbx()), Decimals.ulps(seen.vbyAfter(), truth.vby()))));
     }
 
     private static String describe(Bodies b) {
@@ -85,7 +85,7 @@ public final class PairTally {
             b.x[1], b.y[1], b.radius[1], b.vx[1], b.vy[1], b.mass[1]);
     }
 
-    /** On the exact rung no decision may be wrong and nothing off by more than {@link Rung#EXACT_ULPS}. */
+    /** The result; on the exact rung no decision may be wrong and no error above {@link Rung#EXACT_ULPS}. */
     public Finding seen() {
         boolean met = isRight()
             && Math.max(Math.max(timeUlps, positionUlps), Math.max(impulseUlps, velocityUlps)) <= Rung.EXACT_ULPS;

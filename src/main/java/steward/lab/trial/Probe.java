@@ -5,12 +5,14 @@ import steward.lab.oracle.OracleBody;
 import steward.physics.Bodies;
 import steward.physics.TurnSink;
 
-/** Watches turns without keeping them: counts impacts, notes whether the bound was named, measures overlaps. */
+/**
+ * Observes turns without storing them: counts impacts, notes whether the impact limit was reported, measures overlaps.
+ */
 public class Probe implements TurnSink {
 
     /** Impacts so far. */
     public long impacts;
-    /** How many turns ended at the bound on impacts, and said so. */
+    /** How many turns ended at the impact limit and reported it. */
     public int limited;
     /** The impulse of the last impact. */
     public double impulse;
@@ -24,7 +26,7 @@ public class Probe implements TurnSink {
         touched(a, b, ax, ay, bx, by);
     }
 
-    /** Two have touched, with their centres there; for a wall b is negative. */
+    /** Called when two have touched, with their centres at that time; for a wall b is negative. */
     public void touched(int a, int b, double ax, double ay, double bx, double by) {
     }
 
@@ -44,7 +46,7 @@ public class Probe implements TurnSink {
         return true;
     }
 
-    /** Kinetic energy of the stored numbers, exact. */
+    /** Kinetic energy of the stored numbers, computed exactly. */
     public static BigDecimal energy(Bodies bodies) {
         return OracleBody.of(bodies).stream().map(OracleBody::energy).reduce(BigDecimal.ZERO, BigDecimal::add);
     }

@@ -2,18 +2,18 @@ package steward.lab.trial;
 
 import java.util.function.Supplier;
 
-/** Told by a case that takes minutes, now and then and in its own thread, how far it is. */
+/** Receives the progress of a case that takes minutes, now and then and on the case's own thread. */
 @FunctionalInterface
 public interface Progress {
 
-    /** Nobody listens. */
+    /** Ignores all progress. */
     Progress NONE = (share, soFar) -> { };
 
     /**
-     * So much is done.
+     * Reports progress.
      *
      * @param share of all the work, 0..1
-     * @param soFar the figures, as they will stand in {@link Finding#text}; only to be asked within the call
+     * @param soFar the figures, as they will stand in {@link Finding#text}; to be read only within the call
      */
     void reached(double share, Supplier<String> soFar);
 }

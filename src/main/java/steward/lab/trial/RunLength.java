@@ -1,6 +1,6 @@
 package steward.lab.trial;
 
-/** How much work a case is given: what a test suite can wait for, a table, or everything the case can be asked. */
+/** How much work a case does: for a test suite, for a table, or as much as the case can do. */
 public enum RunLength {
     /** Seconds for all cases together. */
     SMALL,
@@ -9,7 +9,7 @@ public enum RunLength {
     /** Hours. */
     LONG;
 
-    /** One of three counts. */
+    /** The count for this run length. */
     public int pick(int small, int normal, int all) {
         return this == SMALL ? small : this == NORMAL ? normal : all;
     }

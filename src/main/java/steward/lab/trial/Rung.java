@@ -17,22 +17,25 @@ import steward.physics.queue.QueueAdvance;
  * A way to compute a turn: how it is advanced and with what arithmetic.
  *
  * @param name       as in a scene
- * @param isEvent    whether impacts are found by their times; steps miss and shift impacts by their nature
+ * @param isEvent    whether impacts are found by their times; steps necessarily miss and shift impacts
  * @param isExact    whether decisions are exact and results rounded once
  * @param arithmetic of the times of impact
  * @param maker      makes the advance
- * @param crowdMaker makes one for many bodies, at the same law and arithmetic
+ * @param crowdMaker makes the advance for many bodies, with the same law and arithmetic
  */
 public record Rung(String name, boolean isEvent, boolean isExact, Arithmetic arithmetic,
                    Function<PhysicsParts, Advance> maker, Function<PhysicsParts, Advance> crowdMaker) {
 
-    /** Of the exact rung: half a unit in the last place for rounding once, and a little for the arithmetic before. */
+    /**
+     * Error bound of the exact rung: half a unit in the last place for one rounding, and a little for the arithmetic
+     * before it.
+     */
     public static final double EXACT_ULPS = 0.51;
 
-    /** Of the rungs that advance in steps, two for comparison. */
+    /** Steps per turn of the two rungs that advance in steps, for comparison. */
     private static final List<Integer> STEPS = List.of(1, 64);
 
-    /** All rungs that the table shows, cheapest first. */
+    /** All rungs in the table, cheapest first. */
     public static List<Rung> all() {
         List<Rung> rungs = new ArrayList<>();
         for (int steps : STEPS) {
@@ -46,28 +49,28 @@ public record Rung(String name, boolean isEvent, boolean isExact, Arithmetic ari
         return List.copyOf(rungs);
     }
 
-    /** The same advance for few bodies and for many. */
+    /** With the same advance for few bodies and for many. */
     public Rung(String name, boolean isEvent, boolean isExact, Arithmetic arithmetic, Function<PhysicsParts,
     Advance> maker) {
         this(name, isEvent, isExact, arithmetic, maker, maker);
     }
 
-    /** Whether its expressions are ours to choose; the official ones are the server's, cancellation and all. */
+    /** Whether its expressions are chosen by us; the official ones are the server's, with their cancellation. */
     public boolean isOurs() {
         return isEvent && arithmetic != Arithmetic.OFFICIAL;
     }
 
-    /** Bodies of one kind and finite masses among walls. */
+    /** An advance for bodies of one kind with finite masses among walls. */
     public Advance advance(ImpactLaw law, Wall... walls) {
         return maker.apply(new PhysicsParts(law, arithmetic, new Contacts(1), List.of(walls), null, false));
     }
 
-    /** The same where there are many bodies: event rungs by {@link QueueAdvance}. */
+    /** The same for many bodies: event rungs use {@link QueueAdvance}. */
     public Advance crowdAdvance(ImpactLaw law, Wall... walls) {
         return crowdMaker.apply(new PhysicsParts(law, arithmetic, new Contacts(1), List.of(walls), null, false));
     }
 
-    /** Bodies of one kind and any masses among walls. */
+    /** An advance for bodies of one kind with any masses among walls. */
     public Advance advanceOfAnyMass(ImpactLaw law, Wall... walls) {
         return maker.apply(new PhysicsParts(law, arithmetic, new Contacts(1), List.of(walls), null, true));
     }

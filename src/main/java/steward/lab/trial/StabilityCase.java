@@ -1,8 +1,8 @@
 package steward.lab.trial;
 
 /**
- * One row of the stability table: a situation at the edge of what numbers can do, and what is demanded there. A case is
- * stateless and deterministic: the same rung and size see the same.
+ * One row of the stability table: a situation at the limits of floating point, and what is demanded there. A case is
+ * stateless and deterministic: the same rung and size give the same result.
  */
 public interface StabilityCase {
 
@@ -13,9 +13,9 @@ public interface StabilityCase {
     String demand();
 
     /**
-     * Tries it. What goes wrong in the engine is seen as a failure or thrown.
+     * Runs the case. An error of the engine is reported as a failure or thrown.
      *
-     * @param progress told of cases that take minutes in their long version
+     * @param progress called by cases that take minutes in their long version
      */
     Finding run(Rung rung, RunLength size, Progress progress);
 }

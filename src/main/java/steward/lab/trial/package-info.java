@@ -1,6 +1,6 @@
 /**
- * What a case of the stability table is made of: rungs, run lengths, findings, seeded pairs and gases, books of energy
- * and momentum, and checks against the oracle.
+ * The building blocks of stability cases: rungs, run lengths, findings, seeded pairs and gases, balances of energy and
+ * momentum, and checks against the oracle.
  */
 @Internal
 package steward.lab.trial;

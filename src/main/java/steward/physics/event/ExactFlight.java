@@ -6,14 +6,14 @@ import steward.physics.Bodies;
 import steward.physics.time.LowParts;
 
 /*
- * x + v t with t = th + tl: p = RN(v th) and its error e are exact, s = RN(x + p) and its error f too; what is left,
+ * x + v t with t = th + tl: p = RN(v th) and its error e are exact, s = RN(x + p) and its error f too; the rest,
  * f + (e + v tl), has roundings below 2^-104 |v t|. So s + rest is x + v t to within 2^-104 |v t| and the relative
  * error of t, and storing it rounds once: at most 0.51 ulp unless x and v t cancel by more than 2^40.
  */
 
 /**
- * Flies to times in double-double and rounds each coordinate once, when it is stored; {@link LowParts} keep what the
- * stored coordinates lack.
+ * Free flight to times in double-double. Each coordinate is rounded once, when it is stored; its rounding error is kept
+ * in {@link LowParts}.
  */
 final class ExactFlight extends Flight {
 
@@ -21,8 +21,8 @@ final class ExactFlight extends Flight {
     private final LowParts low;
     private final DoubleDouble now = new DoubleDouble();
     private final DoubleDouble time = new DoubleDouble();
-    /** Whether low parts can be other than 0. */
-    private boolean rounded;
+    /** Whether low parts may differ from 0. */
+    private boolean lowPartsSet;
 
     ExactFlight(RefiningQueue queue, LowParts low) {
         this.queue = queue;
@@ -31,9 +31,9 @@ final class ExactFlight extends Flight {
 
     @Override
     double begin(Bodies bodies) {
-        low.room(bodies.capacity());
+        low.ensureCapacity(bodies.capacity());
         queue.begin(bodies, now.set(0));
-        rounded = true;
+        lowPartsSet = true;
         return 0;
     }
 
@@ -41,12 +41,12 @@ final class ExactFlight extends Flight {
     double toImpact(Bodies bodies, double start, ImpactQueue chosen) {
         queue.until(0, time);
         if (time.high() != 0) {
-            rounded = true;
+            lowPartsSet = true;
             fly(bodies.x, bodies.vx, low.x, bodies.size(), time.high(), time.low());
             fly(bodies.y, bodies.vy, low.y, bodies.size(), time.high(), time.low());
-        } else if (rounded) {
+        } else if (lowPartsSet) {
             low.clearFirst(bodies.size());
-            rounded = false;
+            lowPartsSet = false;
         }
         return now.add(time).high();
     }

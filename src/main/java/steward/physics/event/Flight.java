@@ -2,19 +2,19 @@ package steward.physics.event;
 
 import steward.physics.Bodies;
 
-/** How the bodies fly from one impact to the next and to the end of the turn. */
+/** Free flight of all bodies from one impact to the next and to the end of the turn. */
 public abstract sealed class Flight permits Flight.Plain, ExactFlight {
 
-    /** A turn begins. @return its time, 0 */
+    /** Begins a turn. @return its time, 0 */
     abstract double begin(Bodies bodies);
 
-    /** Everybody flies to the first impact that the queue has chosen. @return its time within the turn */
+    /** Moves all bodies to the first impact of the batch that the queue has chosen. @return its time within the turn */
     abstract double toImpact(Bodies bodies, double now, ImpactQueue queue);
 
-    /** Everybody flies to the end of the turn. */
+    /** Moves all bodies to the end of the turn. */
     abstract void toEnd(Bodies bodies, double now);
 
-    /** In doubles. */
+    /** In plain doubles. */
     static final class Plain extends Flight {
 
         @Override

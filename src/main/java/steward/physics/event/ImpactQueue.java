@@ -3,7 +3,7 @@ package steward.physics.event;
 import java.util.Arrays;
 import steward.physics.ImpactLaw;
 
-/** Collects the impacts found by a scan and says which of them happen next. */
+/** Collects the predicted impacts of a scan and selects those that happen next. */
 public abstract sealed class ImpactQueue permits ImpactQueue.OneAtATime, ImpactQueue.WithinWindow, RefiningQueue {
 
     /** Offers an impact at an absolute time within the turn; b is an index, or {@code ~wall}. */
@@ -11,8 +11,8 @@ public abstract sealed class ImpactQueue permits ImpactQueue.OneAtATime, ImpactQ
 
     abstract void clear();
 
-    /** How many impacts happen next, together; 0 when none was offered. Orders them. */
-    abstract int next();
+    /** Selects the impacts that happen next and puts them first. @return how many; 0 if none was offered */
+    abstract int nextBatch();
 
     abstract double time(int k);
 
@@ -45,7 +45,7 @@ public abstract sealed class ImpactQueue permits ImpactQueue.OneAtATime, ImpactQ
             return rank(candidateA, candidateB) < rank(a, b);
         }
 
-        /** Orders pairs by their lower body, then by the other; walls come behind all bodies, in their own order. */
+        /** Orders pairs by their lower index, then by the other; walls come after all bodies, in their own order. */
         public static long rank(int a, int b) {
             int low = b < 0 ? a : Math.min(a, b);
             long other = b < 0 ? (1L << 31) + ~b : Math.max(a, b);
@@ -58,7 +58,7 @@ public abstract sealed class ImpactQueue permits ImpactQueue.OneAtATime, ImpactQ
         }
 
         @Override
-        int next() {
+        int nextBatch() {
             return time < Double.POSITIVE_INFINITY ? 1 : 0;
         }
 
@@ -78,7 +78,10 @@ public abstract sealed class ImpactQueue permits ImpactQueue.OneAtATime, ImpactQ
         }
     }
 
-    /** Keeps all impacts in the order of time, ties in the order of the scan; a window's worth happens together. */
+    /**
+     * Keeps all impacts in the order of time, ties in the order of the scan; those within the batch window happen
+     * together.
+     */
     static final class WithinWindow extends ImpactQueue {
 
         private final double window;
@@ -116,7 +119,7 @@ public abstract sealed class ImpactQueue permits ImpactQueue.OneAtATime, ImpactQ
         }
 
         @Override
-        int next() {
+        int nextBatch() {
             int count = 0;
             while (count < size && times[count] - times[0] <= window) {
                 count++;

@@ -11,28 +11,31 @@ import steward.physics.time.Magnitudes;
 import steward.physics.time.TimeOfImpact;
 
 /**
- * The event loop of {@link EventAdvance} for one sort of scene, several times as fast and with the same bits: circles
- * of one size and finite masses under {@link ImpactLaw#OFFICIAL_POD_RACE} in the official arithmetic, without walls.
- * Pairs that cannot meet are set aside before any square root and looked at again only when one of the two has changed
- * its course. Allocates nothing in a turn (but for the rare ending by the impact limit).
+ * The event loop of {@link EventAdvance} for one kind of scene, several times as fast and with the same bits: circles
+ * of equal size and finite masses under {@link ImpactLaw#OFFICIAL_POD_RACE} in the official arithmetic, without walls.
+ * Pairs that cannot meet are set aside before any square root and tested again only when the velocity of one of the two
+ * has changed. Allocates nothing in a turn (except in the rare turns that reach the bound on impacts or are left to
+ * {@link EventAdvance}).
  *
  * <p>Caveat: at most {@value #MOST_BODIES} bodies; more, or of different sizes, are left to {@link EventAdvance}.
  */
 public final class OfficialAdvance implements Advance {
 
-    /** The most bodies. */
+    /** The maximum number of bodies. */
     public static final int MOST_BODIES = ScanPairs.MOST_BODIES;
-    /** The set of all bodies. */
+    /** The set of all bodies, as bits. */
     public static final int ALL = -1;
 
     /**
-     * A pair is set aside if it stays outside of the touching distance s by so much: its distance squared exceeds
-     * s^2 + MARGIN + SHARE d^2. See the proof below.
+     * A pair is set aside if its squared distance always exceeds s^2 + MARGIN + SHARE d^2. See the proof below.
      */
     private static final double MARGIN = 1;
     private static final double SHARE = 0x1p-40;
-    private static final double REST = 1 - SHARE;
-    /** Up to here, in u and in u per turn, the rounding of the places of a whole turn is small against the margin. */
+    private static final double KEPT_SHARE = 1 - SHARE;
+    /**
+     * Up to this magnitude, in u and in u per turn, the rounding of positions over a whole turn is small against the
+     * margin.
+     */
     private static final double SMALL = 0x1p15;
 
     private final ImpactLaw law = ImpactLaw.OFFICIAL_POD_RACE;
@@ -56,7 +59,7 @@ public final class OfficialAdvance implements Advance {
     private final int[] pairs = new int[times.length];
     private int found;
 
-    /** @throws IllegalArgumentException if there is more than the official law in the official arithmetic */
+    /** @throws IllegalArgumentException unless the scene {@link #fits} */
     public OfficialAdvance(PhysicsParts parts) {
         if (!fits(parts)) {
             throw new IllegalArgumentException("expected the official law of the pod race in the official arithmetic, "
@@ -68,16 +71,16 @@ public final class OfficialAdvance implements Advance {
     }
 
     /**
-     * For bodies of one kind.
+     * For bodies of equal radius.
      *
      * @param radius of every body, in u
      */
     public OfficialAdvance(double radius) {
         this(new PhysicsParts(ImpactLaw.OFFICIAL_POD_RACE, Arithmetic.OFFICIAL));
-        measure(radius);
+        setRadius(radius);
     }
 
-    private void measure(double ofAll) {
+    private void setRadius(double ofAll) {
         radius = ofAll;
         touch = radius + radius;
         touchSquare = touch * touch;
@@ -91,7 +94,7 @@ public final class OfficialAdvance implements Advance {
         greatestTouching = greatest;
     }
 
-    /** Whether it can stand in for the {@link EventAdvance} of these parts. */
+    /** Whether this class can replace the {@link EventAdvance} of these parts. */
     public static boolean fits(PhysicsParts parts) {
         return parts.law().equals(ImpactLaw.OFFICIAL_POD_RACE) && parts.arithmetic() == Arithmetic.OFFICIAL
             && parts.contacts().allBounce() && parts.walls().isEmpty() && !parts.infiniteMasses();
@@ -99,7 +102,7 @@ public final class OfficialAdvance implements Advance {
 
     @Override
     public void turn(Bodies bodies, TurnSink sink) {
-        if (!haveOneRadius(bodies) || bodies.size() > MOST_BODIES || !Magnitudes.areOrdinary(bodies)) {
+        if (!haveOneRadius(bodies) || bodies.size() > MOST_BODIES || !Magnitudes.fitPlainArithmetic(bodies)) {
             general.turn(bodies, sink);
             return;
         }
@@ -107,13 +110,13 @@ public final class OfficialAdvance implements Advance {
         if (near == 0) {
             EventAdvance.fly(bodies, 1);
         } else {
-            turnOfOrdinary(bodies, sink, near, ALL);
+            turnInPlainArithmetic(bodies, sink, near, ALL);
         }
     }
 
     private boolean haveOneRadius(Bodies bodies) {
         if (bodies.size() > 0 && bodies.radius[0] != radius) {
-            measure(bodies.radius[0]);
+            setRadius(bodies.radius[0]);
         }
         for (int body = 1; body < bodies.size(); body++) {
             if (bodies.radius[body] != radius) {
@@ -124,38 +127,38 @@ public final class OfficialAdvance implements Advance {
     }
 
     /*
-     * Who is set aside. With d, w the relative place and velocity of a pair, f(t) = |d + w t|^2 and s the touching
-     * distance, a pair is set aside for the rest T of the turn only if the smallest f on [0, T] is above s^2 + m, with
-     * m = 1 + 2^-40 |d|^2, as computed. u = 2^-53 is the unit of rounding.
+     * Which pairs are set aside. With d, w the relative position and velocity of a pair, f(t) = |d + w t|^2 and s the
+     * touching distance, a pair is set aside for the rest T of the turn only if the smallest f on [0, T] is above
+     * s^2 + m, with m = 1 + 2^-40 |d|^2, as computed. u = 2^-53 is the unit of rounding.
      *
-     * (1) Computed and true values of f differ by a few u (|d| + |w| T')^2, T' <= T the time of the smallest f; as that
-     *     comes before the two have passed each other, |w| T' <= |d|, and so truly f >= s^2 + 0.9 m.
-     * (2) Then the official expressions find no impact. Their test of the distance is about f(0). They compute a = w.w,
+     * (1) Computed and true values of f differ by a few u (|d| + |w| T')^2, T' <= T the time of the smallest f; as T'
+     *     is not later than the closest approach, |w| T' <= |d|, and so truly f >= s^2 + 0.9 m.
+     * (2) Then the official expressions find no impact. Their test of the distance uses f(0). They compute a = w.w,
      *     b = d.w, c = d.d - s^2, D = b^2 - a c and the root t = (-b - sqrt D) / a. Let q = -b / |w| <= |d| and
      *     h^2 = D / a, the true value of s^2 less the square of the impact parameter. Each product in D is at most
      *     |d|^2 a, so that the computed D / a is off by less than 16 u |d|^2 < 2^-48 |d|^2 < m / 256. If q > |w| T, the
      *     smallest f is at T: 0.9 m <= f(T) - s^2 = (q - |w| T)^2 - h^2, and with the computed h it is still
-     *     0.8 m <= (q - |w| T - h)(q - |w| T + h), so that q - h exceeds |w| T by at least 0.8 m / (|d| + s), more
-     *     than 2^-42 |d|; rounding of b, of the sum, of the quotient and of 1 - t moves it by less than 2^-48 |d|:
-     *     the root is later than T. If 0 <= q <= |w| T then f(q / |w|) - s^2 = -h^2 >= 0.9 m: the computed D is below
-     *     0. If q < 0, the two recede and c > 0.9 m: the computed root is negative or there is none.
-     * (3) A pair that was set aside stays so while both keep their course: the true f of the rest is that of before,
-     *     but for the rounding of places as they fly from impact to impact. Below 2^16 u that is less than 2^-37 u per
-     *     coordinate and flight, in at most 21,000 flights and for both bodies less than 2^-21 u; with |d| < 2^18 it
-     *     changes f by less than 1/4, which leaves m / 2, plenty for (2). Beyond these limits all pairs are looked at
-     *     each time.
+     *     0.8 m <= (q - |w| T - h)(q - |w| T + h), so that q - h exceeds |w| T by at least 0.8 m / (|d| + s), more than
+     *     2^-42 |d|; rounding of b, of the sum, of the quotient and of 1 - t moves it by less than 2^-48 |d|: the root
+     *     is later than T. If 0 <= q <= |w| T then f(q / |w|) - s^2 = -h^2 >= 0.9 m: the computed D is below 0. If
+     *     q < 0, the two recede and c > 0.9 m: the computed root is negative or there is none.
+     * (3) A pair that was set aside stays so while both keep their velocity: the true f of the rest of the turn is the
+     *     same as before, except for the rounding of positions from impact to impact. Below 2^16 u that is less than
+     *     2^-37 u per coordinate and flight, in at most 21,000 flights and for both bodies less than 2^-21 u; with
+     *     |d| < 2^18 it changes f by less than 1/4, which leaves m / 2, enough for (2). Beyond these limits all pairs
+     *     are tested each time.
      *
-     * The same bound serves velocities that are known to 2^-26 u per turn only: f changes by less than 2^-24 |d| <=
-     * 1/64.
+     * The same bound holds for velocities that are known only to 2^-26 u per turn: f changes by less than
+     * 2^-24 |d| <= 1/64.
      */
 
     /**
-     * The pairs that may have an impact in this turn: a set of bits, empty only if there is none. Velocities may be off
-     * by 2^-26 u per turn if no coordinate exceeds 2^16 u and no speed 2^16 u per turn.
+     * The pairs that may have an impact in this turn: a set as bits, empty only if there is no impact. Velocities may
+     * be off by 2^-26 u per turn if no coordinate exceeds 2^16 u and no speed 2^16 u per turn.
      */
     public long nearPairs(Bodies bodies) {
         if (bodies.size() != size) {
-            number(bodies.size());
+            setSize(bodies.size());
         }
         double[] x = bodies.x;
         double[] y = bodies.y;
@@ -178,12 +181,12 @@ public final class OfficialAdvance implements Advance {
         return near;
     }
 
-    /** Whether two may come near each other, by the margin above, before the time is over. */
+    /** Whether a pair may come within the margin above before {@code time} has passed. */
     public static boolean mayMeet(double dx, double dy, double wx, double wy, double time, double touchSquare) {
-        double c = REST * (dx * dx + dy * dy) - (touchSquare + MARGIN);
+        double c = KEPT_SHARE * (dx * dx + dy * dy) - (touchSquare + MARGIN);
         double b = dx * wx + dy * wy;
         if (c + (b - Math.abs(b)) * time > 0) {
-            return false;                             // most, see areFar
+            return false;                             // most pairs, see areFar
         }
         if (!(c > 0)) {
             return true;
@@ -192,22 +195,22 @@ public final class OfficialAdvance implements Advance {
         return -b >= a * time ? !((a * time + 2 * b) * time + c > 0) : !(b * b - a * c < 0);
     }
 
-    /** For {@link #areFar}. */
+    /** The parameter {@code reach} of {@link #areFar}. */
     public double reach() {
         return touchSquare + MARGIN;
     }
 
     /**
      * A cheap test that a pair cannot meet in a turn: f(t) = d^2 + 2 b t + w^2 t^2 with b = d.w is at least d^2 + 2 b
-     * if they approach, and at least d^2 if they do not; and b - |b| is 2 b or 0. Where it is met |b| <= |d|^2 / 2, so
-     * that the roundings are no greater than in (1).
+     * if the two approach, and at least d^2 if they do not; and b - |b| is 2 b or 0. Where the test holds,
+     * |b| is at most |d|^2 / 2, so that the roundings are no greater than in (1).
      */
     public static boolean areFar(double dx, double dy, double wx, double wy, double reach) {
         double b = dx * wx + dy * wy;
-        return REST * (dx * dx + dy * dy) - reach + (b - Math.abs(b)) > 0;
+        return KEPT_SHARE * (dx * dx + dy * dy) - reach + (b - Math.abs(b)) > 0;
     }
 
-    /** The same test as {@link #nearPairs} makes for each pair: from relative place and velocity. */
+    /** The test that {@link #nearPairs} makes for each pair, from relative position and velocity. */
     public boolean mayMeet(double dx, double dy, double wx, double wy) {
         return mayMeet(dx, dy, wx, wy, 1, touchSquare);
     }
@@ -215,7 +218,7 @@ public final class OfficialAdvance implements Advance {
     /** The indices of the bodies in a set of pairs, as bits. */
     public int bodiesOf(long set, int bodies) {
         if (bodies != size) {
-            number(bodies);
+            setSize(bodies);
         }
         int members = 0;
         for (long rest = set; rest != 0; rest &= rest - 1) {
@@ -226,17 +229,18 @@ public final class OfficialAdvance implements Advance {
     }
 
     /**
-     * Plays a turn of which the near pairs are known, and not none.
+     * Plays a turn whose near pairs are known; there is at least one.
      *
      * @param exact the bodies (bits) whose velocities are exact, at least those of the near pairs; the others are off
-     *              by 2^-26 u per turn at most. {@link #ALL}: everybody's
-     * @return false if it takes all velocities exactly: somebody has been thrown at one of the others, or there are
-     *         numbers whose squares leave the range of doubles; nothing that was done holds
+     *              by at most 2^-26 u per turn. {@link #ALL}: all are exact
+     * @return false if the turn has to be played anew with all velocities exact: an impact has sent a body towards one
+     *         of the others, or there are numbers whose squares leave the range of doubles; what was done to the bodies
+     *         is then to be discarded
      * @throws IllegalArgumentException as {@link Advance#turn}
      */
     public boolean turn(Bodies bodies, TurnSink sink, long near, int exact) {
-        if (Magnitudes.areOrdinary(bodies)) {
-            return turnOfOrdinary(bodies, sink, near, exact);
+        if (Magnitudes.fitPlainArithmetic(bodies)) {
+            return turnInPlainArithmetic(bodies, sink, near, exact);
         }
         if (exact == ALL) {
             general.turn(bodies, sink);
@@ -244,7 +248,7 @@ public final class OfficialAdvance implements Advance {
         return exact == ALL;
     }
 
-    private boolean turnOfOrdinary(Bodies bodies, TurnSink sink, long near, int exact) {
+    private boolean turnInPlainArithmetic(Bodies bodies, TurnSink sink, long near, int exact) {
         long doubtful = 0;
         for (int body = 0; body < size; body++) {
             doubtful |= (exact >> body & 1) != 0 ? 0 : scan.pairsOf(body);
@@ -273,7 +277,7 @@ public final class OfficialAdvance implements Advance {
                 changed |= scan.pairsOf(a) | scan.pairsOf(b);
                 small &= isSmall(bodies, a) && isSmall(bodies, b);
             }
-            live = live & ~changed | nearAgain(bodies, small ? changed : scan.all(), 1 - now);
+            live = live & ~changed | nearPairsAmong(bodies, small ? changed : scan.all(), 1 - now);
             if ((live & doubtful) != 0) {
                 return false;
             }
@@ -294,7 +298,7 @@ public final class OfficialAdvance implements Advance {
             && Math.abs(bodies.vy[i]) <= SMALL;
     }
 
-    private long nearAgain(Bodies bodies, long among, double time) {
+    private long nearPairsAmong(Bodies bodies, long among, double time) {
         long near = 0;
         for (long rest = among; rest != 0; rest &= rest - 1) {
             int pair = Long.numberOfTrailingZeros(rest);
@@ -308,7 +312,7 @@ public final class OfficialAdvance implements Advance {
         return near;
     }
 
-    /** Finds the impacts of the pairs given, by the official expressions. */
+    /** Finds the impacts of the given pairs, by the official expressions. */
     private void find(Bodies bodies, long live, double now) {
         double left = 1 - now;
         found = 0;
@@ -371,10 +375,10 @@ public final class OfficialAdvance implements Advance {
         double step = (nx * (vax - vbx) + ny * (vay - vby)) / inverse;
         double back = Math.max(minimum, step);
         double impulse = step + back;
-        bodies.vx[a] = vax - nx * impulse / massA;
-        bodies.vy[a] = vay - ny * impulse / massA;
-        bodies.vx[b] = vbx + nx * impulse / massB;
-        bodies.vy[b] = vby + ny * impulse / massB;
+        bodies.vx[a] = vax - nx * impulse * bodies.inverseMass[a];
+        bodies.vy[a] = vay - ny * impulse * bodies.inverseMass[a];
+        bodies.vx[b] = vbx + nx * impulse * bodies.inverseMass[b];
+        bodies.vy[b] = vby + ny * impulse * bodies.inverseMass[b];
         sink.impact(time, bodies.id(a), bodies.id(b), ax, ay, bx, by, nx, ny, impulse,
             inverse * (back * back - step * step) / 2, massA, massB,
             vax, vay, bodies.vx[a], bodies.vy[a], vbx, vby, bodies.vx[b], bodies.vy[b]);
@@ -392,7 +396,7 @@ public final class OfficialAdvance implements Advance {
         }
     }
 
-    private void number(int bodies) {
+    private void setSize(int bodies) {
         scan = ScanPairs.of(bodies);
         size = bodies;
     }

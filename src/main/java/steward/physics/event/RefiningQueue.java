@@ -9,16 +9,16 @@ import steward.physics.time.ExactPairs;
 import steward.physics.time.ExactWalls;
 
 /**
- * Collects impacts with times that are never too late, and computes a time in double-double only when its impact is
- * about to win: the earliest entry is refined and put back until the earliest one is refined, so that no other can be
- * earlier. What then proves not to happen in the turn is dropped. Ties, to the last bit of a double-double, go to the
- * lowest pair, or in the order of the scan where the law has batches.
+ * Collects impacts with lower bounds of their times and computes a time in double-double only when its entry is the
+ * earliest: the earliest entry is refined and put back until the earliest one is refined, so that no other can be
+ * earlier. An entry whose refined time is not in the turn is dropped. Ties, to the last bit of a double-double, go to
+ * the lowest pair, or in the order of the scan where the law has batches.
  */
 final class RefiningQueue extends ImpactQueue {
 
     private final ExactPairs pairs;
     private final ExactWalls walls;
-    private final boolean together;
+    private final boolean batched;
     private final double window;
     private final DoubleDouble until = new DoubleDouble();
     private final DoubleDouble left = new DoubleDouble();
@@ -27,7 +27,7 @@ final class RefiningQueue extends ImpactQueue {
     private double startHigh;
     private double startLow;
 
-    /** From now: lower bounds, or refined times with their low parts. */
+    /** Times from now: lower bounds, or refined times with their low parts. */
     private double[] high = new double[16];
     private double[] low = new double[16];
     private boolean[] refined = new boolean[16];
@@ -39,11 +39,11 @@ final class RefiningQueue extends ImpactQueue {
     RefiningQueue(ImpactLaw law, ExactPairs pairs, ExactWalls walls) {
         this.pairs = pairs;
         this.walls = walls;
-        together = law.batchWindow() > 0 || law.separatingPairsReact();
+        batched = law.batchWindow() > 0 || law.separatingPairsReact();
         window = law.batchWindow();
     }
 
-    /** A turn with these bodies, whose time is kept in a register. */
+    /** Begins a turn with these bodies; the flight keeps the time of the turn in the register. */
     void begin(Bodies ofTurn, DoubleDouble timeOfTurn) {
         bodies = ofTurn;
         now = timeOfTurn;
@@ -65,14 +65,14 @@ final class RefiningQueue extends ImpactQueue {
         high[size] = time - startHigh - ExactPairs.ROUNDING;
         low[size] = 0;
         refined[size] = false;
-        rank[size] = together ? size : OneAtATime.rank(a, b);
+        rank[size] = batched ? size : OneAtATime.rank(a, b);
         firsts[size] = a;
         seconds[size] = b;
         size++;
     }
 
     @Override
-    int next() {
+    int nextBatch() {
         int count = 0;
         while (count < size) {
             int k = earliest(count);
@@ -82,7 +82,7 @@ final class RefiningQueue extends ImpactQueue {
             if (refined[k]) {
                 swap(k, count);
                 count++;
-                if (!together) {
+                if (!batched) {
                     break;
                 }
             } else {
@@ -114,8 +114,8 @@ final class RefiningQueue extends ImpactQueue {
     }
 
     private void refine(int k) {
-        boolean happens = seconds[k] < 0 ? walls.exact(bodies, firsts[k], ~seconds[k], until)
-            : pairs.exact(bodies, firsts[k], seconds[k], until);
+        boolean happens = seconds[k] < 0 ? walls.exactTime(bodies, firsts[k], ~seconds[k], until)
+            : pairs.exactTime(bodies, firsts[k], seconds[k], until);
         if (!happens || until.compareTo(left) > 0) {
             size--;
             swap(k, size);
@@ -126,7 +126,7 @@ final class RefiningQueue extends ImpactQueue {
         low[k] = until.low();
     }
 
-    /** From the present time to the k-th impact. */
+    /** The time from now to the k-th impact. */
     void until(int k, DoubleDouble result) {
         result.setFastSum(high[k], low[k]);
     }

@@ -10,7 +10,7 @@ import steward.physics.Wall;
 import steward.physics.time.PairTime;
 import steward.physics.time.WallTime;
 
-/** Looks for impacts in the rest of a turn. Each kind of scene gets the scan that looks at nothing it has not got. */
+/** A search for impacts in the rest of a turn. A scene gets the scans for the parts that it has, and no others. */
 abstract sealed class Scan {
 
     /** Offers every impact from {@code now} to the end of the turn. */
@@ -21,7 +21,7 @@ abstract sealed class Scan {
         return of(parts, time, new WallTime.Plain(parts.walls().toArray(new Wall[0])));
     }
 
-    /** The same with another time of impact at walls. */
+    /** The same with another computation of times of impact at walls. */
     static Scan[] of(PhysicsParts parts, PairTime time, WallTime wallTime) {
         List<Scan> scans = new ArrayList<>();
         boolean plain = parts.contacts().allBounce() && !parts.infiniteMasses();
@@ -94,7 +94,7 @@ abstract sealed class Scan {
                 int i = descending ? size - high : high;
                 for (int low = 0; low < i; low++) {
                     int j = descending ? i - 1 - low : low;
-                    if (isMeant(bodies, i, j)) {
+                    if (canReact(bodies, i, j)) {
                         if (descending) {
                             offer(bodies, i, j, time, now, queue);
                         } else {
@@ -105,7 +105,7 @@ abstract sealed class Scan {
             }
         }
 
-        private boolean isMeant(Bodies bodies, int i, int j) {
+        private boolean canReact(Bodies bodies, int i, int j) {
             return switch (contacts.between(bodies.kind[i], bodies.kind[j])) {
                 case NONE -> false;
                 case BOUNCE -> bodies.inverseMass[i] + bodies.inverseMass[j] > 0;
@@ -132,7 +132,7 @@ abstract sealed class Scan {
         void find(Bodies bodies, double now, ImpactQueue queue) {
             double left = 1 - now;
             for (int i = 0; i < bodies.size(); i++) {
-                if (contacts == null ? bodies.inverseMass[i] == 0 : !isMeant(bodies, i)) {
+                if (contacts == null ? bodies.inverseMass[i] == 0 : !canReact(bodies, i)) {
                     continue;
                 }
                 for (int w = 0; w < count; w++) {
@@ -144,7 +144,7 @@ abstract sealed class Scan {
             }
         }
 
-        private boolean isMeant(Bodies bodies, int i) {
+        private boolean canReact(Bodies bodies, int i) {
             return switch (contacts.withWall(bodies.kind[i])) {
                 case NONE -> false;
                 case BOUNCE -> bodies.inverseMass[i] > 0;

@@ -1,12 +1,12 @@
 package steward.physics.event;
 
 /**
- * The pairs of some bodies in the order in which the official referee looks at them, i = n-1..1, j = i-1..0: a set of
- * pairs is the bits of a long. Unchangeable, one for each number of bodies.
+ * The pairs of n bodies in the order in which the official referee scans them, i = n-1..1, j = i-1..0. A set of pairs
+ * is held as the bits of a long. Immutable, one instance for each number of bodies.
  */
 public final class ScanPairs {
 
-    /** So that the pairs fit into 64 bits. */
+    /** The maximum number of bodies whose pairs fit into 64 bits. */
     public static final int MOST_BODIES = 11;
 
     private static final ScanPairs[] OF = new ScanPairs[MOST_BODIES + 1];
@@ -38,7 +38,7 @@ public final class ScanPairs {
     }
 
     /**
-     * The pairs of so many bodies.
+     * The pairs of {@code bodies} bodies.
      *
      * @param bodies 0..{@value #MOST_BODIES}
      * @throws IllegalArgumentException if there are more
@@ -55,12 +55,12 @@ public final class ScanPairs {
         return first[pair];
     }
 
-    /** The other one. */
+    /** The other body of a pair. */
     public int second(int pair) {
         return second[pair];
     }
 
-    /** All pairs that a body is in. */
+    /** All pairs of a body. */
     public long pairsOf(int body) {
         return pairsOf[body];
     }

@@ -8,8 +8,8 @@ import steward.physics.TurnSink;
 import steward.physics.time.PairTime;
 
 /**
- * The end of a turn whose impacts have reached their bound: no impulses any more. Whoever runs into something stops
- * there for the rest of the turn, and so does what it ran into; every step stops at least one more body, so it ends.
+ * The rest of a turn whose impacts have reached their bound, without impulses: the two bodies of a new contact, or the
+ * body at a wall, stop for the rest of the turn. Every step stops at least one more body, so it ends.
  */
 public final class Standstill {
 
@@ -20,7 +20,7 @@ public final class Standstill {
         scans = Scan.of(parts, new PairTime.ApproachIsImpact(Arithmetic.DOUBLE));
     }
 
-    /** Plays the rest of the turn from {@code now}; velocities are as before afterwards. */
+    /** Plays the rest of the turn from {@code now}; velocities are restored afterwards. */
     void finish(Bodies bodies, double now, TurnSink sink) {
         int size = bodies.size();
         double[] vx = Arrays.copyOf(bodies.vx, size);
@@ -32,7 +32,7 @@ public final class Standstill {
             for (Scan scan : scans) {
                 scan.find(bodies, time, queue);
             }
-            if (queue.next() == 0) {
+            if (queue.nextBatch() == 0) {
                 break;
             }
             EventAdvance.fly(bodies, queue.time(0) - time);

@@ -1,6 +1,6 @@
 /**
- * Ways to advance a turn by a look at all pairs: from impact to impact at exact times, in fixed steps, and the
- * published referee's own loop.
+ * Ways to advance a turn by scanning all pairs: from impact to impact at exact times, in fixed steps, and the published
+ * referee's own loop.
  */
 @Internal
 package steward.physics.event;

@@ -8,12 +8,14 @@ import steward.physics.Wall;
 import steward.physics.time.TimeOfImpact;
 
 /**
- * Lets a pair, or a body and a wall, react under a law: impulse, push-out, record. As it is, with the expressions of
- * the published official referee in their order.
+ * The reaction of a pair, or of a body and a wall, under a law: impulse, positional correction, record. This class
+ * itself uses the expressions of the published official referee in their order.
  */
-public sealed class Collision permits CarefulCollision {
+public sealed class Collision permits CompensatedCollision, OfficialCollision {
 
-    /** A body so far behind a wall, relative to its coordinates, is there by rounding: some units in the last place. */
+    /**
+     * A wall penetration below this, relative to the coordinates, is a rounding error: some units in the last place.
+     */
     private static final double ROUNDING = 0x1p-46;
 
     final Impulse pairImpulse;
@@ -35,10 +37,12 @@ public sealed class Collision permits CarefulCollision {
         this.walls = walls;
     }
 
-    /** The reactions of an arithmetic other than {@code EXACT}, which needs to know more. */
+    /** The reactions of an arithmetic other than {@code EXACT}, for which see {@link ExactCollision#of}. */
     public static Collision of(ImpactLaw law, Arithmetic arithmetic, Wall[] walls) {
-        return arithmetic == Arithmetic.OFFICIAL || law.minimumImpulse() > 0
-            ? new Collision(law, walls) : new CarefulCollision(law, walls);
+        if (arithmetic == Arithmetic.OFFICIAL) {
+            return new OfficialCollision(law, walls);
+        }
+        return law.minimumImpulse() > 0 ? new Collision(law, walls) : new CompensatedCollision(law, walls);
     }
 
     /** @param b an index, or {@code ~wall} */
@@ -50,7 +54,7 @@ public sealed class Collision permits CarefulCollision {
         }
     }
 
-    /** Centres that coincide have no direction: they part along x. */
+    /** Coinciding centres have no direction: they separate along x. */
     public void reactPair(Bodies bodies, int a, int b, double time, TurnSink sink) {
         double ax = bodies.x[a];
         double ay = bodies.y[a];
@@ -67,23 +71,23 @@ public sealed class Collision permits CarefulCollision {
         double vby = bodies.vy[b];
         double inverse = bodies.inverseMass[a] + bodies.inverseMass[b];
         double first = (nx * (vax - vbx) + ny * (vay - vby)) / inverse;
-        double restitution = restitutionRule.ofPair(bodies, a, b);
+        double restitution = restitutionRule.betweenBodies(bodies, a, b);
         double second = pairImpulse.secondStep(first, restitution);
         double impulse = first + second;
         double massA = bodies.mass[a];
         double massB = bodies.mass[b];
-        pushPair(bodies, a, b, nx, ny, restitution, impulse);
-        separation.end(this, bodies, a, b, nx, ny, Math.abs(vax) + Math.abs(vay) + Math.abs(vbx) + Math.abs(vby));
+        applyPairImpulse(bodies, a, b, nx, ny, restitution, impulse);
+        separation.enforce(this, bodies, a, b, nx, ny, Math.abs(vax) + Math.abs(vay) + Math.abs(vbx) + Math.abs(vby));
         sink.impact(time, bodies.id(a), bodies.id(b), ax, ay, bx, by, nx, ny, impulse,
             inverse * (second * second - first * first) / 2, massA, massB,
             vax, vay, bodies.vx[a], bodies.vy[a], vbx, vby, bodies.vx[b], bodies.vy[b]);
         sink.knot(bodies.id(a), time, ax, ay);
         sink.knot(bodies.id(b), time, bx, by);
-        correction.pair(this, bodies, a, b, nx, ny, distance, time, sink);
+        correction.correctPair(this, bodies, a, b, nx, ny, distance, time, sink);
     }
 
-    /** An impulse along the unit vector from a to b sends the two apart. */
-    void pushPair(Bodies bodies, int a, int b, double nx, double ny, double restitution, double impulse) {
+    /** Applies an impulse along the unit vector from a to b. */
+    void applyPairImpulse(Bodies bodies, int a, int b, double nx, double ny, double restitution, double impulse) {
         double massA = bodies.mass[a];
         double massB = bodies.mass[b];
         bodies.vx[a] -= nx * impulse / massA;
@@ -92,8 +96,8 @@ public sealed class Collision permits CarefulCollision {
         bodies.vy[b] += ny * impulse / massB;
     }
 
-    /** An impulse against the unit vector to a wall sends a body back. */
-    void pushOffWall(Bodies bodies, int a, double nx, double ny, double restitution, double impulse) {
+    /** Applies an impulse against the unit vector to a wall. */
+    void applyWallImpulse(Bodies bodies, int a, double nx, double ny, double restitution, double impulse) {
         double mass = bodies.mass[a];
         bodies.vx[a] -= nx * impulse / mass;
         bodies.vy[a] -= ny * impulse / mass;
@@ -110,59 +114,64 @@ public sealed class Collision permits CarefulCollision {
         double mass = bodies.mass[a];
         double inverse = bodies.inverseMass[a];
         double approach = nx * vax + ny * vay;
-        if (!(approach > 0)) {                        // an earlier impact of the same batch has turned it round
-            endApproachToWall(bodies, a, wall, nx, ny);
+        if (!(approach > 0)) {                        // an earlier impact of the same batch has reversed it
+            removeResidualApproachToWall(bodies, a, wall, nx, ny);
             return;
         }
         double first = approach / inverse;
         double restitution = restitutionRule.atWall(bodies, a, wall);
         double second = wallImpulse.secondStep(first, restitution);
         double impulse = first + second;
-        pushOffWall(bodies, a, nx, ny, restitution, impulse);
-        endApproachToWall(bodies, a, wall, nx, ny);
+        applyWallImpulse(bodies, a, nx, ny, restitution, impulse);
+        removeResidualApproachToWall(bodies, a, wall, nx, ny);
         double gap = wall.gap(ax, ay, bodies.radius[a]);
         double reach = gap + bodies.radius[a];
         sink.impact(time, bodies.id(a), ~w, ax, ay, ax + nx * reach, ay + ny * reach, nx, ny, impulse,
             inverse * (second * second - first * first) / 2, mass, Double.POSITIVE_INFINITY,
             vax, vay, bodies.vx[a], bodies.vy[a], 0, 0, 0, 0);
         sink.knot(bodies.id(a), time, ax, ay);
-        correction.fromWall(this, bodies, a, nx, ny, gap, time, sink);
+        correction.correctFromWall(this, bodies, a, nx, ny, gap, time, sink);
     }
 
-    /** Ten thousand impacts, all rounded outward, would add up. */
-    void settleAtWall(Bodies bodies, int a, double nx, double ny, double gap) {
+    /** Removes a wall penetration that is a rounding error; otherwise those of thousands of impacts would add up. */
+    void cancelRoundingPenetration(Bodies bodies, int a, double nx, double ny, double gap) {
         if (gap < 0 && -gap < ROUNDING * (Math.abs(bodies.x[a]) + Math.abs(bodies.y[a]) + bodies.radius[a])) {
             bodies.x[a] += nx * gap;
             bodies.y[a] += ny * gap;
         }
     }
 
-    /** From behind a wall, or from its face: to where it is touched, and twice as far as one of a pair beyond. */
-    void pushFromWall(Bodies bodies, int a, double nx, double ny, double gap, double time, TurnSink sink) {
+    /** Moves a body that touches or penetrates a wall to contact, and away from it by 2 {@code pushOut}. */
+    void correctFromWall(Bodies bodies, int a, double nx, double ny, double gap, double time, TurnSink sink) {
         if (gap <= 0) {
-            pushApart(bodies, a, nx, ny, gap - 2 * pushOut, time, sink);
+            moveAlongNormal(bodies, a, nx, ny, gap - 2 * pushOut, time, sink);
         }
     }
 
-    /** Each by half of the overlap and a little more; one alone by all of it if the other cannot be moved. */
-    void pushApart(Bodies bodies, int a, int b, double nx, double ny, double distance, double time, TurnSink sink) {
+    /**
+     * Moves each body of a touching pair by half of the overlap plus {@code pushOut}; against infinite mass, the other
+     * by twice as much.
+     */
+    void correctPair(Bodies bodies, int a, int b, double nx, double ny, double distance, double time, TurnSink sink) {
         double overlap = bodies.radius[a] + bodies.radius[b] - distance;
         if (overlap >= 0) {
             double each = overlap / 2 + pushOut;
-            pushApart(bodies, a, nx, ny, bodies.mass[b] == Double.POSITIVE_INFINITY ? -2 * each : -each, time, sink);
-            pushApart(bodies, b, nx, ny, bodies.mass[a] == Double.POSITIVE_INFINITY ? 2 * each : each, time, sink);
+            double byA = bodies.mass[b] == Double.POSITIVE_INFINITY ? -2 * each : -each;
+            double byB = bodies.mass[a] == Double.POSITIVE_INFINITY ? 2 * each : each;
+            moveAlongNormal(bodies, a, nx, ny, byA, time, sink);
+            moveAlongNormal(bodies, b, nx, ny, byB, time, sink);
         }
     }
 
     /*
-     * Rounding can leave a trace of approach behind an impulse that should have ended it (no restitution, or hardly
-     * any). Where only approach reacts, the two would react again at the same instant, and again, each impulse too
-     * small to change a digit of a speed, until the bound on impacts. So what is left is taken away in steps that
-     * double, from one unit in the last place of the speeds: an error as large as that of storing them.
+     * Rounding can leave a residual approach after an impulse that should have ended it (restitution 0 or nearly 0).
+     * Where only approach reacts, the pair would react again and again at the same instant, each impulse too small to
+     * change a digit of a velocity, until the bound on impacts. So the residual approach is removed in steps that
+     * double, starting from one unit in the last place of the speeds: an error as large as that of storing them.
      */
 
-    /** @param speeds of both before, summed: say what a unit in the last place is */
-    void endApproach(Bodies bodies, int a, int b, double nx, double ny, double speeds) {
+    /** @param speeds sum of the velocity components of both before the impact, in magnitude: sets the first step */
+    void removeResidualApproach(Bodies bodies, int a, int b, double nx, double ny, double speeds) {
         double dx = bodies.x[b] - bodies.x[a];
         double dy = bodies.y[b] - bodies.y[a];
         boolean first = bodies.inverseMass[a] >= bodies.inverseMass[b];
@@ -175,14 +184,14 @@ public sealed class Collision permits CarefulCollision {
         }
     }
 
-    private static void endApproachToWall(Bodies bodies, int a, Wall wall, double nx, double ny) {
+    private static void removeResidualApproachToWall(Bodies bodies, int a, Wall wall, double nx, double ny) {
         double speed = Math.abs(bodies.vx[a]) + Math.abs(bodies.vy[a]);
         double step = -Math.ulp(speed);
         while (TimeOfImpact.wall(wall, bodies.x[a], bodies.y[a], bodies.vx[a], bodies.vy[a], bodies.radius[a]) == 0) {
             bodies.vx[a] += nx * step;
             bodies.vy[a] += ny * step;
             step *= 2;
-            if (-step > speed) {                      // a wall that leaves no way out: nothing but rest ends this
+            if (-step > speed) {                      // no velocity separates it from this wall but rest
                 bodies.vx[a] = 0;
                 bodies.vy[a] = 0;
                 return;
@@ -190,7 +199,7 @@ public sealed class Collision permits CarefulCollision {
         }
     }
 
-    private static void pushApart(Bodies bodies, int body, double nx, double ny, double by, double time,
+    private static void moveAlongNormal(Bodies bodies, int body, double nx, double ny, double by, double time,
                                   TurnSink sink) {
         if (bodies.inverseMass[body] > 0) {
             bodies.x[body] += nx * by;

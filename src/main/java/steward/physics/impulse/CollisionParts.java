@@ -6,12 +6,12 @@ import steward.physics.TurnSink;
 import steward.physics.Wall;
 
 /**
- * What a law adds to the reaction of two, put together once for a scene: a collision asks for none of it that the law
- * has not. The impulse itself is a part too: {@link Impulse}.
+ * The parts of a reaction that depend on the law, chosen once for a scene: what the law lacks costs nothing at an
+ * impact. The impulse is such a part too: {@link Impulse}.
  *
- * @param givenBack how much of an approach
- * @param parting   what remains to be done when only approach reacts
- * @param pushing   of those that overlap
+ * @param restitutionRule the restitution of an impact
+ * @param separation      how a residual approach is treated after an impulse
+ * @param correction      how overlaps are treated after an impulse
  */
 record CollisionParts(RestitutionRule restitutionRule, Separation separation, PositionalCorrection correction) {
 
@@ -19,22 +19,24 @@ record CollisionParts(RestitutionRule restitutionRule, Separation separation, Po
         return new CollisionParts(
             law.restitution() == ImpactLaw.Restitution.ELASTIC ? new RestitutionRule.Elastic()
             : new RestitutionRule.Minimum(),
-            law.separatingPairsReact() ? new Separation.Free() : new Separation.Enforced(),
+            law.separatingPairsReact() ? new Separation.None() : new Separation.Enforced(),
             Double.isNaN(law.pushOut()) ? new PositionalCorrection.None() : new PositionalCorrection.Split());
     }
 
     /** The restitution of an impact, 0..1. */
     sealed interface RestitutionRule {
 
-        double ofPair(Bodies bodies, int a, int b);
+        /** For two bodies. */
+        double betweenBodies(Bodies bodies, int a, int b);
 
+        /** For a body and a wall. */
         double atWall(Bodies bodies, int a, Wall wall);
 
-        /** Everything is elastic. */
+        /** Every impact is elastic. */
         final class Elastic implements RestitutionRule {
 
             @Override
-            public double ofPair(Bodies bodies, int a, int b) {
+            public double betweenBodies(Bodies bodies, int a, int b) {
                 return 1;
             }
 
@@ -44,11 +46,11 @@ record CollisionParts(RestitutionRule restitutionRule, Separation separation, Po
             }
         }
 
-        /** The lesser of the two. */
+        /** The lower of the two. */
         final class Minimum implements RestitutionRule {
 
             @Override
-            public double ofPair(Bodies bodies, int a, int b) {
+            public double betweenBodies(Bodies bodies, int a, int b) {
                 return Math.min(bodies.restitution[a], bodies.restitution[b]);
             }
 
@@ -59,65 +61,66 @@ record CollisionParts(RestitutionRule restitutionRule, Separation separation, Po
         }
     }
 
-    /** See {@link Collision#endApproach}. */
+    /** Whether a pair must not approach after its impulse, see {@link Collision#removeResidualApproach}. */
     sealed interface Separation {
 
-        void end(Collision of, Bodies bodies, int a, int b, double nx, double ny, double speeds);
+        void enforce(Collision of, Bodies bodies, int a, int b, double nx, double ny, double speeds);
 
-        /** Those that still approach would react again at once: what rounding has left of it is taken away. */
+        /** Only approach reacts, so a residual approach would react again at once: it is removed. */
         final class Enforced implements Separation {
 
             @Override
-            public void end(Collision of, Bodies bodies, int a, int b, double nx, double ny, double speeds) {
-                of.endApproach(bodies, a, b, nx, ny, speeds);
+            public void enforce(Collision of, Bodies bodies, int a, int b, double nx, double ny, double speeds) {
+                of.removeResidualApproach(bodies, a, b, nx, ny, speeds);
             }
         }
 
-        /** Separating pairs react as well. */
-        final class Free implements Separation {
+        /** Separating pairs react too: nothing to do. */
+        final class None implements Separation {
 
             @Override
-            public void end(Collision of, Bodies bodies, int a, int b, double nx, double ny, double speeds) {
+            public void enforce(Collision of, Bodies bodies, int a, int b, double nx, double ny, double speeds) {
             }
         }
     }
 
-    /** See {@link Collision#pushApart}. */
+    /** Positional correction after an impulse. */
     sealed interface PositionalCorrection {
 
-        void pair(Collision of, Bodies bodies, int a, int b, double nx, double ny, double distance, double time,
-                  TurnSink sink);
+        void correctPair(Collision of, Bodies bodies, int a, int b, double nx, double ny, double distance, double time,
+                         TurnSink sink);
 
-        void fromWall(Collision of, Bodies bodies, int a, double nx, double ny, double gap, double time, TurnSink sink);
+        void correctFromWall(Collision of, Bodies bodies, int a, double nx, double ny, double gap, double time,
+                             TurnSink sink);
 
-        /** Bodies stay where they are. */
+        /** None, except for the rounding errors of positions at walls. */
         final class None implements PositionalCorrection {
 
             @Override
-            public void pair(Collision of, Bodies bodies, int a, int b, double nx, double ny, double distance,
-                             double time, TurnSink sink) {
+            public void correctPair(Collision of, Bodies bodies, int a, int b, double nx, double ny, double distance,
+                                    double time, TurnSink sink) {
             }
 
             @Override
-            public void fromWall(Collision of, Bodies bodies, int a, double nx, double ny, double gap, double time,
-                                 TurnSink sink) {
-                of.settleAtWall(bodies, a, nx, ny, gap);
+            public void correctFromWall(Collision of, Bodies bodies, int a, double nx, double ny, double gap,
+                                        double time, TurnSink sink) {
+                of.cancelRoundingPenetration(bodies, a, nx, ny, gap);
             }
         }
 
-        /** Those that overlap are pushed apart, and a little more. */
+        /** The overlap is split between the two, plus the law's {@code pushOut}. */
         final class Split implements PositionalCorrection {
 
             @Override
-            public void pair(Collision of, Bodies bodies, int a, int b, double nx, double ny, double distance,
-                             double time, TurnSink sink) {
-                of.pushApart(bodies, a, b, nx, ny, distance, time, sink);
+            public void correctPair(Collision of, Bodies bodies, int a, int b, double nx, double ny, double distance,
+                                    double time, TurnSink sink) {
+                of.correctPair(bodies, a, b, nx, ny, distance, time, sink);
             }
 
             @Override
-            public void fromWall(Collision of, Bodies bodies, int a, double nx, double ny, double gap, double time,
-                                 TurnSink sink) {
-                of.pushFromWall(bodies, a, nx, ny, gap, time, sink);
+            public void correctFromWall(Collision of, Bodies bodies, int a, double nx, double ny, double gap,
+                                        double time, TurnSink sink) {
+                of.correctFromWall(bodies, a, nx, ny, gap, time, sink);
             }
         }
     }

@@ -11,21 +11,23 @@ import steward.physics.time.ExactWalls;
 import steward.physics.time.LowParts;
 
 /**
- * The reactions of {@link CarefulCollision} from where the bodies are before rounding (see {@link LowParts}): all
- * numbers are two doubles each, good to some units of 2^-106, and impulse and new
- * velocities are rounded once, when they are stored. Masses count as stored, not their rounded inverses. Two bodies
- * that touch but for 2^-60 of the distance touch: that is what a time of impact in double-double leaves open.
+ * The reactions of {@link CompensatedCollision}, computed from the positions before rounding (see {@link LowParts}):
+ * all numbers are two doubles each, accurate to some units of 2^-106, and impulse and new velocities are rounded once,
+ * when they are stored. The stored masses are used, not their rounded inverses. A gap of up to 2^-60 of the distance
+ * counts as contact: a time of impact in double-double is not more accurate.
  *
- * <p>Under a law in which only approach reacts, rounding the positions can make two seem to approach that have just
- * been sent apart, when the impact grazes more closely (the cosine between normal and velocity) than the positions are
- * rounded, relative to the touching distance. Then, and after an impact without restitution, what is left of the
- * approach is taken away as in {@link Collision}; exact signs say whether there is any.
+ * <p>Under a law in which only approach reacts, the rounding of positions can make a pair approach again right after
+ * its impact. This happens when the cosine between normal and velocity is below the rounding of the positions relative
+ * to the touching distance. Then, and after an impact without restitution, the residual approach is removed as in
+ * {@link Collision}; exact signs decide whether there is any.
  */
-public sealed class ExactCollision extends CarefulCollision permits ExactMinimumImpulse {
+public sealed class ExactCollision extends CompensatedCollision permits ExactMinimumImpulse {
 
     private static final double TOUCH = 0x1p-60;
     private static final double WALL_TOUCH = 0x1p-46;
-    /** Distances from here to its inverse need not be scaled: times any speed they are in the range of doubles. */
+    /**
+     * Distances between the inverse of this and this need no scaling: times any speed they are in the range of doubles.
+     */
     private static final double LARGE = 0x1p20;
 
     private final ExactPairs pairs;
@@ -36,7 +38,7 @@ public sealed class ExactCollision extends CarefulCollision permits ExactMinimum
     final DoubleDouble work = new DoubleDouble();
     final DoubleDouble other = new DoubleDouble();
 
-    /** From centre to centre, times 2^-scale; and its length. */
+    /** The vector from centre to centre, times 2^-scale, and its length. */
     double dx;
     double dxLow;
     double dy;
@@ -45,13 +47,13 @@ public sealed class ExactCollision extends CarefulCollision permits ExactMinimum
     private boolean coincident;
     double length;
     double lengthLow;
-    /** Of the impact at hand. */
+    /** Of the current impact. */
     double impulse;
     double energy;
 
-    /** What the law needs, and no more. */
+    /** The simplest instance that computes the law. */
     public static ExactCollision of(ImpactLaw law, Wall[] walls, ExactPairs pairs, ExactWalls wallTimes,
-    LowParts lows) {
+                                    LowParts lows) {
         return !(law.minimumImpulse() > 0) ? new ExactCollision(law, walls, pairs, wallTimes, lows)
             : law.minimumImpulseAtWalls() ? new ExactMinimumImpulse.WallsIncluded(law, walls, pairs, wallTimes, lows)
             : new ExactMinimumImpulse(law, walls, pairs, wallTimes, lows);
@@ -74,22 +76,22 @@ public sealed class ExactCollision extends CarefulCollision permits ExactMinimum
         double vay = bodies.vy[a];
         double vbx = bodies.vx[b];
         double vby = bodies.vy[b];
-        direct(bodies, a, b);
+        computeDirection(bodies, a, b);
         project(vax, vbx, vay, vby, dx, dxLow, dy, dyLow);
-        measure();
-        double restitution = restitutionRule.ofPair(bodies, a, b);
-        exchange(bodies, a, b, restitution);
-        separation.end(this, bodies, a, b, dx, dy, Math.abs(vax) + Math.abs(vay) + Math.abs(vbx) + Math.abs(vby));
+        computeLength();
+        double restitution = restitutionRule.betweenBodies(bodies, a, b);
+        exchangeImpulse(bodies, a, b, restitution);
+        separation.enforce(this, bodies, a, b, dx, dy, Math.abs(vax) + Math.abs(vay) + Math.abs(vbx) + Math.abs(vby));
         sink.impact(time, bodies.id(a), bodies.id(b), ax, ay, bx, by, dx / length, dy / length, impulse, energy,
             bodies.mass[a], bodies.mass[b], vax, vay, bodies.vx[a], bodies.vy[a], vbx, vby, bodies.vx[b],
             bodies.vy[b]);
         sink.knot(bodies.id(a), time, ax, ay);
         sink.knot(bodies.id(b), time, bx, by);
-        correction.pair(this, bodies, a, b, dx, dy, length, time, sink);
+        correction.correctPair(this, bodies, a, b, dx, dy, length, time, sink);
     }
 
-    /** The vector from a to b; centres that coincide part along x. */
-    private void direct(Bodies bodies, int a, int b) {
+    /** Computes the vector from a to b; coinciding centres separate along x. */
+    private void computeDirection(Bodies bodies, int a, int b) {
         double x = bodies.x[b] - bodies.x[a];
         double xRest = ErrorFree.sumError(bodies.x[b], -bodies.x[a], x) + (lows.x[b] - lows.x[a]);
         double y = bodies.y[b] - bodies.y[a];
@@ -112,29 +114,32 @@ public sealed class ExactCollision extends CarefulCollision permits ExactMinimum
         }
     }
 
-    /** |d| from d.d. */
-    private void measure() {
+    /** Computes |d| from d.d. */
+    private void computeLength() {
         length = Math.sqrt(squared);
         double square = length * length;
         lengthLow = (((squared - square) - ErrorFree.productError(length, length, square)) + squaredLow)
             / (2 * length);
     }
 
-    /** Without a minimum impulse, speeds say all: the impulse is only for the record. */
-    void exchange(Bodies bodies, int a, int b, double restitution) {
+    /**
+     * Applies the impulse. Without a minimum impulse the velocities follow from q alone; impulse and energy are only
+     * for the record.
+     */
+    void exchangeImpulse(Bodies bodies, int a, int b, double restitution) {
         double massA = bodies.mass[a];
         double massB = bodies.mass[b];
         double speed = high * length;
-        withRestitution(restitution);
+        multiplyByOnePlus(restitution);
         double size = high;
         double sizeLow = low;
-        takeShare(massA, massB, size, sizeLow);
-        push(bodies, b, high, low, dx, dxLow, dy, dyLow);
+        multiplyByMassShare(massA, massB, size, sizeLow);
+        addVelocity(bodies, b, high, low, dx, dxLow, dy, dyLow);
         double sizeOfB = high;
         double sizeLowOfB = low;
-        takeShare(massB, massA, size, sizeLow);
-        push(bodies, a, -high, -low, dx, dxLow, dy, dyLow);
-        boolean light = massA <= massB;               // the other's share can be too small for all its digits
+        multiplyByMassShare(massB, massA, size, sizeLow);
+        addVelocity(bodies, a, -high, -low, dx, dxLow, dy, dyLow);
+        boolean light = massA <= massB;               // the heavier body's change can be too small for all its digits
         multiply(light ? high : sizeOfB, light ? low : sizeLowOfB, length, lengthLow);
         multiply(high, low, light ? massA : massB, 0);
         impulse = high + low;
@@ -153,51 +158,51 @@ public sealed class ExactCollision extends CarefulCollision permits ExactMinimum
         double vay = bodies.vy[a];
         double mass = bodies.mass[a];
         project(vax, 0, vay, 0, nx, normalX.low(), ny, normalY.low());
-        if (!(high > 0)) {                            // an earlier impact of the same batch has turned it round
-            endApproachToWall(bodies, a, w);
+        if (!(high > 0)) {                            // an earlier impact of the same batch has reversed it
+            removeResidualApproachToWall(bodies, a, w);
             return;
         }
         double restitution = restitutionRule.atWall(bodies, a, wall);
-        exchangeWithWall(bodies, a, restitution);
-        endApproachToWall(bodies, a, w);
+        exchangeImpulseWithWall(bodies, a, restitution);
+        removeResidualApproachToWall(bodies, a, w);
         double gap = wall.gap(ax, ay, bodies.radius[a]);
         double reach = gap + bodies.radius[a];
         sink.impact(time, bodies.id(a), ~w, ax, ay, ax + nx * reach, ay + ny * reach, nx, ny, impulse, energy, mass,
             Double.POSITIVE_INFINITY, vax, vay, bodies.vx[a], bodies.vy[a], 0, 0, 0, 0);
         sink.knot(bodies.id(a), time, ax, ay);
-        correction.fromWall(this, bodies, a, nx, ny, gap, time, sink);
+        correction.correctFromWall(this, bodies, a, nx, ny, gap, time, sink);
     }
 
-    /** The same off a wall, along the normal. */
-    void exchangeWithWall(Bodies bodies, int a, double restitution) {
+    /** The same at a wall, along the normal. */
+    void exchangeImpulseWithWall(Bodies bodies, int a, double restitution) {
         double speed = high;
-        withRestitution(restitution);
-        pushAlongNormal(bodies, a);
+        multiplyByOnePlus(restitution);
+        applyAlongNormal(bodies, a);
         multiply(high, low, bodies.mass[a], 0);
         impulse = high + low;
         energy = impulse * speed * (restitution - 1) / 2;
     }
 
-    final void pushAlongNormal(Bodies bodies, int a) {
-        push(bodies, a, -high, -low, normalX.high(), normalX.low(), normalY.high(), normalY.low());
+    final void applyAlongNormal(Bodies bodies, int a) {
+        addVelocity(bodies, a, -high, -low, normalX.high(), normalX.low(), normalY.high(), normalY.low());
     }
 
     @Override
-    void settleAtWall(Bodies bodies, int a, double nx, double ny, double gap) {
+    void cancelRoundingPenetration(Bodies bodies, int a, double nx, double ny, double gap) {
     }
 
     @Override
-    void pushFromWall(Bodies bodies, int a, double nx, double ny, double gap, double time, TurnSink sink) {
+    void correctFromWall(Bodies bodies, int a, double nx, double ny, double gap, double time, TurnSink sink) {
         double rounding = WALL_TOUCH * (Math.abs(bodies.x[a]) + Math.abs(bodies.y[a]) + bodies.radius[a]);
         if (gap <= rounding) {
-            pushApart(bodies, a, (gap < -rounding ? gap : 0) - 2 * pushOut, time, sink);
+            moveAlongNormal(bodies, a, (gap < -rounding ? gap : 0) - 2 * pushOut, time, sink);
         }
     }
 
-    /** Along the line between the stored places, for it is there that they must not approach. */
+    /** Works along the line between the stored positions, because there the pair must not approach. */
     @Override
-    void endApproach(Bodies bodies, int a, int b, double nx, double ny, double speeds) {
-        if (!pairs.approach(bodies, a, b)) {
+    void removeResidualApproach(Bodies bodies, int a, int b, double nx, double ny, double speeds) {
+        if (!pairs.areApproaching(bodies, a, b)) {
             return;
         }
         double x = bodies.x[b] - bodies.x[a];
@@ -206,21 +211,21 @@ public sealed class ExactCollision extends CarefulCollision permits ExactMinimum
         boolean ofA = bodies.inverseMass[a] >= bodies.inverseMass[b];
         int body = ofA ? a : b;
         double step = ofA ? -Math.ulp(speeds) : Math.ulp(speeds);
-        while (pairs.approach(bodies, a, b)) {
+        while (pairs.areApproaching(bodies, a, b)) {
             bodies.vx[body] += x / size * step;
             bodies.vy[body] += y / size * step;
             step *= 2;
         }
     }
 
-    private void endApproachToWall(Bodies bodies, int a, int w) {
+    private void removeResidualApproachToWall(Bodies bodies, int a, int w) {
         double speed = Math.abs(bodies.vx[a]) + Math.abs(bodies.vy[a]);
         double step = -Math.ulp(speed);
-        while (wallTimes.until(bodies, a, w) == 0 && wallTimes.exact(bodies, a, w, work) && work.high() == 0) {
+        while (wallTimes.until(bodies, a, w) == 0 && wallTimes.exactTime(bodies, a, w, work) && work.high() == 0) {
             bodies.vx[a] += normalX.high() * step;
             bodies.vy[a] += normalY.high() * step;
             step *= 2;
-            if (-step > speed) {                      // a wall that leaves no way out: nothing but rest ends this
+            if (-step > speed) {                      // no velocity separates it from this wall but rest
                 bodies.vx[a] = 0;
                 bodies.vy[a] = 0;
                 return;
@@ -229,7 +234,7 @@ public sealed class ExactCollision extends CarefulCollision permits ExactMinimum
     }
 
     @Override
-    void pushApart(Bodies bodies, int a, int b, double nx, double ny, double ofCentres, double time, TurnSink sink) {
+    void correctPair(Bodies bodies, int a, int b, double nx, double ny, double ofCentres, double time, TurnSink sink) {
         double touch = bodies.radius[a] + bodies.radius[b];
         double distance = coincident ? 0 : Math.scalb(length, scale);
         double distanceLow = coincident ? 0 : Math.scalb(lengthLow, scale);
@@ -241,12 +246,12 @@ public sealed class ExactCollision extends CarefulCollision permits ExactMinimum
             normalX.setFastSum(high, low);
             divide(dy, dyLow, length, lengthLow);
             normalY.setFastSum(high, low);
-            pushApart(bodies, a, bodies.inverseMass[b] == 0 ? -2 * each : -each, time, sink);
-            pushApart(bodies, b, bodies.inverseMass[a] == 0 ? 2 * each : each, time, sink);
+            moveAlongNormal(bodies, a, bodies.inverseMass[b] == 0 ? -2 * each : -each, time, sink);
+            moveAlongNormal(bodies, b, bodies.inverseMass[a] == 0 ? 2 * each : each, time, sink);
         }
     }
 
-    private void pushApart(Bodies bodies, int body, double by, double time, TurnSink sink) {
+    private void moveAlongNormal(Bodies bodies, int body, double by, double time, TurnSink sink) {
         if (bodies.inverseMass[body] > 0) {
             double x = bodies.x[body];
             double y = bodies.y[body];

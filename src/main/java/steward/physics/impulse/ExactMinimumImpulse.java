@@ -8,7 +8,10 @@ import steward.physics.time.ExactPairs;
 import steward.physics.time.ExactWalls;
 import steward.physics.time.LowParts;
 
-/** The reactions of {@link ExactCollision} for laws with a minimum impulse, which speeds alone do not tell. */
+/**
+ * The reactions of {@link ExactCollision} for laws with a minimum impulse, where the velocities follow from the
+ * impulse.
+ */
 sealed class ExactMinimumImpulse extends ExactCollision {
 
     private final DoubleDouble first = new DoubleDouble();
@@ -18,24 +21,24 @@ sealed class ExactMinimumImpulse extends ExactCollision {
         super(law, walls, pairs, wallTimes, lows);
     }
 
-    /** The impulse under the law, and what it does. */
+    /** Computes the impulse under the law and applies it. */
     @Override
-    void exchange(Bodies bodies, int a, int b, double restitution) {
+    void exchangeImpulse(Bodies bodies, int a, int b, double restitution) {
         double massA = bodies.mass[a];
         double massB = bodies.mass[b];
         multiply(high, low, length, lengthLow);
         boolean finite = massA < Double.POSITIVE_INFINITY;
-        takeShare(finite ? massB : massA, finite ? massA : massB, high, low);
+        multiplyByMassShare(finite ? massB : massA, finite ? massA : massB, high, low);
         timesMass(finite ? massA : massB);
         sumSteps(pairImpulse, restitution, bodies.inverseMass[a] + bodies.inverseMass[b]);
         divide(work.high(), work.low(), length, lengthLow);
         double size = high;
         double sizeLow = low;
-        pushByImpulse(bodies, a, -size, -sizeLow);
-        pushByImpulse(bodies, b, size, sizeLow);
+        applyImpulse(bodies, a, -size, -sizeLow);
+        applyImpulse(bodies, b, size, sizeLow);
     }
 
-    /** From the first step to the impulse, which is left in {@code work}. */
+    /** Computes the impulse from the first step and leaves it in {@code work}. */
     final void sumSteps(Impulse law, double restitution, double inverse) {
         first.setFastSum(high, low);
         law.toSecondStep(second.set(first), restitution);
@@ -43,24 +46,24 @@ sealed class ExactMinimumImpulse extends ExactCollision {
         energy = inverse * other.set(second).subtract(first).high() * (second.high() + first.high()) / 2;
     }
 
-    /** Most masses are 1. */
+    /** Multiplies the last result by a mass; most masses are 1. */
     private void timesMass(double mass) {
         if (mass != 1) {
             multiply(high, low, mass, 0);
         }
     }
 
-    private void pushByImpulse(Bodies bodies, int body, double size, double sizeLow) {
+    private void applyImpulse(Bodies bodies, int body, double size, double sizeLow) {
         double mass = bodies.mass[body];
         if (mass == 1) {
-            push(bodies, body, size, sizeLow, dx, dxLow, dy, dyLow);
+            addVelocity(bodies, body, size, sizeLow, dx, dxLow, dy, dyLow);
         } else if (mass < Double.POSITIVE_INFINITY) {
             divide(size, sizeLow, mass, 0);
-            push(bodies, body, high, low, dx, dxLow, dy, dyLow);
+            addVelocity(bodies, body, high, low, dx, dxLow, dy, dyLow);
         }
     }
 
-    /** Where walls give it as well. */
+    /** For laws whose minimum impulse also holds at walls. */
     static final class WallsIncluded extends ExactMinimumImpulse {
 
         WallsIncluded(ImpactLaw law, Wall[] walls, ExactPairs pairs, ExactWalls wallTimes, LowParts lows) {
@@ -68,12 +71,12 @@ sealed class ExactMinimumImpulse extends ExactCollision {
         }
 
         @Override
-        void exchangeWithWall(Bodies bodies, int a, double restitution) {
+        void exchangeImpulseWithWall(Bodies bodies, int a, double restitution) {
             double mass = bodies.mass[a];
             multiply(high, low, mass, 0);
             sumSteps(wallImpulse, restitution, bodies.inverseMass[a]);
             divide(work.high(), work.low(), mass, 0);
-            pushAlongNormal(bodies, a);
+            applyAlongNormal(bodies, a);
         }
     }
 }

@@ -9,7 +9,7 @@ import steward.physics.ImpactLaw;
  *
  *     va' = va - j wa n,    vb' = vb + j wb n,    changes the approach speed to u' = u - j (wa + wb).
  *
- * The first step j1 = u / (wa + wb) makes u' = 0; a second step j2 sends them apart at (wa + wb) j2, which for
+ * The first step j1 = u / (wa + wb) makes u' = 0; a second step j2 separates them at the speed (wa + wb) j2, which for
  * j2 = e j1 is e u: Newton's law of restitution. The kinetic energy changes by
  *
  *     dE = -j u + j^2 (wa + wb) / 2    with j = j1 + j2, u = j1 (wa + wb)
@@ -19,9 +19,9 @@ import steward.physics.ImpactLaw;
  */
 
 /**
- * The second step of an impulse: what sends two bodies apart after the first step has stopped their approach
- * (C. Hecker, "Physics, Part 3: Collision Response", 1997; the minimum is CodinGame's rule). A scene picks the
- * simplest that says what it needs.
+ * The rule for the second step of an impulse, which separates two bodies after the first step has stopped their
+ * approach (C. Hecker, "Physics, Part 3: Collision Response", 1997; the minimum is CodinGame's rule). A scene gets the
+ * simplest rule that its law needs.
  */
 sealed interface Impulse {
 
@@ -35,7 +35,7 @@ sealed interface Impulse {
     /** The same in double-double: the first step becomes the second. */
     void toSecondStep(DoubleDouble step, double restitution);
 
-    /** The second step that a law asks for. */
+    /** The rule for the second step under a law. */
     static Impulse of(ImpactLaw law, boolean withMinimum) {
         boolean elastic = law.restitution() == ImpactLaw.Restitution.ELASTIC;
         if (!withMinimum || law.minimumImpulse() == 0) {
@@ -62,7 +62,7 @@ sealed interface Impulse {
 
         @Override
         public void toSecondStep(DoubleDouble step, double restitution) {
-            // as it is
+            // unchanged
         }
     }
 

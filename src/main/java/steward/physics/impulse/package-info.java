@@ -1,7 +1,7 @@
 /**
- * What an impact does: the impulse under a law, the velocities after it, separation, and positional correction, in
- * every arithmetic; and {@link steward.physics.impulse.Touch}, which answers a contact by an impulse, a passage or a
- * question.
+ * Impulse and reaction: the impulse under a law, the velocities after it, separation, and positional correction, in
+ * every arithmetic; and {@link steward.physics.impulse.ContactResponse}, which responds to a contact with an impulse,
+ * lets the pair pass, or asks the scene's reaction.
  */
 @Internal
 package steward.physics.impulse;

@@ -5,35 +5,38 @@ import steward.physics.Bodies;
 
 /*
  * Two bodies whose diameters are at most the side of a cell touch only while they are in the same cell or in cells next
- * to each other. Where cells are wider than that, by 2 h, each body may even be up to h beyond the cell where it is
- * listed: centres of two cells that are not next to each other are then still a diameter apart. So a body is moved to
- * the next cell only when it is that far beyond its own, and many have an impact before, and stay.
+ * to each other. Where cells are wider than that by 2 h, each body may even be up to h outside the cell where it is
+ * listed: centres in two cells that are not next to each other are then still a diameter apart. So a cell crossing
+ * happens only when a body is h outside its cell, and many bodies have an impact before that.
  *
- * The grid has no border: a column or row beyond it is that many modulo its size, so that a body may fly anywhere and
- * the memory stays; who is far away then shares a cell with others and is looked at with them, no more. Two columns
- * and rows on each side stay free at first, for those that fly out while a turn lasts.
+ * The grid has no border: column and row numbers are taken modulo its size, so that a body may fly anywhere without
+ * more memory; a body far away shares a cell with others and is only tested with them in addition. Two columns and rows
+ * on each side are empty at first, for bodies that fly out during a turn.
  *
- * Whose diameter is larger (or who is very far away) does not belong here: see Crowd.
+ * Bodies of larger diameter, or very far away, are in no cell: see Crowd.
  */
 
-/** Square cells that hold bodies, as lists of their places. Sized anew for each turn, by the bodies as they stand. */
+/** Square cells, each a list of bodies. Size and number are chosen anew for each turn, from the bodies at its start. */
 final class Cells {
 
     /**
-     * How many bodies there should be in a cell, where their sizes allow it. From 0.7 to 0.9 an impact costs about the
+     * The wanted mean number of bodies in a cell, where their sizes allow it. From 0.7 to 0.9 an impact costs about the
      * same: change it and see {@code steward bench --only crowds}.
      */
     private static final double PER_CELL = 0.7;
-    /** Columns and rows at least so far from the origin are too far: there, roundings would near the slack. */
+    /**
+     * Columns and rows from this distance from the origin on are too far: there, roundings would come close to the
+     * slack.
+     */
     static final int FAR = 1 << 20;
-    /** By how much a cell is larger than a diameter, relatively: far more than what roundings move a body. */
+    /** By how much a cell is larger than a diameter, relatively: far more than the rounding errors of positions. */
     private static final double SLACK = 1 + 0x1p-20;
-    /** What part of the room beyond cells is used; the rest is slack. */
-    private static final double OF_ROOM = 1 - 0x1p-10;
-    /** Columns and rows that stay free at each side. */
+    /** The share of the room h outside a cell that is used; the rest is slack. */
+    private static final double USED_SHARE = 1 - 0x1p-10;
+    /** Columns and rows that are empty at first on each side. */
     private static final int MARGIN = 2;
     private static final int SAMPLE = 64;
-    /** At most so many bodies are left out of the grid for their size. */
+    /** The maximum number of bodies that are left out of the grid for their size. */
     private static final int MOST_LARGE = 16;
 
     private final double[] sample = new double[SAMPLE];
@@ -64,8 +67,8 @@ final class Cells {
         originY -= MARGIN * side;
         double wide = Math.min(4.0 * size, Math.ceil(3 * width / side));
         double high = Math.min(4.0 * size, Math.ceil(3 * height / side));
-        columns = needed(bodies.x, size, originX, wide);
-        rows = needed(bodies.y, size, originY, high);
+        columns = cellCount(bodies.x, size, originX, wide);
+        rows = cellCount(bodies.y, size, originY, high);
         while ((long) columns * rows > 4L * size + 64) {
             if (columns > rows) {
                 columns = columns / 2 + 1;
@@ -81,7 +84,7 @@ final class Cells {
         }
     }
 
-    /** Some of the values, sorted; how many. */
+    /** Fills {@code sample} with some of the values, sorted. @return how many */
     private int sample(double[] values, int size) {
         int sampled = Math.min(SAMPLE, size);
         for (int k = 0; k < sampled; k++) {
@@ -106,7 +109,10 @@ final class Cells {
         }
     }
 
-    /** Leaves out as many of the largest as makes a search cheapest: nine cells, and those that are left out. */
+    /**
+     * Chooses how many of the largest bodies to leave out so that a search, of nine cells and of the bodies left out,
+     * costs least; and the side of a cell that follows.
+     */
     private void chooseSide(int size, double areaOfOne) {
         double wanted = Math.sqrt(PER_CELL * areaOfOne);
         double rounding = 0x1p-48 * (Math.abs(originX) + Math.abs(originY));
@@ -118,7 +124,7 @@ final class Cells {
                 cheapest = cost;
                 side = needed;
                 largestInside = largest[out];
-                beyond = OF_ROOM / 2 * (needed - (2 * largest[out] * SLACK + rounding));
+                beyond = USED_SHARE / 2 * (needed - (2 * largest[out] * SLACK + rounding));
             }
         }
         perSide = 1 / side;
@@ -132,7 +138,7 @@ final class Cells {
         return Math.max(lowest, bound);
     }
 
-    private int needed(double[] values, int size, double origin, double bound) {
+    private int cellCount(double[] values, int size, double origin, double bound) {
         double most = origin;
         for (int k = 0; k < size; k++) {
             most = Math.max(most, values[k]);
@@ -140,7 +146,7 @@ final class Cells {
         return Math.max(3, (int) Math.min(Math.ceil((most - origin) * perSide) + MARGIN, bound + 2 * MARGIN));
     }
 
-    /** The range that holds all but the tenth at either end, made larger by as much. */
+    /** The range of the values without the lowest and the highest tenth, enlarged in proportion. */
     private static double spread(double[] sorted, int count) {
         int tenth = count / 10;
         return (sorted[count - 1 - tenth] - sorted[tenth]) * count / (count - 2.0 * tenth);
@@ -158,12 +164,12 @@ final class Cells {
         }
     }
 
-    /** Orders indices by cells, those of one cell ascending: counts how many each gets, then deals the places out. */
+    /** Orders indices by cells, ascending within a cell: a counting sort. */
     void sort(Bodies bodies, int[] index) {
         int cells = columns * rows;
         Arrays.fill(heads, 0, cells, 0);
         for (int k = 0; k < bodies.size(); k++) {
-            heads[at(column(bodies.x[k]), row(bodies.y[k]))]++;
+            heads[cellAt(column(bodies.x[k]), row(bodies.y[k]))]++;
         }
         int before = 0;
         for (int cell = 0; cell < cells; cell++) {
@@ -171,52 +177,52 @@ final class Cells {
             heads[cell] = before - heads[cell];
         }
         for (int k = 0; k < bodies.size(); k++) {
-            index[heads[at(column(bodies.x[k]), row(bodies.y[k]))]++] = k;
+            index[heads[cellAt(column(bodies.x[k]), row(bodies.y[k]))]++] = k;
         }
         Arrays.fill(heads, 0, cells, -1);
     }
 
-    /** Whether a body of this radius has its place in a cell. */
+    /** Whether a body of this radius is kept in a cell. */
     boolean holds(double radius) {
         return radius <= largestInside;
     }
 
-    /** The column of a place; {@link #FAR} if it is too far away. */
+    /** The column of a position; {@link #FAR} if it is too far away. */
     int column(double x) {
-        return number((x - originX) * perSide);
+        return cellNumber((x - originX) * perSide);
     }
 
     int row(double y) {
-        return number((y - originY) * perSide);
+        return cellNumber((y - originY) * perSide);
     }
 
-    private static int number(double value) {
+    private static int cellNumber(double value) {
         double floor = Math.floor(value);
         return Math.abs(floor) < FAR ? (int) floor : FAR;
     }
 
-    /** How wide and high a cell is. */
+    /** The width and height of a cell. */
     double side() {
         return side;
     }
 
-    /** The middle of a column. */
+    /** The x coordinate of the middle of a column. */
     double middleX(int column) {
         return originX + (column + 0.5) * side;
     }
 
-    /** The middle of a row. */
+    /** The y coordinate of the middle of a row. */
     double middleY(int row) {
         return originY + (row + 0.5) * side;
     }
 
-    /** How far from the middle of its cell a body may get, to the right or left and up or down. */
+    /** The greatest distance of a body from the middle of its cell, along each axis. */
     double reach() {
         return side / 2 + beyond;
     }
 
-    /** The cell where column and row cross. */
-    int at(int column, int row) {
+    /** The index of the cell in a column and a row. */
+    int cellAt(int column, int row) {
         return wrap(row, rows) * columns + wrap(column, columns);
     }
 
@@ -242,10 +248,10 @@ final class Cells {
     }
 
     /**
-     * Writes down who is in the nine cells around a place, and returns how many: first the heads of all lists, then
-     * who follows them, in one loop that no empty cell interrupts.
+     * Collects the bodies in the nine cells around a cell, and returns how many: first the heads of all lists, then the
+     * bodies that follow them, in one loop without a branch for empty cells.
      *
-     * @param into has room for one more than there are bodies
+     * @param into room for one more than the number of bodies
      */
     int gatherAround(int column, int row, int[] into) {
         int left = wrap(column - 1, columns);
@@ -258,18 +264,18 @@ final class Cells {
             count = append(heads[line + middle], into, count);
             count = append(heads[line + right], into, count);
         }
-        return follow(into, count);
+        return appendFollowing(into, count);
     }
 
-    /** The same for three cells: the one in the middle, and those a step before and behind it. */
+    /** The same for three cells: the one given, and those one step before and after it. */
     int gatherSide(int column, int row, int stepColumn, int stepRow, int[] into) {
-        int count = append(heads[at(column - stepColumn, row - stepRow)], into, 0);
-        count = append(heads[at(column, row)], into, count);
-        count = append(heads[at(column + stepColumn, row + stepRow)], into, count);
-        return follow(into, count);
+        int count = append(heads[cellAt(column - stepColumn, row - stepRow)], into, 0);
+        count = append(heads[cellAt(column, row)], into, count);
+        count = append(heads[cellAt(column + stepColumn, row + stepRow)], into, count);
+        return appendFollowing(into, count);
     }
 
-    private int follow(int[] into, int heads) {
+    private int appendFollowing(int[] into, int heads) {
         int count = heads;
         for (int k = 0; k < count; k++) {
             count = append(next[into[k]], into, count);
@@ -277,13 +283,13 @@ final class Cells {
         return count;
     }
 
-    /** Without a branch: -1, which is nobody, is written over by the next. */
+    /** Appends without a branch: -1, the end of a list, is overwritten by the next entry. */
     private static int append(int body, int[] into, int count) {
         into[count] = body;
         return count + 1 + (body >> 31);
     }
 
-    /** What its arrays take, in bytes. */
+    /** The size of its arrays, in bytes. */
     long bytes() {
         return 4L * (heads.length + next.length) + 8L * (SAMPLE + MOST_LARGE);
     }

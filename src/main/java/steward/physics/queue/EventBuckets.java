@@ -3,17 +3,17 @@ package steward.physics.queue;
 import java.util.Arrays;
 
 /*
- * A ring of buckets of equal width holds the events of the near future in unordered lists, one list holds the rest, and
- * only the events of the present bucket stand in a heap: about one per bucket, so that each operation takes constant
- * time on the average (G. Paul, "A Complexity O(1) priority queue for event driven molecular dynamics simulations",
- * 2007). The rest is looked through once in a round of the ring: whatever it holds was too far away then, by a whole
- * round. Where many events fall into one bucket it is a heap of them all. The width only decides how long it takes,
- * never the order.
+ * A ring of buckets of equal width holds the events of the near future in unordered lists, an overflow list holds the
+ * later events, and only the events of the present bucket are in a heap: about one per bucket, so that each operation
+ * takes constant time on the average (G. Paul, "A Complexity O(1) priority queue for event driven molecular dynamics
+ * simulations", 2007). The overflow list is redistributed once in a round of the ring: an event enters it only if it is
+ * at least a whole round away. Where many events fall into one bucket, this is a plain heap of them. The width affects
+ * only the speed, never the order.
  */
 
 /**
- * The next event of each body, in the order of time. A body has at most one. Ties are broken by {@link Order}.
- * Times never lie before that of the last event taken out.
+ * The next event of each body, in the order of time. A body has at most one. Ties are broken by {@link Order}. No event
+ * is earlier than the last one removed.
  */
 final class EventBuckets {
 
@@ -26,34 +26,34 @@ final class EventBuckets {
 
     private static final int ABSENT = Integer.MIN_VALUE;
     private static final int IN_HEAP = Integer.MIN_VALUE + 1;
-    /** How many buckets there are for each body: so many mean gaps long is the ring, and few events wait longer. */
+    /** Buckets per body: the ring is this many mean gaps long, and few events are farther away. */
     private static final int PER_BODY = 3;
     private static final int LEAST_BUCKETS = 16;
-    /** With fewer or more events in a bucket, on the average, the width is chosen anew. */
+    /** With fewer or more events per bucket on the average, the width is chosen anew. */
     private static final double LEAST_FILL = 0.1;
     private static final double MOST_FILL = 3;
     private static final double MOST_SCALE = 0x1p60;
 
     private final Order order;
     private double[] key = new double[0];
-    /** The next in the list, or the place in the heap. */
+    /** The next body in the list, or the position in the heap. */
     private int[] next = new int[0];
-    /** The one before in the list, {@code ~bucket} of the first one, or one of the two above. */
+    /** The previous body in the list, {@code ~bucket} for the first one, or {@link #ABSENT} or {@link #IN_HEAP}. */
     private int[] previous = new int[0];
     private int[] heads = new int[0];
     private int[] heap = new int[0];
     private int buckets;
-    /** How many events there are, in all and in the heap. */
+    /** The number of events, in all and in the heap. */
     private int size;
     private int heapSize;
     /** The number of the present bucket, counted from {@link #base}, and its place in the ring. */
     private long current;
     private int slot;
-    /** Where the rest is looked through again. */
+    /** The bucket number at which the overflow list is redistributed. */
     private long horizon;
-    /** How many events have come into the heap since it was, and from how many buckets. */
-    private int served;
-    private int passed;
+    /** Since the last redistribution: events that entered the heap, and buckets passed. */
+    private int eventsServed;
+    private int bucketsPassed;
     private double base;
     private double scale;
 
@@ -62,10 +62,10 @@ final class EventBuckets {
     }
 
     /**
-     * Becomes empty, for a turn of so many bodies.
+     * Clears the queue for a turn of {@code bodies} bodies.
      *
-     * @param now     no event comes before
-     * @param meanGap about how long a body waits for its event, above 0; it only decides how long it takes
+     * @param now     no event is earlier
+     * @param meanGap estimated time from event to event of a body, above 0; affects only the speed
      */
     void begin(int bodies, int capacity, double now, double meanGap) {
         if (key.length < bodies) {
@@ -85,27 +85,27 @@ final class EventBuckets {
         slot = 0;
         base = now;
         scale = meanGap > 0 ? Math.min(bodies / meanGap, MOST_SCALE) : MOST_SCALE;
-        openRound(0);
-        passed = buckets / 8;                          // soon: what the mean gap is worth has to be seen
-        horizon = passed;
+        startRound(0);
+        bucketsPassed = buckets / 8;                   // soon, because the mean gap is only an estimate
+        horizon = bucketsPassed;
     }
 
-    /** When the event of a body is; meaningless if it has none. */
+    /** The time of the event of a body; meaningless if it has none. */
     double time(int body) {
         return key[body];
     }
 
-    /** A body has an event at this time and no other. */
+    /** Sets the event of a body, replacing the one it had. */
     void put(int body, double time) {
         if (previous[body] != ABSENT) {
             remove(body);
         }
         size++;
         key[body] = time;
-        enter(body, time);
+        insert(body, time);
     }
 
-    private void enter(int body, double time) {
+    private void insert(int body, double time) {
         long ahead = (long) ((time - base) * scale) - current;
         if (ahead <= 0) {
             push(body);
@@ -127,7 +127,7 @@ final class EventBuckets {
         heads[bucket] = body;
     }
 
-    /** A body has no event any more. */
+    /** Removes the event of a body, if it has one. */
     void remove(int body) {
         int before = previous[body];
         if (before == ABSENT) {
@@ -150,7 +150,7 @@ final class EventBuckets {
         }
     }
 
-    /** The body whose event is next, or -1; it stays. */
+    /** The body whose event is next, or -1; the event stays in the queue. */
     int first() {
         while (heapSize == 0) {
             if (size == 0) {
@@ -161,17 +161,17 @@ final class EventBuckets {
                 slot = 0;
             }
             if (heads[slot] >= 0) {
-                empty(slot);
+                moveToHeap(slot);
             }
             if (current == horizon) {
-                lookThroughRest();
+                redistributeOverflow();
             }
         }
         return heap[0];
     }
 
     /** Moves a list into the heap. */
-    private void empty(int bucket) {
+    private void moveToHeap(int bucket) {
         int body = heads[bucket];
         heads[bucket] = -1;
         while (body >= 0) {
@@ -181,38 +181,41 @@ final class EventBuckets {
         }
     }
 
-    /** What has come near goes into the ring. If buckets have proved too wide or too narrow, all others move too. */
-    private void lookThroughRest() {
-        double fill = (double) served / passed;
+    /**
+     * Moves events of the overflow list that are now near into the ring. If buckets have proved too wide or too narrow,
+     * the width is changed and all events are inserted anew.
+     */
+    private void redistributeOverflow() {
+        double fill = (double) eventsServed / bucketsPassed;
         int chain = heads[buckets];
         heads[buckets] = -1;
         boolean even = fill >= LEAST_FILL && fill <= MOST_FILL;
         for (int bucket = 0; bucket < buckets && !even; bucket++) {
-            chain = join(heads[bucket], chain);
+            chain = prepend(heads[bucket], chain);
             heads[bucket] = -1;
         }
         if (even || chain < 0) {
-            openRound(current);
+            startRound(current);
         } else {
             base = earliest(chain);
             scale = Math.min(scale * Math.min(16, Math.max(0.0625, fill)), MOST_SCALE);
-            openRound(0);
+            startRound(0);
         }
         for (int body = chain; body >= 0;) {
             int after = next[body];
-            enter(body, key[body]);
+            insert(body, key[body]);
             body = after;
         }
     }
 
-    private void openRound(long from) {
+    private void startRound(long from) {
         current = from;
-        served = 0;
-        passed = buckets;
+        eventsServed = 0;
+        bucketsPassed = buckets;
         horizon = from + buckets;
     }
 
-    private int join(int list, int chain) {
+    private int prepend(int list, int chain) {
         int joined = chain;
         for (int body = list; body >= 0;) {
             int after = next[body];
@@ -236,7 +239,7 @@ final class EventBuckets {
     }
 
     private void push(int body) {
-        served++;
+        eventsServed++;
         previous[body] = IN_HEAP;
         rise(body, heapSize++);
     }
@@ -281,7 +284,7 @@ final class EventBuckets {
         }
     }
 
-    /** What its arrays take, in bytes. */
+    /** The size of its arrays, in bytes. */
     long bytes() {
         return 8L * key.length + 4L * (next.length + previous.length + heads.length + heap.length);
     }

@@ -3,7 +3,7 @@ package steward.physics.queue;
 import steward.physics.event.ImpactQueue;
 
 /**
- * Breaks ties between events at the same time, as doubles: in double-double they may differ; then crossings come first,
+ * Breaks ties between events whose times are equal as doubles: first by the low parts; then cell crossings come first,
  * and of impacts the lowest pair, bodies before walls.
  */
 final class EventOrder implements EventBuckets.Order {
@@ -26,7 +26,7 @@ final class EventOrder implements EventBuckets.Order {
         return rankI < rankJ || rankI == rankJ && crowd.index[i] < crowd.index[j];
     }
 
-    /** What the time of an impact lacks as a double; a crossing has no need of it. */
+    /** The low part of the time of an impact; 0 for a cell crossing. */
     private double low(int body) {
         return crowd.low.length == 0 || crowd.link[8 * body + Crowd.EVENT] != 0
             ? 0 : crowd.low[4 * body + Crowd.IMPACT_LOW];

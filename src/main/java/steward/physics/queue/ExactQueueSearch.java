@@ -18,9 +18,9 @@ import steward.physics.time.ExactPairs;
 import steward.physics.time.ExactWalls;
 
 /**
- * The same with exact decisions and times in double-double. Of a pair, the one that changed its flight last is where it
- * is stored; the other is flown there and rounded once, as {@link EventAdvance} does, and signs and times are exact for
- * these places.
+ * The search with exact decisions and times in double-double. Of a pair, the body whose flight started last is taken at
+ * its stored position; the other is moved to that time with one rounding, as {@link EventAdvance} does, and signs and
+ * times are exact for these positions.
  */
 final class ExactQueueSearch extends QueueSearch {
 
@@ -38,12 +38,12 @@ final class ExactQueueSearch extends QueueSearch {
     }
 
     @Override
-    void found(int body) {
+    void storePrediction(int body) {
         crowd.low[4 * body + IMPACT_LOW] = best < Crowd.NEVER ? bestLow : 0;
     }
 
     @Override
-    void known(int body) {
+    void loadPrediction(int body) {
         bestLow = crowd.low[4 * body + IMPACT_LOW];
     }
 
@@ -58,7 +58,7 @@ final class ExactQueueSearch extends QueueSearch {
         double vy = state[at + VY];
         double radius = state[at + RADIUS];
         if (since + exactWalls.until(w, x, y, vx, vy, radius) <= Math.min(best, 1)
-            && exactWalls.exact(w, x, y, vx, vy, radius, until)) {
+            && exactWalls.exactTime(w, x, y, vx, vy, radius, until)) {
             keepIfEarlier(body, ~w, since, crowd.low[4 * body + SINCE_LOW], now);
         }
     }
@@ -74,21 +74,21 @@ final class ExactQueueSearch extends QueueSearch {
         double yj = state[j + Y];
         double since = state[i + SINCE];
         double sinceLow = crowd.low[4 * body + SINCE_LOW];
-        double ahead = crowd.ahead(body, other);
+        double ahead = crowd.clockDifference(body, other);
         if (ahead > 0) {
             crowd.nowLow = sinceLow;
-            double time = crowd.flown(other, since);
-            xj = crowd.place(xj, state[j + VX], time);
-            yj = crowd.place(yj, state[j + VY], time);
+            double time = crowd.elapsed(other, since);
+            xj = crowd.coordinateAfter(xj, state[j + VX], time);
+            yj = crowd.coordinateAfter(yj, state[j + VY], time);
         } else if (ahead < 0) {
             since = state[j + SINCE];
             sinceLow = crowd.low[4 * other + SINCE_LOW];
             crowd.nowLow = sinceLow;
-            double time = crowd.flown(body, since);
-            xi = crowd.place(xi, state[i + VX], time);
-            yi = crowd.place(yi, state[i + VY], time);
+            double time = crowd.elapsed(body, since);
+            xi = crowd.coordinateAfter(xi, state[i + VX], time);
+            yi = crowd.coordinateAfter(yi, state[i + VY], time);
         }
-        if (exactPairs.exact(xi, xj, yi, yj, state[i + VX], state[j + VX], state[i + VY], state[j + VY],
+        if (exactPairs.exactTime(xi, xj, yi, yj, state[i + VX], state[j + VX], state[i + VY], state[j + VY],
             state[i + RADIUS], state[j + RADIUS], until)) {
             keepIfEarlier(body, other, since, sinceLow, now);
         }
@@ -99,7 +99,7 @@ final class ExactQueueSearch extends QueueSearch {
         double high = time.high();
         double low = time.low();
         if (high < now) {
-            high = now;                                // by roundings only
+            high = now;                                // only by rounding
             low = 0;
         }
         if (high > 1 || high == 1 && low > 0 || high > best || high == best && low > bestLow) {

@@ -15,33 +15,34 @@ import steward.physics.Wall;
 import steward.physics.event.EventAdvance;
 import steward.physics.event.Standstill;
 import steward.physics.impulse.Collision;
+import steward.physics.impulse.ContactResponse;
 import steward.physics.impulse.ExactCollision;
-import steward.physics.impulse.Touch;
 import steward.physics.time.ExactPairs;
 import steward.physics.time.ExactWalls;
 import steward.physics.time.LowParts;
 import steward.physics.time.Magnitudes;
 
 /**
- * The exact event loop for crowds: the same law and the same impacts as {@link EventAdvance}, at a cost per impact that
- * hardly depends on how many bodies there are. Bodies stand in cells and look for impacts only among their neighbours;
- * each has one event in a queue; and each has a clock of its own, so that only those fly that have an impact (after
- * B. Lubachevsky, "How to Simulate Billiards and Similar Systems", 1991, with a queue after G. Paul, 2007).
+ * The exact event loop for many bodies: the same law and the same impacts as {@link EventAdvance}, at a cost per impact
+ * that hardly depends on the number of bodies. Bodies are kept in cells and impacts are predicted only among
+ * neighbours; each body has one event in a queue; and each has a local clock, so that only bodies that have an impact
+ * are moved (after B. Lubachevsky, "How to Simulate Billiards and Similar Systems", 1991, with a queue after G. Paul,
+ * 2007).
  *
- * <p>An event is its body's next impact or its way into the next cell. A body that is hit looks around anew; whoever
- * had foreseen an impact with it finds, when the time has come, that its partner's flight has changed since, and looks
- * around then.
+ * <p>An event is the predicted next impact of a body or its cell crossing. After an impact the events of its bodies are
+ * predicted anew. A prediction of another body with one of these becomes stale: this is detected by the count of flight
+ * changes when the event is due, and then that body is predicted anew.
  *
- * <p>The turn is begun anew from the bodies each time, so that its result depends on nothing but them. Ties go to the
- * lowest pair of ids. The bound on impacts is kept as in {@link Standstill}. Allocates nothing in a turn once its
- * arrays have grown (but for the rare ending by the impact limit).
+ * <p>Every turn starts from the bodies alone, so that its result depends on nothing else. Ties go to the lowest pair of
+ * ids. The bound on impacts is kept as in {@link Standstill}. Allocates nothing in a turn once its arrays have grown,
+ * except in the rare turns that reach the bound on impacts or are left to {@code EventAdvance}.
  *
- * <p>A turn with numbers so large or small that squares leave the range of doubles is left to {@code EventAdvance} in
- * the exact arithmetic, which scales them.
+ * <p>A turn with numbers whose squares leave the range of doubles is left to {@code EventAdvance} in the exact
+ * arithmetic, which scales them.
  *
- * <p>Caveats: the same impacts as {@code EventAdvance} means but for rounding: that one moves every body at every
- * impact, this one moves it once, and where a crowd is chaotic the last digits grow into differences after some dozens
- * of impacts per body. Laws in which impacts react in batches are not for this class, see {@link #refusal}.
+ * <p>Caveats: the impacts are those of {@code EventAdvance} except for rounding: that class moves every body at every
+ * impact, this one moves a body only at its own, and where the motion is chaotic the last digits grow into differences
+ * after some dozens of impacts per body. Laws in which impacts react in batches are refused, see {@link #refusal}.
  */
 public final class QueueAdvance implements Advance {
 
@@ -52,10 +53,10 @@ public final class QueueAdvance implements Advance {
     private final EventBuckets events;
     private final QueuePairs pairs;
     private final QueueSearch search;
-    private final QueueTouch touch;
-    private final Touch flown;
+    private final QueueContactResponse response;
+    private final ContactResponse passing;
 
-    /** @throws IllegalArgumentException if {@link #refusal} says that this law is not for it */
+    /** @throws IllegalArgumentException if {@link #refusal} refuses the law */
     public QueueAdvance(PhysicsParts parts) {
         String refusal = refusal(parts.law());
         if (refusal != null) {
@@ -76,16 +77,16 @@ public final class QueueAdvance implements Advance {
             LowParts rounded = new LowParts();
             search = new ExactQueueSearch(crowd, events, walls, pairs, exactPairs, exactWalls);
             collision = ExactCollision.of(law, walls, exactPairs, exactWalls, rounded);
-            touch = QueueTouch.of(crowd, parts, collision, rounded, walls);
+            response = QueueContactResponse.of(crowd, parts, collision, rounded, walls);
         } else {
             search = new QueueSearch(crowd, events, parts.arithmetic(), walls, pairs);
             collision = Collision.of(law, parts.arithmetic(), walls);
-            touch = QueueTouch.of(crowd, parts, collision, null, walls);
+            response = QueueContactResponse.of(crowd, parts, collision, null, walls);
         }
-        flown = Touch.of(parts, collision, walls);
+        passing = ContactResponse.of(parts, collision, walls);
     }
 
-    /** Why a law needs all pairs looked at after each impact, or {@code null} if it does not. */
+    /** Why a law needs a scan of all pairs after each impact, or {@code null} if it does not. */
     public static String refusal(ImpactLaw law) {
         return law.batchWindow() > 0 ? "impacts within batchWindow react together"
             : law.separatingPairsReact() ? "separatingPairs react" : null;
@@ -93,29 +94,29 @@ public final class QueueAdvance implements Advance {
 
     @Override
     public void turn(Bodies bodies, TurnSink sink) {
-        if (!Magnitudes.areOrdinary(bodies)) {
-            EventAdvance.scaling(parts).turn(bodies, sink);
+        if (!Magnitudes.fitPlainArithmetic(bodies)) {
+            EventAdvance.inExactArithmetic(parts).turn(bodies, sink);
             return;
         }
         if (bodies.size() > 0) {
-            touch.begin(bodies, sink);
+            response.begin(bodies, sink);
             crowd.nowLow = 0;
             if (pairs != null) {
                 pairs.begin(bodies);
             }
             crowd.load(bodies, 0);
             predict(bodies.capacity(), 0);
-            play(bodies, sink);
+            processEvents(bodies, sink);
         }
-        flown.flown(bodies);
+        passing.releaseSeparatedPairs(bodies);
     }
 
-    /** What its arrays take after a turn, in bytes: below 200 for each body there is room for, from 150 on. */
+    /** The size of its arrays after a turn, in bytes: below 200 per body of the capacity, from a capacity of 150 on. */
     public long bytes() {
         return crowd.bytes() + events.bytes() + search.bytes();
     }
 
-    /** Everybody looks around, at a time at which all have their places. */
+    /** Predicts the events of all bodies, at a time to which all have been moved. */
     private void predict(int capacity, double now) {
         events.begin(crowd.size, capacity, now, crowd.meanGap());
         search.begin(capacity);
@@ -124,7 +125,7 @@ public final class QueueAdvance implements Advance {
         }
     }
 
-    private void play(Bodies bodies, TurnSink sink) {
+    private void processEvents(Bodies bodies, TurnSink sink) {
         int[] link = crowd.link;
         int left = law.impactLimit(bodies.size());
         double last = 0;
@@ -156,18 +157,18 @@ public final class QueueAdvance implements Advance {
         crowd.setNow(body);
         double nowLow = crowd.nowLow;
         if (partner < 0) {
-            crowd.fly(body, now);
-            if (touch.happens(body, partner, now)) {
-                changed(body);
+            crowd.flyTo(body, now);
+            if (response.react(body, partner, now)) {
+                countChange(body);
                 search.predict(body, now);
                 return;
             }
         } else {
-            crowd.meet(body, partner, now);
+            crowd.flyToContact(body, partner, now);
             boolean isFirst = crowd.index[body] < crowd.index[partner] != descending;
-            if (touch.happens(isFirst ? body : partner, isFirst ? partner : body, now)) {
-                changed(body);
-                changed(partner);
+            if (response.react(isFirst ? body : partner, isFirst ? partner : body, now)) {
+                countChange(body);
+                countChange(partner);
                 search.predict(body, now);
                 search.predict(partner, now);
                 return;
@@ -178,7 +179,7 @@ public final class QueueAdvance implements Advance {
         predict(bodies.capacity(), now);
     }
 
-    private void changed(int body) {
+    private void countChange(int body) {
         crowd.link[8 * body + CHANGES]++;
     }
 }

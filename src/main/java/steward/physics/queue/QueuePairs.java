@@ -4,7 +4,10 @@ import steward.physics.Bodies;
 import steward.physics.Contacts;
 import steward.physics.PhysicsParts;
 
-/** Which pairs meet where not all do: kinds that ignore each other, pairs that pass, two infinite masses. */
+/**
+ * Selects the pairs that can react where not all can: kinds that ignore each other, passing pairs and two infinite
+ * masses cannot.
+ */
 final class QueuePairs {
 
     private final Crowd crowd;
@@ -16,18 +19,18 @@ final class QueuePairs {
         this.contacts = contacts;
     }
 
-    /** @return {@code null} if all pairs meet */
+    /** @return {@code null} if all pairs can react */
     static QueuePairs of(Crowd crowd, PhysicsParts parts) {
         boolean all = parts.contacts().allBounce() && !parts.infiniteMasses();
         return all ? null : new QueuePairs(crowd, parts.contacts());
     }
 
-    /** A turn with these bodies. */
+    /** Begins a turn with these bodies. */
     void begin(Bodies ofTurn) {
         bodies = ofTurn;
     }
 
-    boolean meet(int a, int b) {
+    boolean canReact(int a, int b) {
         int i = crowd.index[a];
         int j = crowd.index[b];
         return switch (contacts.between(bodies.kind[i], bodies.kind[j])) {
@@ -37,8 +40,8 @@ final class QueuePairs {
         };
     }
 
-    /** Whether a body meets any walls. */
-    boolean meetsWalls(int body) {
+    /** Whether a body can react with any wall. */
+    boolean canReactWithWalls(int body) {
         int i = crowd.index[body];
         return switch (contacts.withWall(bodies.kind[i])) {
             case NONE -> false;
@@ -47,8 +50,8 @@ final class QueuePairs {
         };
     }
 
-    /** Whether a body that meets walls meets this one. */
-    boolean meetsWall(int body, int wall) {
+    /** Whether a body that can react with walls does not pass through this one. */
+    boolean canReactWithWall(int body, int wall) {
         return !bodies.passing().contains(bodies.id(crowd.index[body]), ~wall);
     }
 }

@@ -29,25 +29,26 @@ import steward.physics.time.TimeOfImpact;
  *     t = c / (sqrt(b^2 - a c) - b),    which is at least c / -2b.
  *
  * So a pair is left out without a root or a division if b >= 0, or c >= -2b times what is left until the impact that
- * was known before, or b^2 < a c. Where the two are now is known but for a few units in the last place of their
- * coordinates x and of their ways since their last impacts, 2^-50 (|x| + |v|) for each; that moves c by at most 2 |d|
- * times as much, and 2 |d| e <= 2^-40 d.d + 2^40 e^2. So much (and more) is taken from c first: what is in doubt is
- * kept, and computed as the rung says, from the places where the last of the two changed its flight: a time of impact
- * depends on nothing but the two flights, whoever computes it and when.
+ * was known before, or b^2 < a c. The present positions are accurate to a few units in the last place of the
+ * coordinates x and of the paths since the last impacts, 2^-50 (|x| + |v|) for each; that moves c by at most 2 |d|
+ * times as much, and 2 |d| e <= 2^-40 d.d + 2^40 e^2. At least this much is subtracted from c first, so pairs in doubt
+ * are kept. For these the time is computed in the arithmetic of the rung, from the positions at the later start of the
+ * two flights: a time of impact depends on nothing but the two flights, not on the body that searches nor on the time
+ * of the search.
  */
 
 /**
- * Finds the next impact of a body, looking only at its neighbours. It knows its own next impact and nobody else's: of
- * two bodies, the one that looked last has seen the other, so that the earlier of their events is never later than
- * their impact. An impact that a neighbour cannot live to see (because it has an earlier one) is left to whoever looks
- * then.
+ * Predicts the next impact of a body among its neighbours. A prediction is stored only with the body that searched: of
+ * two bodies, the one that searched last has tested the other, so that the earlier of their events is never later than
+ * their impact. An impact after an earlier one of the neighbour is not stored; it is found again by the searches after
+ * that impact.
  */
 sealed class QueueSearch permits ExactQueueSearch {
 
-    /** Products below have lost digits to underflow. */
+    /** Products below this have lost digits to underflow. */
     private static final double LEAST = 1e-250;
-    /** A little below 1, for what roundings may add to a quotient. */
-    private static final double BIT_LESS = 1 - 0x1p-40;
+    /** A factor for the rounding error of a quotient. */
+    private static final double JUST_BELOW_ONE = 1 - 0x1p-40;
 
     final Crowd crowd;
     final EventBuckets events;
@@ -59,7 +60,7 @@ sealed class QueueSearch permits ExactQueueSearch {
     double best;
     int partner;
 
-    /** @param pairs which pairs meet at all, or {@code null} when all do */
+    /** @param pairs selects the pairs that can react, or {@code null} if all can */
     QueueSearch(Crowd crowd, EventBuckets events, Arithmetic arithmetic, Wall[] walls, QueuePairs pairs) {
         this.crowd = crowd;
         this.events = events;
@@ -72,37 +73,37 @@ sealed class QueueSearch permits ExactQueueSearch {
         }
     }
 
-    /** Room for so many neighbours. */
+    /** Makes room for {@code capacity} neighbours. */
     void begin(int capacity) {
         if (near.length <= capacity) {
             near = new int[capacity + 1];
         }
     }
 
-    /** The search of a body has ended; whoever computes more digits of times keeps those of the best now. */
-    void found(int body) {
-        // a double is all there is
+    /** Hook at the end of a search: stores what belongs to the prediction besides the double. */
+    void storePrediction(int body) {
+        // here a prediction is a double and no more
     }
 
-    /** The search of a body begins with the impact that it knows of. */
-    void known(int body) {
-        // a double is all there is
+    /** Hook at the start of a search from an existing prediction: loads what {@link #storePrediction} has stored. */
+    void loadPrediction(int body) {
+        // here a prediction is a double and no more
     }
 
-    /** What its arrays take, in bytes. */
+    /** The size of its arrays, in bytes. */
     long bytes() {
         return 4L * near.length;
     }
 
-    /** A body looks at everything around it, and its next event goes into the queue. */
+    /** Predicts the next impact of a body from a full search and puts its next event into the queue. */
     void predict(int body, double now) {
         int at = 8 * body;
         crowd.link[at + CROSSED] = 0;
         best = NEVER;
-        lookAt(body, crowd.isOutside(body) ? everybody() : neighbours(at), now);
-        lookAtWalls(body, now);
+        testPairs(body, crowd.isOutside(body) ? allBodies() : neighbours(at), now);
+        testWalls(body, now);
         crowd.state[at + IMPACT] = best;
-        found(body);
+        storePrediction(body);
         if (best < NEVER) {
             crowd.link[at + PARTNER] = partner;
             crowd.link[at + PARTNER_CHANGES] = partner >= 0 ? crowd.link[8 * partner + CHANGES] : 0;
@@ -110,7 +111,7 @@ sealed class QueueSearch permits ExactQueueSearch {
         enqueue(body, now);
     }
 
-    private int everybody() {
+    private int allBodies() {
         for (int k = 0; k < crowd.size; k++) {
             near[k] = k;
         }
@@ -119,11 +120,11 @@ sealed class QueueSearch permits ExactQueueSearch {
 
     private int neighbours(int at) {
         int found = crowd.cells.gatherAround(crowd.link[at + COLUMN], crowd.link[at + ROW], near);
-        System.arraycopy(crowd.outside, 0, near, found, crowd.outsiders);
-        return found + crowd.outsiders;
+        System.arraycopy(crowd.outside, 0, near, found, crowd.outsideCount);
+        return found + crowd.outsideCount;
     }
 
-    /** A body goes over into the next cell and looks at those that have become neighbours by it. */
+    /** Moves a body to the next cell and tests it with its new neighbours. */
     void cross(int body, double now) {
         double[] state = crowd.state;
         int[] link = crowd.link;
@@ -131,12 +132,12 @@ sealed class QueueSearch permits ExactQueueSearch {
         int column = link[at + COLUMN];
         int row = link[at + ROW];
         if (++link[at + CROSSED] > 64 + (crowd.size >> 3)) {
-            crowd.leave(body);                         // it has cost as much as looking at everybody once
+            crowd.moveOutside(body);                   // its crossings have cost as much as a test of all bodies
             predict(body, now);
             return;
         }
         Cells cells = crowd.cells;
-        cells.remove(body, cells.at(column, row));
+        cells.remove(body, cells.cellAt(column, row));
         int stepColumn = (link[at + EVENT] & 3) - 2;
         int stepRow = (link[at + EVENT] >> 2) - 2;
         column += stepColumn;
@@ -144,21 +145,21 @@ sealed class QueueSearch permits ExactQueueSearch {
         link[at + COLUMN] = column;
         link[at + ROW] = row;
         int found = cells.gatherSide(column + stepColumn, row + stepRow, stepRow, stepColumn, near);
-        cells.add(body, cells.at(column, row));
+        cells.add(body, cells.cellAt(column, row));
         if (Math.abs(column) >= Cells.FAR || Math.abs(row) >= Cells.FAR) {
-            crowd.leave(body);
+            crowd.moveOutside(body);
             predict(body, now);
             return;
         }
         if (found > 0) {
             best = state[at + IMPACT];
             partner = link[at + PARTNER];
-            known(body);
+            loadPrediction(body);
             double before = best;
-            lookAt(body, found, now);
+            testPairs(body, found, now);
             if (best < before || best < NEVER && partner != link[at + PARTNER]) {
                 state[at + IMPACT] = best;
-                found(body);
+                storePrediction(body);
                 link[at + PARTNER] = partner;
                 link[at + PARTNER_CHANGES] = crowd.link[8 * partner + CHANGES];
             }
@@ -166,8 +167,8 @@ sealed class QueueSearch permits ExactQueueSearch {
         enqueue(body, now);
     }
 
-    private void lookAtWalls(int body, double now) {
-        if (pairs != null && !pairs.meetsWalls(body)) {
+    private void testWalls(int body, double now) {
+        if (pairs != null && !pairs.canReactWithWalls(body)) {
             return;
         }
         double[] state = crowd.state;
@@ -178,17 +179,17 @@ sealed class QueueSearch permits ExactQueueSearch {
             if (plane != null) {
                 double closing = -(state[at + VX] * plane.insideX() + state[at + VY] * plane.insideY());
                 double gap = plane.gap(state[at + X], state[at + Y], state[at + RADIUS]);
-                if (gap * BIT_LESS > closing * (Math.min(best, 1) - since)) {
-                    continue;                          // gap over closing is later; most walls are receded from
+                if (gap * JUST_BELOW_ONE > closing * (Math.min(best, 1) - since)) {
+                    continue;                          // later than the best; most walls are receded from
                 }
             }
-            if (pairs == null || pairs.meetsWall(body, w)) {
+            if (pairs == null || pairs.canReactWithWall(body, w)) {
                 offerWall(body, w, now);
             }
         }
     }
 
-    /** Computes when a body meets a wall, and keeps it if that is earlier than the best so far. */
+    /** Computes the time of impact with a wall, and keeps it if it is earlier than the best so far. */
     void offerWall(int body, int w, double now) {
         double[] state = crowd.state;
         int at = 8 * body;
@@ -202,10 +203,11 @@ sealed class QueueSearch permits ExactQueueSearch {
     }
 
     /**
-     * Looks for an earlier impact with the first so many that are near; itself among them does no harm. First the
-     * filter goes through all of them, without a branch, then those that it has left meet the body.
+     * Searches for an earlier impact with the first {@code count} entries of {@code near}, which may include the body
+     * itself. First the filter passes over all of them without a branch, then times of impact are computed for those
+     * that it has kept.
      */
-    private void lookAt(int body, int count, double now) {
+    private void testPairs(int body, int count, double now) {
         double[] state = crowd.state;
         int[] others = near;
         int at = 8 * body;
@@ -235,18 +237,21 @@ sealed class QueueSearch permits ExactQueueSearch {
             double misses = 4 * (a * c) - twice * twice - LEAST;
             double late = c + twice * left;
             others[kept] = others[k];
-            // All three below 0. What overflows, and is no number then, misses: not by the sign that a processor gives.
+            // All three below 0. NaN after an overflow counts as a miss, whatever sign the processor gives it.
             kept += (int) ((Double.doubleToRawLongBits(b) & Double.doubleToLongBits(misses)
                 & Double.doubleToRawLongBits(late)) >>> 63);
         }
         for (int k = 0; k < kept; k++) {
-            if (pairs == null || pairs.meet(body, others[k])) {
+            if (pairs == null || pairs.canReact(body, others[k])) {
                 offer(body, others[k], now);
             }
         }
     }
 
-    /** Computes when a pair meets, and keeps it if that is earlier than the best so far and than the other's next. */
+    /**
+     * Computes the time of impact of a pair, and keeps it if it is earlier than the best so far and not later than the
+     * other's predicted impact.
+     */
     void offer(int body, int other, double now) {
         double[] state = crowd.state;
         int i = 8 * body;
@@ -272,7 +277,10 @@ sealed class QueueSearch permits ExactQueueSearch {
         }
     }
 
-    /** At the same time: whether the other's index is lower than that of the partner so far; walls come last. */
+    /**
+     * For equal times: whether the pair with the other body is lower than that with the partner so far; walls come
+     * last.
+     */
     boolean isLower(int body, int other) {
         return partner < 0 || EventOrder.rank(crowd, body, other) < EventOrder.rank(crowd, body, partner);
     }
@@ -303,7 +311,7 @@ sealed class QueueSearch permits ExactQueueSearch {
         }
     }
 
-    /** Until a body is so far from the middle, on the side to which it flies. */
+    /** The time until a body is {@code reach} from the middle of its cell, on the side to which it flies. */
     private static double timeToLeave(double fromMiddle, double v, double reach) {
         return v == 0 ? NEVER : (Math.copySign(reach, v) - fromMiddle) / v;
     }

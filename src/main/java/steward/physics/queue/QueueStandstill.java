@@ -14,7 +14,7 @@ import steward.physics.Bodies;
 import steward.physics.TurnSink;
 import steward.physics.event.Standstill;
 
-/** {@link Standstill} for a crowd: whoever runs into something stays there, and the queue says who is next. */
+/** {@link Standstill} for {@link QueueAdvance}: the next contacts come from the event queue. */
 final class QueueStandstill {
 
     private final Crowd crowd;
@@ -30,9 +30,9 @@ final class QueueStandstill {
     }
 
     /**
-     * Plays the rest of the turn; velocities are as before afterwards.
+     * Plays the rest of the turn; velocities are restored afterwards.
      *
-     * @param start when the last impact was
+     * @param start time of the last impact
      */
     void finish(Bodies bodies, double start, TurnSink sink) {
         double[] before = Arrays.copyOf(crowd.state, 8 * crowd.size);
@@ -73,7 +73,7 @@ final class QueueStandstill {
     private void stop(int body, Bodies bodies, double now, TurnSink sink) {
         if (!stopped[body]) {
             stopped[body] = true;
-            crowd.fly(body, now);
+            crowd.flyTo(body, now);
             crowd.state[8 * body + VX] = 0;
             crowd.state[8 * body + VY] = 0;
             crowd.link[8 * body + CHANGES]++;

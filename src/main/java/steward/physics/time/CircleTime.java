@@ -6,10 +6,13 @@ import steward.physics.Arithmetic;
 /** The time of impact of two circles, in one arithmetic. */
 public abstract sealed class CircleTime {
 
-    /** Of the square of a distance: 32 roundings, against which the official root is known to about three. */
+    /**
+     * Relative to the square of the touching distance: 32 roundings, while the official root is accurate to about
+     * three.
+     */
     private static final double ROUNDING = 0x1p-48;
 
-    /** @return one that may be used by one thread at a time */
+    /** @return an instance for one thread at a time */
     public static CircleTime of(Arithmetic arithmetic) {
         return switch (arithmetic) {
             case OFFICIAL -> new Official();
@@ -19,10 +22,13 @@ public abstract sealed class CircleTime {
         };
     }
 
-    /** Time until two circles that do not touch now will; see {@link TimeOfImpact}. */
+    /** Time until two circles touch that do not touch now; see {@link TimeOfImpact}. */
     abstract double until(double dx, double dy, double dvx, double dvy, double touch);
 
-    /** The same where only approach reacts: two that approach and touch but for a rounding must not be missed. */
+    /**
+     * The same for a law in which only approach reacts: an approaching pair that touches except for rounding errors
+     * must not be missed.
+     */
     public double untilApproachingMeet(double dx, double dy, double dvx, double dvy, double touch) {
         return until(dx, dy, dvx, dvy, touch);
     }
@@ -35,7 +41,10 @@ public abstract sealed class CircleTime {
             return TimeOfImpact.circlesOfficial(dx, dy, dvx, dvy, touch);
         }
 
-        /** Next to the touch the official roots are all rounding, and one that is not above 0 counts as a miss. */
+        /**
+         * Close to contact the official roots consist of rounding errors, and a root that is not above 0 counts as a
+         * miss.
+         */
         @Override
         public double untilApproachingMeet(double dx, double dy, double dvx, double dvy, double touch) {
             return dx * dx + dy * dy - touch * touch <= ROUNDING * touch * touch
@@ -62,8 +71,8 @@ public abstract sealed class CircleTime {
     }
 
     /**
-     * {@link ExactCircles}, for the few who want a time and no more: the event loop refines the times of the impacts
-     * that happen, on lower bounds for the others.
+     * {@link ExactCircles}, for callers that need only the time rounded to a double. The event loop does not use this:
+     * it refines the times of impacts that happen and keeps lower bounds for the others.
      */
     private static final class Exact extends CircleTime {
 
@@ -72,7 +81,7 @@ public abstract sealed class CircleTime {
 
         @Override
         double until(double dx, double dy, double dvx, double dvy, double touch) {
-            boolean hit = circles.load(dx, 0, dy, 0, dvx, 0, dvy, 0, touch, 0).first(time);
+            boolean hit = circles.load(dx, 0, dy, 0, dvx, 0, dvy, 0, touch, 0).firstTouch(time);
             return hit ? time.high() : Double.POSITIVE_INFINITY;
         }
     }

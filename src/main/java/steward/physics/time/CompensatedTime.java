@@ -4,9 +4,9 @@ import steward.numerics.ErrorFree;
 
 /*
  * With u = 2^-53, d from centre to centre, v the relative velocity and s the touching distance as given (their own
- * rounding is not looked at), a circle is hit when D = a s^2 - (d x v)^2 > 0, at t = c / (sqrt D - b), where a = v.v,
- * b = d.v < 0, c = d.d - s^2 > 0; see TimeOfImpact. Three of these are differences that cancel: b when the path is
- * across, c next to the touch, D when the path grazes.
+ * rounding is not considered), a circle is hit when D = a s^2 - (d x v)^2 > 0, at t = c / (sqrt D - b), where a = v.v,
+ * b = d.v < 0, c = d.d - s^2 > 0; see TimeOfImpact. Three of these are subject to cancellation: b when the path is
+ * nearly perpendicular to d, c close to contact, D at a grazing impact.
  *
  * Each is a sum of products. A product and its error are two doubles that sum to it exactly, so the sum of the rounded
  * products (with the errors of that sum) and the sum of all errors together are the value as if computed with 106 bits
@@ -17,13 +17,13 @@ import steward.numerics.ErrorFree;
  *
  * While M / |value| < 2^46, the second terms are below u / 4. Then sqrt D is off by 0.63 u + u, b by 1.25 u, and as
  * both summands of sqrt D - b are positive, that by 1.63 u + u, c by 1.25 u, and with the division t by at most
- * 1.63 + 1 + 1.25 + 1 < 5 u: five units in the last place at the most, whatever cancels.
+ * 1.63 + 1 + 1.25 + 1 < 5 u: at most five units in the last place, whatever cancels.
  */
 
 /**
- * Time of impact of two circles with the errors of its products and sums put back: at most 5 units in the last place
- * off for the vectors as given, unless the touch is nearer than 2^-46 of the distance (relative) or the path grazes as
- * closely, where the decision can still be wrong. Products of the inputs, up to the fourth power, have to be in the
+ * Time of impact of two circles with the rounding errors of its products and sums added back: the error is at most 5
+ * units in the last place for the vectors as given, unless the gap is below 2^-46 of the distance or the path grazes as
+ * closely; there the decision can still be wrong. Products of the inputs, up to the fourth power, have to be in the
  * range of {@link ErrorFree}: lengths and speeds from 1e-60 to 1e60.
  */
 final class CompensatedTime {

@@ -8,28 +8,29 @@ import steward.physics.Bodies;
 /*
  * |d + v t| = s with a = v.v, b = d.v, c = d.d - s^2, D = a s^2 - (d x v)^2, as in TimeOfImpact. The differences d and
  * v of two doubles and the sum s of two are exactly two doubles each. b and c are sums of products of these, D has one
- * more level of products. First each is computed as the rounded value and the sum of all errors and low parts, which is
- * good to some units of u^2 = 2^-106 of the terms; where 36 bits or more of these cancel, the exact expansion takes its
- * place. So signs are right, and relative errors are below 40 * 2^-106 * 2^36 < 2^-64:
+ * more level of products. First each is computed as the rounded value plus the sum of all errors and low parts, which
+ * is accurate to some units of u^2 = 2^-106 of the terms; where 36 bits or more cancel, the exact expansion replaces
+ * it. So signs are right, and relative errors are below 40 * 2^-106 * 2^36 < 2^-64:
  *
  *     b: 12 u^2 per |dx vx| + |dy vy|        c: 20 u^2 per d.d + s^2        D: 40 u^2 per a s^2 + (d x v)^2
  *
- * d x v itself can cancel, when the flight is almost central; then its square is small against a s^2, and what the
- * products lost counts relative to (|dx vy| + |dy vx|)^2. This is the magnitude that D is measured against.
+ * d x v itself can cancel, when the flight is almost central; then its square is small against a s^2, and the errors of
+ * the products are relative to (|dx vy| + |dy vx|)^2. D is compared with this magnitude.
  *
  * The roots c / (sqrt D - b) for b < 0, and -c / (sqrt D + b) or (sqrt D - b) / a, only add terms of one sign, square
  * roots and divisions: together below 2^-62, after which a result is rounded once, to at most 0.5 + 2^-9 ulp.
  */
 
 /**
- * The two times at which two circles touch, with exact decisions and in double-double. Load it, then ask. One serves
- * one thread; it allocates only for numbers so far apart (more than about 2^400 between the largest and the smallest)
- * that no power of two brings their products into the range of doubles: then {@link WideCircles} computes.
+ * The two times at which two circles touch, with exact decisions and in double-double. Call {@code load}, then the
+ * queries. One instance serves one thread; it allocates only for numbers so far apart (more than about 2^400 between
+ * the largest and the smallest) that no power of two brings their products into the range of doubles: then
+ * {@link WideCircles} computes.
  */
 final class ExactCircles {
 
     private static final double CANCELLED = 0x1p-36;
-    /** Up to fourth powers of numbers from here on, and all their digits, are in the range of doubles. */
+    /** Powers up to the fourth of numbers from here on, with all their digits, are in the range of doubles. */
     private static final double SMALLEST = 0x1p-210;
     private static final double LARGEST = 0x1p210;
 
@@ -85,7 +86,11 @@ final class ExactCircles {
         return size == 0 || size >= SMALLEST && size <= LARGEST;
     }
 
-    /** Lengths and speeds by powers of two that bring the largest of each near 1. @return whether all then fit */
+    /**
+     * Scales lengths and speeds by powers of two that bring the largest of each near 1.
+     *
+     * @return whether all then fit
+     */
     private boolean scale() {
         double length = Math.max(Math.max(Math.abs(dx.high()), Math.abs(dy.high())), s.high());
         double speed = Math.max(Math.abs(vx.high()), Math.abs(vy.high()));
@@ -115,7 +120,7 @@ final class ExactCircles {
         double lows = (dx.high() * vx.low() + dx.low() * vx.high()) + (dy.high() * vy.low() + dy.low() * vy.high());
         b.setFastSum(rounded, errors + lows);
         if (Math.abs(rounded) <= CANCELLED * (Math.abs(xvx) + Math.abs(yvy))) {
-            sum.clear().addProduct(dx, vx).addProduct(dy, vy).to(b);
+            sum.clear().addProduct(dx, vx).addProduct(dy, vy).roundTo(b);
         }
     }
 
@@ -131,7 +136,7 @@ final class ExactCircles {
         double lows = dx.high() * dx.low() + dy.high() * dy.low() - s.high() * s.low();
         c.setFastSum(rounded, errors + 2 * lows);
         if (Math.abs(rounded) <= CANCELLED * (squared + ss)) {
-            sum.clear().addProduct(dx, dx).addProduct(dy, dy).subtractProduct(s, s).to(c);
+            sum.clear().addProduct(dx, dx).addProduct(dy, dy).subtractProduct(s, s).roundTo(c);
         }
     }
 
@@ -173,35 +178,35 @@ final class ExactCircles {
             others.clear().addProduct(s, s);
             sum.clear().addProduct(squares, others);
             squares.clear().addProduct(dx, vy).subtractProduct(dy, vx);
-            sum.subtractProduct(squares, squares).to(discriminant);
+            sum.subtractProduct(squares, squares).roundTo(discriminant);
         }
     }
 
-    /** Whether they touch or overlap: c <= 0. */
-    boolean touch() {
+    /** Whether the two touch or overlap: c <= 0. */
+    boolean areTouching() {
         return c.high() <= 0;
     }
 
-    /** Whether they come nearer to each other: b < 0. */
-    boolean approach() {
+    /** Whether the two approach: b < 0. */
+    boolean areApproaching() {
         return b.high() < 0;
     }
 
     /**
-     * When two that approach and do not touch yet will; a tangent path is a miss.
+     * The time at which an approaching pair first touches, 0 if it touches already; a tangent path is a miss.
      *
-     * @return whether they ever will
+     * @return whether there is such a time
      */
-    boolean first(DoubleDouble time) {
-        if (!approach()) {
+    boolean firstTouch(DoubleDouble time) {
+        if (!areApproaching()) {
             return false;
         }
-        if (touch()) {
+        if (areTouching()) {
             time.set(0);
             return true;
         }
         if (wide != null) {
-            return wide.first(time);
+            return wide.firstTouch(time);
         }
         computeDiscriminant();
         if (discriminant.high() <= 0) {
@@ -212,12 +217,13 @@ final class ExactCircles {
     }
 
     /**
-     * When a point inside the circle of radius s leaves it; from outside, when it does after having come in, or, if it
-     * never comes in, when it is nearest. At once if it is at the edge or outside and flies outward.
+     * The time at which a point inside the circle of radius s leaves it. From outside, the time at which it leaves
+     * after having entered, or, if it never enters, the time of closest approach. 0 if it is at the edge or outside and
+     * moves outward.
      *
-     * @return false if it does not move
+     * @return false if the point does not move
      */
-    boolean last(DoubleDouble time) {
+    boolean lastTouch(DoubleDouble time) {
         if (vx.high() == 0 && vy.high() == 0) {
             return false;
         }
@@ -226,7 +232,7 @@ final class ExactCircles {
             return true;
         }
         if (wide != null) {
-            return wide.last(time);
+            return wide.lastTouch(time);
         }
         computeDiscriminant();
         if (discriminant.high() <= 0) {
@@ -239,7 +245,11 @@ final class ExactCircles {
         return unscale(time);
     }
 
-    /** Speeds times 2^p and lengths times 2^q have made the time 2^(q - p) of itself. @return whether it is finite */
+    /**
+     * Undoes the scaling: speeds times 2^p and lengths times 2^q multiply the time by 2^(q - p).
+     *
+     * @return whether it is finite
+     */
     private boolean unscale(DoubleDouble time) {
         if (timeScale != 0) {
             time.scale(timeScale);

@@ -16,21 +16,21 @@ import steward.physics.ImpactLaw;
  *
  * where the constants leave room for second orders and for computing the bounds themselves. A value larger than its
  * bound has its true sign. Underflow: b's bound has 2^-1000 more, and when a and s^2 are at least 2^-450 what
- * underflows next to them does not count. Overflow makes a bound infinite, which no value is above. So what the filter
- * decides is right, and what it leaves is computed exactly.
+ * underflows next to them does not count. Overflow makes a bound infinite, which no value is above. So the decisions of
+ * the filter are right, and what it leaves undecided is computed exactly.
  *
  * As a t^2 is never below 0, the squared distance less s^2 is at least c + 2 b t, and for b < 0 at least c + 2 b up to
- * t = 1: when that is above 0, the two do not meet within a turn, and no root is needed. Most pairs end here.
+ * t = 1: when that is above 0, the two do not meet within a turn, and no root is needed. Most pairs are decided here.
  *
- * Then t = c / (sqrt D - b) is off, relatively, by at most 8 u (...) / c from c, by the errors of sqrt D (at most
- * 2 (error of D) / sqrt D when D is above its bound) and b over their sum, and 4 u; this much it is made smaller, and
- * by 2^-52 for the roundings of whoever adds it to the time of the turn: a time that is never too late.
+ * Then t = c / (sqrt D - b) is off, relatively, by at most 8 u (...) / c from c, by the errors of sqrt D (at most 2
+ * (error of D) / sqrt D when D is above its bound) and b over their sum, and 4 u; it is reduced by this much, and by
+ * 2^-52 for the roundings when it is added to the time of the turn: a lower bound of the time of impact.
  */
 
 /**
- * Times of circles for the arithmetic {@code EXACT}: a quick lower bound for all pairs, with exact decisions, and the
- * time itself in double-double for those that {@code RefiningQueue} asks about. Whether two touch, whether they
- * approach and whether they meet is decided by exact signs; a tangent path is a miss.
+ * Times of impact of circles for the arithmetic {@code EXACT}: a fast lower bound for all pairs, with exact decisions,
+ * and the time itself in double-double for the pairs that {@code RefiningQueue} refines. Whether two touch, whether
+ * they approach and whether they meet is decided by exact signs; a tangent path is a miss.
  */
 public final class ExactPairs extends PairTime {
 
@@ -38,7 +38,7 @@ public final class ExactPairs extends PairTime {
     private static final double U = 0x1p-53;
     private static final double TINY = 0x1p-1000;
     private static final double LEAST = 0x1p-450;
-    /** What the sum of two times within a turn can lose. */
+    /** Bound on the rounding error of the sum of two times within a turn. */
     public static final double ROUNDING = 0x1p-52;
 
     private final boolean separatingReact;
@@ -49,7 +49,9 @@ public final class ExactPairs extends PairTime {
         separatingReact = law.separatingPairsReact();
     }
 
-    /** @return at most the time; 0 or above; infinite only if they do not meet within a turn's length */
+    /**
+     * @return a lower bound of the time, at least 0; infinite only if the two do not meet within the length of a turn
+     */
     @Override
     public double until(Bodies bodies, int i, int j) {
         double dx = bodies.x[i] - bodies.x[j];
@@ -107,9 +109,9 @@ public final class ExactPairs extends PairTime {
         boolean sliding = (bodies.x[i] == bodies.x[j] || bodies.vx[i] == bodies.vx[j])
             && (bodies.y[i] == bodies.y[j] || bodies.vy[i] == bodies.vy[j]);
         if (sliding && !separatingReact) {
-            return NEVER;                             // b is 0 without any arithmetic: two at rest, side by side
+            return NEVER;                             // every term of b is exactly 0
         }
-        boolean meet = exact(bodies, i, j, FastCircles.COARSE, time);
+        boolean meet = exactTime(bodies, i, j, FastCircles.COARSE, time);
         return meet ? Math.max(0, time.high() * (1 - 4 * U) - ROUNDING) : NEVER;
     }
 
@@ -118,38 +120,38 @@ public final class ExactPairs extends PairTime {
      *
      * @return false if there is none
      */
-    public boolean exact(Bodies bodies, int i, int j, DoubleDouble until) {
-        return exact(bodies, i, j, FastCircles.FINE, until);
+    public boolean exactTime(Bodies bodies, int i, int j, DoubleDouble until) {
+        return exactTime(bodies, i, j, FastCircles.FINE, until);
     }
 
-    private boolean exact(Bodies bodies, int i, int j, double grade, DoubleDouble until) {
-        int quick = FastCircles.first(bodies, i, j, separatingReact, grade, until);
+    private boolean exactTime(Bodies bodies, int i, int j, double grade, DoubleDouble until) {
+        int quick = FastCircles.firstTouch(bodies, i, j, separatingReact, grade, until);
         if (quick != FastCircles.UNDECIDED) {
             return quick == FastCircles.IMPACT;
         }
         circles.load(bodies, i, j);
-        if (separatingReact && circles.touch()) {
+        if (separatingReact && circles.areTouching()) {
             until.set(0);
             return true;
         }
-        return circles.first(until);
+        return circles.firstTouch(until);
     }
 
-    /** The same of two circles, under a law in which only approach reacts. */
-    public boolean exact(double x1, double x2, double y1, double y2, double vx1, double vx2, double vy1, double vy2,
+    /** The same for two circles, under a law in which only approach reacts. */
+    public boolean exactTime(double x1, double x2, double y1, double y2, double vx1, double vx2, double vy1, double vy2,
                   double r1, double r2, DoubleDouble until) {
-        int quick = FastCircles.first(x1, x2, y1, y2, vx1, vx2, vy1, vy2, r1, r2, false,
+        int quick = FastCircles.firstTouch(x1, x2, y1, y2, vx1, vx2, vy1, vy2, r1, r2, false,
             FastCircles.FINE, until);
         return quick != FastCircles.UNDECIDED ? quick == FastCircles.IMPACT
-            : circles.load(x1, x2, y1, y2, vx1, vx2, vy1, vy2, r1, r2).first(until);
+            : circles.load(x1, x2, y1, y2, vx1, vx2, vy1, vy2, r1, r2).firstTouch(until);
     }
 
-    /** Whether two come nearer to each other: the exact sign. */
-    public boolean approach(Bodies bodies, int i, int j) {
+    /** Whether two bodies approach, by the exact sign of b. */
+    public boolean areApproaching(Bodies bodies, int i, int j) {
         double xvx = (bodies.x[i] - bodies.x[j]) * (bodies.vx[i] - bodies.vx[j]);
         double yvy = (bodies.y[i] - bodies.y[j]) * (bodies.vy[i] - bodies.vy[j]);
         double bError = 6 * U * (Math.abs(xvx) + Math.abs(yvy)) + TINY;
         double b = xvx + yvy;
-        return Math.abs(b) > bError ? b < 0 : circles.load(bodies, i, j).approach();
+        return Math.abs(b) > bError ? b < 0 : circles.load(bodies, i, j).areApproaching();
     }
 }

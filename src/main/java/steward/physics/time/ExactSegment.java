@@ -6,7 +6,8 @@ import steward.physics.Segment;
 
 /*
  * With B the vector of the segment, L its length, P from its end a to the centre and V the velocity: C = B x P is L
- * times the distance to the line, B.P is L times the foot's place along it. The side is touched when |C| = r L, at
+ * times the distance to the line, B.P is L times the position of the perpendicular's foot along it. The side is touched
+ * when |C| = r L, at
  *
  *     t = (|C| - r L) / w = (C^2 - r^2 L^2) / ((|C| + r L) w)    with w = -(B x V) sign C, L times the closing speed.
  *
@@ -38,18 +39,18 @@ final class ExactSegment extends ExactWall {
         this.segment = segment;
         bx.setDifference(segment.bx(), segment.ax());
         by.setDifference(segment.by(), segment.ay());
-        squared.addProduct(bx, bx).addProduct(by, by).to(lengthSquared);
+        squared.addProduct(bx, bx).addProduct(by, by).roundTo(lengthSquared);
         length.set(lengthSquared).squareRoot();
     }
 
-    /** Straight to the nearest point of the segment. */
+    /** The time of a straight flight to the nearest point of the segment. */
     @Override
     double lowerBound(double x, double y, double dx, double dy, double radius) {
         double size = Math.abs(x) + Math.abs(y) + Math.abs(segment.ax()) + Math.abs(segment.ay())
             + Math.abs(segment.bx()) + Math.abs(segment.by()) + radius;
         double gap = segment.gap(x, y, radius) - 64 * U * size;
         double speed = Math.sqrt(dx * dx + dy * dy);
-        return gap > 0 ? late(gap / speed * (1 - 8 * U)) : exactBound(x, y, dx, dy, radius);
+        return gap > 0 ? roundedDown(gap / speed * (1 - 8 * U)) : exactBound(x, y, dx, dy, radius);
     }
 
     @Override
@@ -59,7 +60,7 @@ final class ExactSegment extends ExactWall {
         vx.set(dx);
         vy.set(dy);
         cross.clear().addProduct(bx, py).subtractProduct(by, px);
-        sum.clear().addProduct(bx, vy).subtractProduct(by, vx).to(closing);
+        sum.clear().addProduct(bx, vy).subtractProduct(by, vx).roundTo(closing);
         if (cross.sign() >= 0) {
             closing.negate();
         }
@@ -73,7 +74,7 @@ final class ExactSegment extends ExactWall {
         return atEnds(x, y, dx, dy, radius, until);
     }
 
-    /** Whether the distance to the nearest point shrinks. */
+    /** Whether the distance to the nearest point decreases. */
     private boolean approaches(double x, double y) {
         if (along.sign() < 0) {
             return sum.clear().addProduct(px, vx).addProduct(py, vy).sign() < 0;
@@ -95,27 +96,30 @@ final class ExactSegment extends ExactWall {
         if (sum.sign() <= 0) {
             until.set(0);
         } else {
-            cross.to(work);
+            cross.roundTo(work);
             if (work.high() < 0) {
                 work.negate();
             }
             work.add(other.set(length).multiply(radius)).multiply(closing);
-            sum.to(until).divide(work);
+            sum.roundTo(until).divide(work);
         }
         work.set(bx).multiply(vx).add(other.set(by).multiply(vy)).multiply(until);
-        along.clear().addProduct(bx, px).addProduct(by, py).to(other);
+        along.clear().addProduct(bx, px).addProduct(by, py).roundTo(other);
         work.add(other);
         return work.high() >= 0 && work.compareTo(lengthSquared) <= 0;
     }
 
     private boolean atEnds(double x, double y, double dx, double dy, double radius, DoubleDouble until) {
-        boolean a = end.load(x, segment.ax(), y, segment.ay(), dx, 0, dy, 0, radius, 0).first(work);
-        boolean b = end.load(x, segment.bx(), y, segment.by(), dx, 0, dy, 0, radius, 0).first(other);
+        boolean a = end.load(x, segment.ax(), y, segment.ay(), dx, 0, dy, 0, radius, 0).firstTouch(work);
+        boolean b = end.load(x, segment.bx(), y, segment.by(), dx, 0, dy, 0, radius, 0).firstTouch(other);
         until.set(!b || a && work.compareTo(other) <= 0 ? work : other);
         return a || b;
     }
 
-    /** Towards the foot between the ends, otherwise towards the nearer end; on the line itself, to its right. */
+    /**
+     * Towards the foot of the perpendicular if that lies between the ends, otherwise towards the nearer end; for a
+     * centre on the line itself, to its right.
+     */
     @Override
     void normal(DoubleDouble x, DoubleDouble y, DoubleDouble normalX, DoubleDouble normalY) {
         px.set(x).add(-segment.ax());

@@ -9,15 +9,15 @@ import steward.physics.Segment;
 import steward.physics.Wall;
 
 /**
- * A wall for the arithmetic {@code EXACT}: whether a body approaches, touches and hits is decided by exact signs,
- * times are computed in double-double. The numbers of the wall count as they are stored: a half-plane's unit vector, of
- * length 1 only to rounding, as the measure of distances from it (the direction of an impulse is made a unit vector
- * again). Where a segment ends, the round end and the flat side go over into each other, and which of the two is hit
- * there, with the same time and normal to the last bits, is decided in double-double.
+ * A wall for the arithmetic {@code EXACT}: whether a body approaches, touches and hits is decided by exact signs; times
+ * are computed in double-double. The stored numbers of the wall are taken as exact: distances from a half-plane are
+ * measured with its stored vector, whose length is 1 except for rounding (for the direction of an impulse it is
+ * normalised again). Where the flat side of a segment meets its round end, both give the same time and normal to the
+ * last bits; which of the two is hit there is decided in double-double.
  *
  * <p>Lengths and speeds have to be from 1e-60 to 1e60 (or 0) for half-planes and segments; arenas take any.
  */
-abstract sealed class ExactWall permits ExactWall.Plane, ExactWall.Ring, ExactSegment {
+abstract sealed class ExactWall permits ExactWall.ExactHalfPlane, ExactWall.ExactArena, ExactSegment {
 
     static final double NEVER = Double.POSITIVE_INFINITY;
     static final double U = 0x1p-53;
@@ -27,35 +27,35 @@ abstract sealed class ExactWall permits ExactWall.Plane, ExactWall.Ring, ExactSe
 
     static ExactWall of(Wall wall) {
         if (wall instanceof HalfPlane plane) {
-            return new Plane(plane);
+            return new ExactHalfPlane(plane);
         }
-        return wall instanceof Segment segment ? new ExactSegment(segment) : new Ring((Arena) wall);
+        return wall instanceof Segment segment ? new ExactSegment(segment) : new ExactArena((Arena) wall);
     }
 
-    /** At most the time of impact, 0 or above; infinite only if there is none. */
+    /** A lower bound of the time of impact, at least 0; infinite only if there is none. */
     abstract double lowerBound(double x, double y, double vx, double vy, double radius);
 
     /** The time of impact. @return false if there is none */
     abstract boolean time(double x, double y, double vx, double vy, double radius, DoubleDouble until);
 
-    /** The unit vector from a place straight to the wall. */
+    /** The unit vector from a point to the nearest point of the wall. */
     abstract void normal(DoubleDouble x, DoubleDouble y, DoubleDouble normalX, DoubleDouble normalY);
 
-    /** The lower bound where only the time itself will do. */
+    /** The lower bound where the filter is undecided: from the time itself. */
     double exactBound(double x, double y, double vx, double vy, double radius) {
-        return time(x, y, vx, vy, radius, time) ? late(time.high()) : NEVER;
+        return time(x, y, vx, vy, radius, time) ? roundedDown(time.high()) : NEVER;
     }
 
-    /** A time made smaller by what the sum of two times within a turn can lose. */
-    static double late(double until) {
+    /** A time reduced by the possible rounding error of the sum of two times within a turn. */
+    static double roundedDown(double until) {
         return Math.max(0, until * (1 - 4 * U) - ExactPairs.ROUNDING);
     }
 
     /**
-     * Makes a vector a unit vector; of no length, it becomes (1, 0).
+     * Normalises a vector; one of length 0 becomes (1, 0).
      *
-     * @param length  becomes the length that it had
-     * @param inverse for use in between
+     * @param length  receives the length before
+     * @param inverse a work register
      */
     static void normalize(DoubleDouble x, DoubleDouble y, DoubleDouble length, DoubleDouble inverse) {
         if (x.high() == 0 && y.high() == 0) {
@@ -85,12 +85,12 @@ abstract sealed class ExactWall permits ExactWall.Plane, ExactWall.Ring, ExactSe
 
     /*
      * Both are sums of two products, g less a radius. In double-double each is off by less than 8 u^2, u = 2^-53, of
-     * the magnitudes of its terms; where less than 36 bits cancel that is below 2^-67 of it, and its sign is certain.
-     * Otherwise an expansion decides.
+     * the magnitudes of its terms; where less than 36 bits cancel, that is below 2^-67 of the result, and its sign is
+     * certain. Otherwise an expansion decides.
      */
 
     /** g / w with g = (p - q).n - radius, w = -v.n: the signs of both are exact. */
-    static final class Plane extends ExactWall {
+    static final class ExactHalfPlane extends ExactWall {
 
         private static final double CANCELLED = 0x1p-36;
 
@@ -101,7 +101,7 @@ abstract sealed class ExactWall permits ExactWall.Plane, ExactWall.Ring, ExactSe
         private final DoubleDouble normalX = new DoubleDouble();
         private final DoubleDouble normalY = new DoubleDouble();
 
-        Plane(HalfPlane plane) {
+        ExactHalfPlane(HalfPlane plane) {
             this.plane = plane;
             normalX.set(-plane.insideX());
             normalY.set(-plane.insideY());
@@ -121,17 +121,17 @@ abstract sealed class ExactWall permits ExactWall.Plane, ExactWall.Ring, ExactSe
             if (closing < -closingError) {
                 return NEVER;
             }
-            return gap > gapError && closing > closingError ? late((gap - gapError) / (closing + closingError))
+            return gap > gapError && closing > closingError ? roundedDown((gap - gapError) / (closing + closingError))
                 : exactBound(x, y, vx, vy, radius);
         }
 
         @Override
         boolean time(double x, double y, double vx, double vy, double radius, DoubleDouble until) {
-            approach(vx, vy);
+            computeClosing(vx, vy);
             if (closing.high() <= 0) {
                 return false;
             }
-            separate(x, y, radius, until);
+            computeGap(x, y, radius, until);
             if (until.high() <= 0) {
                 until.set(0);
                 return true;
@@ -140,7 +140,7 @@ abstract sealed class ExactWall permits ExactWall.Plane, ExactWall.Ring, ExactSe
             return until.high() < NEVER;
         }
 
-        private void approach(double vx, double vy) {
+        private void computeClosing(double vx, double vy) {
             double alongX = -vx * plane.insideX();
             double alongY = -vy * plane.insideY();
             double rounded = alongX + alongY;
@@ -149,11 +149,11 @@ abstract sealed class ExactWall permits ExactWall.Plane, ExactWall.Ring, ExactSe
                     + (ErrorFree.productError(-vx, plane.insideX(), alongX)
                     + ErrorFree.productError(-vy, plane.insideY(), alongY)));
             } else {
-                sum.clear().addProduct(-vx, plane.insideX()).addProduct(-vy, plane.insideY()).to(closing);
+                sum.clear().addProduct(-vx, plane.insideX()).addProduct(-vy, plane.insideY()).roundTo(closing);
             }
         }
 
-        private void separate(double x, double y, double radius, DoubleDouble gap) {
+        private void computeGap(double x, double y, double radius, DoubleDouble gap) {
             double dx = x - plane.x();
             double dy = y - plane.y();
             double dxLow = ErrorFree.sumError(x, -plane.x(), dx);
@@ -169,7 +169,7 @@ abstract sealed class ExactWall permits ExactWall.Plane, ExactWall.Ring, ExactSe
                     + (dxLow * plane.insideX() + dyLow * plane.insideY())));
             } else {
                 sum.clear().add(-radius).addProduct(dx, plane.insideX()).addProduct(dxLow, plane.insideX())
-                    .addProduct(dy, plane.insideY()).addProduct(dyLow, plane.insideY()).to(gap);
+                    .addProduct(dy, plane.insideY()).addProduct(dyLow, plane.insideY()).roundTo(gap);
             }
         }
 
@@ -181,30 +181,31 @@ abstract sealed class ExactWall permits ExactWall.Plane, ExactWall.Ring, ExactSe
     }
 
     /** The later root of the quadratic of {@link ExactCircles} with the radii's difference as touching distance. */
-    static final class Ring extends ExactWall {
+    static final class ExactArena extends ExactWall {
 
         private final Arena arena;
         private final ExactCircles circles = new ExactCircles();
         private final DoubleDouble length = new DoubleDouble();
 
-        Ring(Arena arena) {
+        ExactArena(Arena arena) {
             this.arena = arena;
         }
 
-        /** Straight to the nearest point of the wall. */
+        /** The time of a straight flight to the nearest point of the wall. */
         @Override
         double lowerBound(double x, double y, double vx, double vy, double radius) {
             double gap = arena.gap(x, y, radius) - 16 * U * (arena.radius() + radius + Math.abs(x) + Math.abs(y)
                 + Math.abs(arena.x()) + Math.abs(arena.y()));
             double speed = Math.sqrt(vx * vx + vy * vy);
-            return gap > 0 && speed > 0x1p-450 ? late(gap / speed * (1 - 8 * U)) : exactBound(x, y, vx, vy, radius);
+            return gap > 0 && speed > 0x1p-450 ? roundedDown(gap / speed * (1 - 8 * U))
+                : exactBound(x, y, vx, vy, radius);
         }
 
         @Override
         boolean time(double x, double y, double vx, double vy, double radius, DoubleDouble until) {
             boolean room = radius <= arena.radius();
             return circles.load(x, arena.x(), y, arena.y(), vx, 0, vy, 0, room ? arena.radius() : 0,
-                room ? -radius : 0).last(until);
+                room ? -radius : 0).lastTouch(until);
         }
 
         @Override

@@ -5,64 +5,67 @@ import steward.numerics.ErrorFree;
 import steward.physics.Bodies;
 
 /*
- * The sums of ExactCircles, in the same order and with the same bounds, but with the parts of a number in local
- * variables, where b and c have not cancelled: 12 and 20 units of u^2 = 2^-106 of the terms are then below 2^-65 of
- * them.
+ * The sums of ExactCircles, in the same order and with the same bounds, but with the high and low parts in local
+ * variables, and only where b and c have not cancelled: 12 and 20 units of u^2 = 2^-106 of the terms are then below
+ * 2^-65 of them.
  *
- * D may cancel much further, and does where two just touch or miss each other in passing: it is off by less than
- * 40 u^2 S, with S = a s^2 + (|dx vy| + |dy vx|)^2. Where |D| > 2^-96 S = 1024 u^2 S its sign is certain. But of a
- * touch more is asked: its impulse is proportional to sqrt D, and so as good as D is, relatively, through the time
- * from which it is computed: that is why a time is told only where D > 2^-36 S.
+ * D may cancel much further, at grazing impacts and near misses: it is off by less than 40 u^2 S, with S = a
+ * s^2 + (|dx vy| + |dy vx|)^2. Where |D| > 2^-96 S = 1024 u^2 S its sign is certain. An impact needs more: its impulse
+ * is proportional to sqrt D, so the relative error of D enters the impulse through the time of impact. Therefore a time
+ * for an impulse is given only where D > 2^-36 S.
  *
- * Whoever wants to know no more than whether and about when can have it from D > 2^-96 S on. The error of D moves
+ * A caller that needs only the decision and the time can have both from D > 2^-96 S on. The error of D moves
  * t = c / (sqrt D - b) by no more, relatively, than
  *
  *     error of sqrt D / (sqrt D - b)  <  40 u^2 S / (2 sqrt D (sqrt D - b)) * (1 + 2^-4),
  *
- * which is below 2^-65 where sqrt D (sqrt D - b) > 2^-36 S: the nearer to tangent, the less D counts next to b.
+ * which is below 2^-65 where sqrt D (sqrt D - b) > 2^-36 S: the closer to tangent, the smaller D is compared with b.
  */
 
 /**
- * The ordinary cases of {@link ExactCircles#first}, in double-double: two of ordinary size that clearly overlap, or
- * part, or approach from clearly apart and meet or miss each other clearly. Everything else is left to
- * {@link ExactCircles}.
+ * The clear cases of {@link ExactCircles#firstTouch}, in double-double: numbers of ordinary size and a pair that
+ * clearly overlaps, or clearly separates, or is clearly apart, approaches and clearly meets or misses. Everything else
+ * is left to {@link ExactCircles}.
  */
 final class FastCircles {
 
-    /** Of the terms of a sum: what is larger has lost less than 36 bits to cancellation. */
+    /** Relative to the terms of a sum: a result above this has lost less than 36 bits to cancellation. */
     private static final double CANCELLED = 0x1p-36;
-    /** Of the terms of D: from here on its sign is certain, and D good enough for a time of about 64 bits. */
+    /**
+     * Relative to the terms of D: from here on the sign of D is certain, and D is accurate enough for a time of about
+     * 64 bits.
+     */
     static final double COARSE = 0x1p-96;
-    /** And from here on it is good enough for the impulse that follows from the time. */
+    /** From here on D is accurate enough for the impulse that follows from the time. */
     static final double FINE = CANCELLED;
     private static final double SMALLEST = 0x1p-300;
     private static final double LARGEST = 0x1p300;
 
-    /** What {@link #first} found: nothing, because this is not an ordinary case. */
+    /** Result of {@link #firstTouch}: not a clear case. */
     static final int UNDECIDED = 0;
-    /** Or that there is an impact, and its time. */
+    /** Result of {@link #firstTouch}: there is an impact, at the time given. */
     static final int IMPACT = 1;
-    /** Or that there is none. */
+    /** Result of {@link #firstTouch}: there is no impact. */
     static final int NONE = 2;
 
     private FastCircles() {
     }
 
     /** For two bodies by their indices. */
-    static int first(Bodies bodies, int i, int j, boolean separating, double grade, DoubleDouble time) {
-        return first(bodies.x[i], bodies.x[j], bodies.y[i], bodies.y[j], bodies.vx[i], bodies.vx[j],
+    static int firstTouch(Bodies bodies, int i, int j, boolean separating, double grade, DoubleDouble time) {
+        return firstTouch(bodies.x[i], bodies.x[j], bodies.y[i], bodies.y[j], bodies.vx[i], bodies.vx[j],
             bodies.vy[i], bodies.vy[j], bodies.radius[i], bodies.radius[j], separating, grade, time);
     }
 
     /**
-     * When two circles first touch, or react because they do.
+     * The time at which two circles first touch, or 0 if they touch and react.
      *
-     * @param separating whether two that touch react even if they do not approach
-     * @param grade      what the time is for, {@link #COARSE} or {@link #FINE}
-     * @param time       becomes the time of an {@link #IMPACT}; otherwise it stays
-     * @return one of the three
+     * @param separating whether a touching pair reacts even if it does not approach
+     * @param grade      the accuracy needed, {@link #COARSE} or {@link #FINE}
+     * @param time       receives the time of an {@link #IMPACT}; otherwise unchanged
+     * @return {@link #UNDECIDED}, {@link #IMPACT} or {@link #NONE}
      */
-    static int first(double x1, double x2, double y1, double y2, double vx1, double vx2, double vy1, double vy2,
+    static int firstTouch(double x1, double x2, double y1, double y2, double vx1, double vx2, double vy1, double vy2,
                      double r1, double r2, boolean separating, double grade, DoubleDouble time) {
         double dx = x1 - x2;
         double dy = y1 - y2;
@@ -103,12 +106,12 @@ final class FastCircles {
             + 2 * (dx * dxLow + dy * dyLow - s * sLow);
         double cSum = c + cLow;
         double bSum = b + bLow;
-        return meet(dx, dxLow, dy, dyLow, vx, vxLow, vy, vyLow, ss, ssError + 2 * s * sLow, bSum,
+        return byDiscriminant(dx, dxLow, dy, dyLow, vx, vxLow, vy, vyLow, ss, ssError + 2 * s * sLow, bSum,
             ErrorFree.fastSumError(b, bLow, bSum), cSum, ErrorFree.fastSumError(c, cLow, cSum), grade, time);
     }
 
-    /** By the discriminant a s^2 - (d x v)^2. */
-    private static int meet(double dx, double dxLow, double dy, double dyLow, double vx, double vxLow,
+    /** Decides by the discriminant a s^2 - (d x v)^2. */
+    private static int byDiscriminant(double dx, double dxLow, double dy, double dyLow, double vx, double vxLow,
                                 double vy, double vyLow, double ss, double ssLow, double b, double bLow,
                                 double c, double cLow, double grade, DoubleDouble time) {
         double vxx = vx * vx;

@@ -4,38 +4,38 @@ import java.util.Arrays;
 import steward.physics.Bodies;
 
 /**
- * What the stored coordinates of bodies have lost by rounding: the low parts of double-double places whose high parts
- * stand in {@link Bodies}. They are kept until the bodies fly on, so that an impact can be computed from where the
- * bodies really are.
+ * The rounding errors of stored coordinates: the low parts of double-double positions whose high parts are in
+ * {@link Bodies}. They are kept until the next free flight, so that an impact is computed from the positions before
+ * rounding.
  */
 public final class LowParts {
 
-    /** By index of a body. */
+    /** Low parts of x, by index of the body. */
     public double[] x = new double[0];
-    /** By index of a body. */
+    /** Low parts of y, by index of the body. */
     public double[] y = new double[0];
 
-    /** Room for so many bodies. */
-    public void room(int capacity) {
+    /** Makes room for {@code capacity} bodies. */
+    public void ensureCapacity(int capacity) {
         if (x.length < capacity) {
             x = new double[capacity];
             y = new double[capacity];
         }
     }
 
-    /** What the stored place of a body lacks. */
+    /** Sets the low parts of a body's position. */
     public void set(int body, double ofX, double ofY) {
         x[body] = ofX;
         y[body] = ofY;
     }
 
-    /** The body has been moved: where it is stored is where it is. */
+    /** Clears the low parts of a body that was moved: its stored position is exact. */
     public void clear(int body) {
         x[body] = 0;
         y[body] = 0;
     }
 
-    /** All bodies below a count are where they are stored. */
+    /** Clears the low parts of the first {@code count} bodies. */
     public void clearFirst(int count) {
         Arrays.fill(x, 0, count, 0);
         Arrays.fill(y, 0, count, 0);

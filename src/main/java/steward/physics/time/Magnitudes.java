@@ -8,16 +8,16 @@ import steward.physics.Wall;
 /*
  * With lengths (coordinates, radii) L and speeds V that are 0 or in the ranges below, a difference of two is 0 or at
  * least 2^-252 of lengths, and the terms of the quadratic of TimeOfImpact, up to (V L)^2, stay below 2^804. They stay
- * above 2^-1000 for speeds from 2^-300; slower bodies do not come 2^-252 nearer within a turn, so that whoever does not
- * touch now will not, and whoever touches is told by d.v, at least 2^-952. An impulse, mass times speed, is 2^-1000 to
- * 2^501.
+ * above 2^-1000 for speeds from 2^-300; slower bodies do not come 2^-252 nearer within a turn, so that a pair that does
+ * not touch now will not touch in this turn, and a touching pair is decided by d.v, at least 2^-952. An impulse, mass
+ * times speed, is 2^-1000 to 2^501.
  */
 
 /**
- * Whether numbers are of a size whose squares and fourth powers doubles can hold. Plain arithmetic is right for those;
- * with others a square is silently 0 or infinite. A turn with such numbers is computed in the exact arithmetic on every
- * rung, which scales by powers of two; what that cannot compute either is refused by name. The check is made once, at
- * the start of a turn.
+ * Checks that squares and fourth powers of the numbers of a turn are in the range of doubles, so that plain arithmetic
+ * is safe; otherwise a square is silently 0 or infinite. A turn with numbers outside these ranges is computed in the
+ * exact arithmetic on every rung, which scales by powers of two; numbers that are out of range for that too are refused
+ * by name. The check is made once, at the start of a turn.
  */
 public final class Magnitudes {
 
@@ -34,8 +34,10 @@ public final class Magnitudes {
     private Magnitudes() {
     }
 
-    /** Whether all are lengths 0 or 6.3e-61..1.6e60, speeds 0 or 2e-211..1.6e60, masses 5e-91..2e90 or infinite. */
-    public static boolean areOrdinary(Bodies bodies) {
+    /**
+     * Whether all lengths are 0 or 6.3e-61..1.6e60, all speeds 0 or 2e-211..1.6e60, all masses 5e-91..2e90 or infinite.
+     */
+    public static boolean fitPlainArithmetic(Bodies bodies) {
         for (int i = 0; i < bodies.size(); i++) {
             if (!(isLength(bodies.x[i]) && isLength(bodies.y[i]) && isSpeed(bodies.vx[i]) && isSpeed(bodies.vy[i])
                 && isLength(bodies.radius[i]) && isMass(bodies.mass[i]))) {
@@ -62,7 +64,7 @@ public final class Magnitudes {
     /**
      * Refuses what exact arithmetic cannot compute.
      *
-     * @throws IllegalArgumentException naming body, quantity, what was found and what was expected
+     * @throws IllegalArgumentException naming the body, the quantity, what was found and what was expected
      */
     public static void requireComputable(Bodies bodies, List<Wall> walls) {
         boolean segments = walls.stream().anyMatch(Segment.class::isInstance);

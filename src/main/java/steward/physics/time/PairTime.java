@@ -4,20 +4,23 @@ import steward.physics.Arithmetic;
 import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 
-/** When a pair of circles next has an impact under a law: touching pairs are the law's affair, the rest geometry. */
+/**
+ * The time of the next impact of a pair of circles. Whether a touching pair reacts depends on the law; the rest is
+ * geometry.
+ */
 public abstract sealed class PairTime permits PairTime.TouchIsImpact, PairTime.ApproachIsImpact, PairTime.Overlap,
     PairTime.ClosingOverlap, ExactPairs {
 
     private static final double NEVER = Double.POSITIVE_INFINITY;
 
-    /** Time from now to the impact of two circles, given by their indices; 0 for one that happens at once. */
+    /** Time from now to the impact of two circles, given by their indices; 0 for an impact now. */
     public abstract double until(Bodies bodies, int i, int j);
 
     public static PairTime of(ImpactLaw law, Arithmetic arithmetic) {
         return law.separatingPairsReact() ? new TouchIsImpact(arithmetic) : new ApproachIsImpact(arithmetic);
     }
 
-    /** The official games: whoever touches reacts, even while separating. */
+    /** The official games: a touching pair reacts, even while separating. */
     static final class TouchIsImpact extends PairTime {
 
         private final CircleTime circles;
@@ -64,7 +67,7 @@ public abstract sealed class PairTime permits PairTime.TouchIsImpact, PairTime.A
         }
     }
 
-    /** Only what is there: 0 for whoever touches, never for the others. */
+    /** Present overlaps only: 0 for a touching pair, never for the others. */
     public static final class Overlap extends PairTime {
 
         @Override
@@ -76,7 +79,7 @@ public abstract sealed class PairTime permits PairTime.TouchIsImpact, PairTime.A
         }
     }
 
-    /** Only what is there and closes in. */
+    /** Present overlaps of approaching pairs only. */
     public static final class ClosingOverlap extends PairTime {
 
         @Override

@@ -6,11 +6,12 @@ import steward.physics.Segment;
 import steward.physics.Wall;
 
 /**
- * When a flying circle first touches something, in turns from now. "Never" is {@code POSITIVE_INFINITY}. A touch that
- * is there already counts as 0 only while the two approach; a tangent path is a miss. Inputs are finite.
+ * The time at which a circle in free flight first touches another or a wall, in turns from now. "Never" is
+ * {@code POSITIVE_INFINITY}. A present contact counts as 0 only while the two approach; a tangent path is a miss.
+ * Inputs are finite.
  *
  * <p>All methods are pure; lengths in u, velocities in u per turn. Products of up to four of the inputs have to be in
- * the range of doubles: an {@code EventAdvance} sees to that.
+ * the range of doubles: {@code EventAdvance} ensures that.
  */
 public final class TimeOfImpact {
 
@@ -31,16 +32,16 @@ public final class TimeOfImpact {
      *
      *     D = a s^2 - (d x v)^2 = (|v| s - |d x v|)(|v| s + |d x v|),
      *
-     * in which the distance no longer appears: only s against the impact parameter |d x v| / |v|. What is left are the
-     * two differences that the question itself is about, |d| - s and |v| s - |d x v|: near a touch and near a graze
-     * they are known only as well as their terms.
+     * in which the distance no longer appears: only s against the impact parameter |d x v| / |v|. There remain the two
+     * differences on which the decision itself depends, |d| - s and |v| s - |d x v|: close to contact and to a grazing
+     * path they are only as accurate as their terms.
      */
 
     /**
-     * Circle and circle, in the form that loses nothing to squares and distances.
+     * Circle and circle, in the form without avoidable cancellation.
      *
      * @param dx    from the centre of one to the centre of the other
-     * @param dvx   velocity of that other relative to the one
+     * @param dvx   velocity of the other relative to the one
      * @param touch the sum of the radii
      */
     public static double circles(double dx, double dy, double dvx, double dvy, double touch) {
@@ -63,9 +64,9 @@ public final class TimeOfImpact {
     }
 
     /**
-     * Circle and circle, with the expressions of the published official referee in their order (cancellation and
-     * all), for two circles that do not touch now. Parameters as in {@link #circles}; the signs of both vectors may be
-     * turned together without changing a bit.
+     * Circle and circle, with the expressions of the published official referee in their order, including their
+     * cancellation, for two circles that do not touch now. Parameters as in {@link #circles}; negating both vectors
+     * does not change a bit of the result.
      *
      * @return above 0, or {@code POSITIVE_INFINITY}
      */
@@ -83,10 +84,10 @@ public final class TimeOfImpact {
     }
 
     /**
-     * Circle and wall of any shape. A body larger than an arena has no room and stays at its centre.
+     * Circle and wall of any shape. For a body larger than an arena, the room for its centre is 0.
      *
      * @param x centre of the circle
-     * @return 0 when they touch already and approach
+     * @return 0 if the two touch already and approach
      */
     public static double wall(Wall wall, double x, double y, double vx, double vy, double radius) {
         if (wall instanceof HalfPlane plane) {
@@ -114,7 +115,7 @@ public final class TimeOfImpact {
     }
 
     /**
-     * Circle and segment, end points included: the centre hits the segment swollen by the radius, which has two flat
+     * Circle and segment, end points included: the centre hits the segment expanded by the radius, which has two flat
      * sides and two round ends.
      *
      *          side
@@ -122,8 +123,8 @@ public final class TimeOfImpact {
      *       (  A---B  )   round ends
      *        ---------
      *
-     * The distance to a segment along a straight flight is convex: who recedes from the nearest point never comes back,
-     * not even to an end of it.
+     * The distance to a segment along a straight flight is convex: a circle that recedes from the nearest point never
+     * hits the segment.
      *
      * @param x      centre of the circle
      * @param ax     one end of the segment
@@ -137,9 +138,9 @@ public final class TimeOfImpact {
         double side = alongX * (y - ay) - alongY * (x - ax);              // signed distance to the line
         double rise = alongX * vy - alongY * vx;
         double closing = side < 0 ? rise : -rise;
-        double beside = alongX * (x - ax) + alongY * (y - ay);
-        double approach = beside < 0 ? (ax - x) * vx + (ay - y) * vy
-            : beside > length ? (bx - x) * vx + (by - y) * vy : closing;
+        double along = alongX * (x - ax) + alongY * (y - ay);
+        double approach = along < 0 ? (ax - x) * vx + (ay - y) * vy
+            : along > length ? (bx - x) * vx + (by - y) * vy : closing;
         if (!(approach > 0)) {
             return NEVER;
         }
@@ -155,8 +156,8 @@ public final class TimeOfImpact {
 
     /*
      * Circle inside a circular arena. With d from the arena's centre and s the room for the centre, |d + v t| = s is
-     * the same quadratic, but from inside (c <= 0) it is the larger root (-b + sqrt D) / a that counts. For b <= 0
-     * that is a sum of positive terms; for b > 0 the other form, -c / (b + sqrt D), is.
+     * the same quadratic, but from inside (c <= 0) the larger root (-b + sqrt D) / a counts. For b <= 0 its numerator
+     * is a sum of positive terms; for b > 0 the denominator of the other form, -c / (b + sqrt D), is.
      */
 
     /**
@@ -179,7 +180,7 @@ public final class TimeOfImpact {
         double offset = Math.abs(dx * vy - dy * vx);
         double discriminant = (speed * room - offset) * (speed * room + offset);
         if (!(discriminant > 0)) {
-            return Math.max(0, -b / (speed * speed));  // never inside: from the nearest point on it flies outward
+            return Math.max(0, -b / (speed * speed));  // never inside: an impact at the closest approach
         }
         double squareRoot = Math.sqrt(discriminant);
         return b <= 0 ? (squareRoot - b) / (speed * speed) : -c / (b + squareRoot);

@@ -3,13 +3,13 @@ package steward.physics.time;
 import steward.physics.Bodies;
 import steward.physics.Wall;
 
-/** When a body next has an impact with a wall. */
+/** The time of the next impact of a body with a wall. */
 public abstract sealed class WallTime permits WallTime.Plain, ExactWalls {
 
-    /** Time from now, 0 for an impact that happens at once, infinite for none. */
+    /** Time from now; 0 for an impact now, infinite for none. */
     public abstract double until(Bodies bodies, int i, int w);
 
-    /** What {@link TimeOfImpact#wall} says. */
+    /** Computed by {@link TimeOfImpact#wall}. */
     public static final class Plain extends WallTime {
 
         private final Wall[] walls;

@@ -5,8 +5,8 @@ import java.math.MathContext;
 import steward.numerics.DoubleDouble;
 
 /**
- * The quadratic of {@link ExactCircles} for numbers that are too far apart for doubles: exact decimals, roots to 50
- * digits. Every double is a finite decimal, and so are the coefficients. It takes about a millisecond.
+ * The quadratic of {@link ExactCircles} for numbers whose magnitudes are too far apart for doubles: exact decimals,
+ * roots to 50 digits. Every double is a finite decimal, and so are the coefficients. It takes about a millisecond.
  */
 final class WideCircles {
 
@@ -36,26 +36,28 @@ final class WideCircles {
         return new BigDecimal(from).subtract(new BigDecimal(what));
     }
 
-    /** The sign of b: -1 when they approach. */
+    /** The sign of b: -1 when the two approach. */
     int approachSign() {
         return b.signum();
     }
 
-    /** The sign of c: 1 when they do not touch. */
+    /** The sign of c: 1 when the two do not touch. */
     int touchSign() {
         return c.signum();
     }
 
-    /** As {@link ExactCircles#first} for two that approach and do not touch. */
-    boolean first(DoubleDouble time) {
+    /** As {@link ExactCircles#firstTouch} for a pair that approaches and does not touch. */
+    boolean firstTouch(DoubleDouble time) {
         if (discriminant.signum() <= 0) {
             return false;
         }
         return round(c.divide(discriminant.sqrt(DIGITS).subtract(b), DIGITS), time);
     }
 
-    /** As {@link ExactCircles#last} for one that moves and is not at the edge or outside and flying outward. */
-    boolean last(DoubleDouble time) {
+    /**
+     * As {@link ExactCircles#lastTouch} for a point that moves, except one at the edge or outside that moves outward.
+     */
+    boolean lastTouch(DoubleDouble time) {
         if (discriminant.signum() <= 0) {
             return round(b.negate().divide(a, DIGITS), time);
         }

@@ -1,6 +1,6 @@
 /**
- * When circles touch circles and walls, in every arithmetic: one family of solutions of the same quadratic, from the
- * published referee's own expressions to exact signs with double-double results.
+ * Times of impact of circles with circles and walls, in every arithmetic: one family of solutions of the same
+ * quadratic, from the published referee's own expressions to exact signs with double-double results.
  */
 @Internal
 package steward.physics.time;

@@ -24,7 +24,7 @@ import tools.jackson.core.ObjectWriteContext;
 
 /**
  * A bot that is sent what a player of a recorded match was sent. The lines are not recorded: they follow from the game,
- * which is played again. Nobody is hurried.
+ * which is played again. There are no deadlines.
  */
 final class Conversation {
 
@@ -99,7 +99,7 @@ final class Conversation {
         return wrong == null ? null : wrong + "; received: " + SafeText.line(answer.bytes(), answer.length());
     }
 
-    /** The recorded command as we would write it, whatever wrote it. */
+    /** The recorded command in the form that this program writes. */
     private byte[] recordedCommand(RecordedTurn recorded) {
         try (JsonParser in = RecordedTurn.parser(recorded.commands())) {
             in.nextToken();
@@ -128,7 +128,7 @@ final class Conversation {
         return bytes.toByteArray();
     }
 
-    /** Says the last lines, if the bot was sent any. */
+    /** Sends the last lines, if the bot was sent any lines. */
     void end() {
         LineBuffer end = dialogue.end(player);
         bot.finish(end.bytes(), end.size());

@@ -40,12 +40,13 @@ public final class Takeover {
      * @param turns  how many the new recording has
      * @param result or {@code null} if there is none
      * @param reason why there is none, or {@code null}
-     * @param ahead  who was ahead at the end, players who tie all of them
+     * @param ahead  who was ahead at the end, by name, players who tie all of them
      */
-    public record Outcome(int turns, MatchResult result, String reason, List<Integer> ahead) {
+    public record Outcome(int turns, MatchResult result, String reason, List<String> ahead) {
     }
 
     private final RecordedMatch match;
+    private final List<String> names;
     private final int from;
     private final Conversation conversation;
     private final Resimulation again;
@@ -57,9 +58,10 @@ public final class Takeover {
     /**
      * As {@link Feed}.
      *
-     * @param from first turn that the bot plays; the player is in then
-     * @param bot  how it was called
-     * @param out  for the new recording
+     * @param asked its name stands in the new recording, with the player's number where another player has it
+     * @param from  first turn that the bot plays; the player is in then
+     * @param bot   how it was called
+     * @param out   for the new recording
      */
     public Takeover(RecordedMatch match, GameTypes types, int player, Protocol protocol, Player asked, int from,
                     String bot, OutputStream out) {
@@ -68,7 +70,8 @@ public final class Takeover {
         conversation = new Conversation(match, types, player, protocol, asked);
         again = conversation.again();
         game = again.game();
-        writer = new ReplayWriter(out, header(match.header(), player, protocol, bot));
+        names = names(match.header().names(), player, asked.name());
+        writer = new ReplayWriter(out, header(match.header(), names, player, protocol, bot));
         watches = new Stopwatch[game.players()];
         faults = new String[game.players()];
         for (int k = 0; k < watches.length; k++) {
@@ -76,13 +79,25 @@ public final class Takeover {
         }
     }
 
+    private static List<String> names(List<String> recorded, int player, String name) {
+        List<String> names = new ArrayList<>(recorded);
+        names.set(player, null);
+        String own = name;
+        while (names.contains(own)) {
+            own += "-" + player;
+        }
+        names.set(player, own);
+        return names;
+    }
+
     /** The same match, in which nobody was hurried and another bot plays. */
-    private static ReplayHeader header(ReplayHeader recorded, int player, Protocol protocol, String bot) {
+    private static ReplayHeader header(ReplayHeader recorded, List<String> names, int player, Protocol protocol,
+                                       String bot) {
         List<String> bots = new ArrayList<>(recorded.bots());
         bots.set(player, bot);
         List<Protocol> protocols = new ArrayList<>(recorded.protocols());
         protocols.set(player, protocol);
-        return new ReplayHeader(recorded.game(), recorded.scene(), recorded.seed(), recorded.names(), bots, protocols,
+        return new ReplayHeader(recorded.game(), recorded.scene(), recorded.seed(), names, bots, protocols,
             Double.POSITIVE_INFINITY);
     }
 
@@ -217,7 +232,7 @@ public final class Takeover {
         List<MatchResult.PlayerResult> players = new ArrayList<>();
         for (int player = 0; player < ranks.length; player++) {
             Stopwatch watch = watches[player];
-            players.add(new MatchResult.PlayerResult(match.header().names().get(player), ranks[player],
+            players.add(new MatchResult.PlayerResult(names.get(player), ranks[player],
                 scores[player], faults[player], game.eliminationReason(player), watch.answers(), watch.averageNanos(),
                 watch.worstNanos(), watch.firstNanos(), 0));
         }
@@ -233,12 +248,12 @@ public final class Takeover {
         return new Outcome(game.turn(), null, reason, ahead());
     }
 
-    private List<Integer> ahead() {
+    private List<String> ahead() {
         int[] ranks = game.ranks();
-        List<Integer> ahead = new ArrayList<>();
+        List<String> ahead = new ArrayList<>();
         for (int player = 0; player < ranks.length; player++) {
             if (ranks[player] == 0) {
-                ahead.add(player);
+                ahead.add(names.get(player));
             }
         }
         return Collections.unmodifiableList(ahead);

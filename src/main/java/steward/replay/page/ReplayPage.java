@@ -63,8 +63,8 @@ public final class ReplayPage {
 
     /**
      * Writes the page of a match that is being played. It holds no replay but follows server-sent events: each event's
-     * data is one line of the replay (header, turns, result), sent from the beginning to whoever connects; the result
-     * ends it, or an event of type {@code end}.
+     * data is one line of the replay (header, turns, result), sent from the beginning to every client; the result ends
+     * it, or an event of type {@code end}.
      *
      * @param html  is not closed
      * @param title heading of the page, plain text

@@ -71,7 +71,7 @@ public final class Resimulation {
         return difference;
     }
 
-    /** All of a turn but playing it: commands are read, and who failed is out. */
+    /** Everything of a turn except playing it: commands are read, and players that failed are out. */
     public Difference prepare(RecordedTurn turn) {
         int expected = game.turn() + 1;
         if (game.isOver()) {
@@ -99,7 +99,7 @@ public final class Resimulation {
     }
 
     /**
-     * Reads the commands of a turn in which nobody failed.
+     * Reads the commands of a turn in which no player failed.
      *
      * @return how many bytes there are behind them; negative if there is anything wrong or unusual about them
      */
@@ -114,12 +114,12 @@ public final class Resimulation {
         try {
             JsonParser in = lines.begin(json, from, to);
             if (in.nextToken() == JsonToken.START_ARRAY && readEach(in, faults)) {
-                return lines.rest();
+                return lines.endValue();
             }
-            lines.forget();
+            lines.reset();
             return -1;
         } catch (JacksonException problem) {
-            lines.forget();
+            lines.reset();
             return -1;
         }
     }

@@ -67,7 +67,7 @@ public record Verification(int turns, Difference difference, String warning) {
                 break;
             }
             difference = found == TurnCheck.Found.PLAYED ? null : again.play(turn);
-            difference = difference != null ? difference : compareTurn(check, turn, replay);
+            difference = difference != null ? difference : compareTurn(check, turn, replay, again);
             turns += difference == null ? 1 : 0;
             for (int player = 0; player < faults.length; player++) {
                 faults[player] = faults[player] == null ? turn.faults()[player] : faults[player];
@@ -88,11 +88,14 @@ public record Verification(int turns, Difference difference, String warning) {
     }
 
     /** Compares a turn that was played with all that its line says. */
-    private static Difference compareTurn(TurnCheck check, RecordedTurn turn, ReplayReader replay) {
+    private static Difference compareTurn(TurnCheck check, RecordedTurn turn, ReplayReader replay,
+                                          Resimulation again) {
         String inputHash = InputHash.of(replay.format(), turn.commands(), 0, turn.commands().length, turn.faults(),
             turn.messages(), turn.stderr());
         return inputHash.equals(turn.inputHash())
-            ? compare(turn.number(), turn.outcome(), outcome(check), replay.imported())
+            ? compare(turn.number(), turn.outcome(),
+                replay.imported() ? json(out -> ObservableOutcome.write(out, again.game(), again.codec()))
+                    : outcome(check), replay.imported())
             : new Difference(turn.number(), "inputHash", turn.inputHash(),
                 inputHash + " of what the players did and wrote");
     }

@@ -17,17 +17,17 @@ import steward.scene.json.JsonValue.JsonText;
 import steward.text.NearestName;
 
 /**
- * One JSON object of a scene file. Its reader asks for every field it knows, each with what it has to be, and at the
- * end calls {@link #done()}, which refuses the fields that nobody asked for. Every method that reads throws a
+ * One JSON object of a scene file. Its reader reads every field it knows, stating what the field has to be, and at the
+ * end calls {@link #done()}, which refuses the fields that were not read. Every method that reads throws a
  * {@link SceneException}, located in the file, if a field is not as expected; a field is required unless the method
- * takes a value for its absence. A {@code null} in the file is not absence but an error.
+ * takes a default. A {@code null} in the file is not absence but an error.
  *
- * <p>Not for several threads at once: a block remembers what was asked for.
+ * <p>Not thread-safe: a block remembers which fields were read.
  */
 public final class Block {
 
     /** The largest length, mass, speed or impulse that a scene may state; see {@link #positive}. */
-    public static final double MOST = 1e12;
+    public static final double MAXIMUM = 1e12;
 
     private final String source;
     private final String path;
@@ -46,22 +46,22 @@ public final class Block {
         return path;
     }
 
-    /** Whether the field is there, whatever it is. */
+    /** Whether the field is present, with any value. Counts as reading it. */
     public boolean has(String name) {
         return ask(name) != null;
     }
 
-    /** Whether the field is there and a string. */
+    /** Whether the field is present and a string. */
     public boolean isText(String name) {
         return ask(name) instanceof JsonText;
     }
 
-    /** Whether the field is there and an array. */
+    /** Whether the field is present and an array. */
     public boolean isArray(String name) {
         return ask(name) instanceof JsonArray;
     }
 
-    /** Whether the field is there and an object. */
+    /** Whether the field is present and an object. */
     public boolean isBlock(String name) {
         return ask(name) instanceof JsonObject;
     }
@@ -95,7 +95,7 @@ public final class Block {
         if (!(value > 0)) {
             throw unexpected(name, expected);
         }
-        if (value < 1 / MOST || value > MOST) {
+        if (value < 1 / MAXIMUM || value > MAXIMUM) {
             throw unexpected(name, "1e-12..1e12");
         }
         return value;
@@ -110,7 +110,7 @@ public final class Block {
         return sized(name, finite(name, expected), expected);
     }
 
-    /** A whole number, however it is written (1e3 is one), from low to high. */
+    /** A whole number from low to high, in any notation (1e3 is one). */
     public int integer(String name, int low, int high) {
         String expected = "a whole number " + low + ".." + high;
         double value = finite(name, expected);
@@ -138,7 +138,7 @@ public final class Block {
         return has(name) ? flag(name) : whenAbsent;
     }
 
-    /** A string with something in it. */
+    /** A string that is not blank. */
     public String text(String name) {
         if (ask(name) instanceof JsonText text && !text.text().isBlank()) {
             return text.text();
@@ -147,7 +147,7 @@ public final class Block {
     }
 
     /**
-     * What a string stands for.
+     * The value that a string stands for.
      *
      * @param values by their names; an error lists them in the order of a {@code LinkedHashMap}, otherwise sorted
      */
@@ -175,7 +175,7 @@ public final class Block {
         throw unexpected(name, "an object");
     }
 
-    /** An object, or nothing if the field is absent. */
+    /** An object, or empty if the field is absent. */
     public Optional<Block> optionalBlock(String name) {
         return has(name) ? Optional.of(block(name)) : Optional.empty();
     }
@@ -230,9 +230,9 @@ public final class Block {
     }
 
     /**
-     * Refuses fields that nobody asked for, here and in all objects that were handed out from here.
+     * Refuses fields that were not read, here and in all blocks that were handed out from here.
      *
-     * @throws SceneException located at the first such field's name; suggests the nearest name that was asked for
+     * @throws SceneException located at the first such field's name; suggests the nearest name that was read
      */
     public void done() {
         object.entries().forEach((name, entry) -> {
@@ -249,8 +249,8 @@ public final class Block {
         return JsonTree.write(object);
     }
 
-    /** Whether the field is there, without asking for it: {@link #done()} may still refuse it. */
-    public boolean isThere(String name) {
+    /** Whether the field is present, without counting as reading it: {@link #done()} may still refuse it. */
+    public boolean contains(String name) {
         return object.entries().containsKey(name);
     }
 
@@ -264,7 +264,7 @@ public final class Block {
         return object.entries();
     }
 
-    /** The same with another object in a field that has been read to its end; what was asked for stays so. */
+    /** A copy with another object in a field that has been read completely; fields that were read stay so. */
     public Block with(String name, JsonObject value) {
         Map<String, Entry> entries = new LinkedHashMap<>(object.entries());
         entries.put(name, new Entry(entries.get(name).place(), value));
@@ -294,7 +294,7 @@ public final class Block {
         throw unexpected(name, expected);
     }
 
-    /** The same block for the same object, so that what two readers ask for adds up. */
+    /** The same block for the same object, so that the fields read by two readers add up. */
     private Block child(String childPath, JsonObject value) {
         return children.computeIfAbsent(childPath, key -> new Block(source, key, value));
     }
@@ -303,13 +303,16 @@ public final class Block {
         return path.isEmpty() ? name : path + "." + name;
     }
 
-    /** How an error names what is there. */
+    /** How an error names the value of a field. */
     public String shown(String name) {
         Entry entry = object.entries().get(name);
         return entry == null ? "nothing" : entry.value().shown();
     }
 
-    /** What is there is not what was expected; if nothing is, a similar name that nobody asked for may be a slip. */
+    /**
+     * The error for a value that is not as expected; if the field is absent, the nearest name that was not read is
+     * suggested.
+     */
     private SceneException unexpected(String name, String expected) {
         if (object.entries().containsKey(name)) {
             return error(name, shown(name), expected);

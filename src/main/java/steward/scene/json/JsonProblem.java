@@ -4,19 +4,19 @@ import java.util.regex.Pattern;
 import steward.Internal;
 import tools.jackson.core.JacksonException;
 
-/** What the JSON reader found wrong, in words for people who write JSON. */
+/** Messages of the JSON parser for people who write JSON. */
 @Internal
 public final class JsonProblem {
 
-    /** What the reader says to programmers: descriptions of its source, and settings it could be given. */
+    /** Parts of the parser's messages that are for programmers: descriptions of its source, and its settings. */
     private static final Pattern FOR_PROGRAMMERS =
         Pattern.compile(" \\(start marker at \\[Source: .*?]\\)|: enable `[^`]*` to allow|, from `[^`]*`");
 
     private JsonProblem() {
     }
 
-    /** The reader's message without what is meant for programmers. */
-    public static String words(JacksonException problem) {
+    /** The parser's message without the parts for programmers. */
+    public static String message(JacksonException problem) {
         return FOR_PROGRAMMERS.matcher(problem.getOriginalMessage()).replaceAll("");
     }
 }

@@ -20,7 +20,7 @@ import tools.jackson.core.ObjectWriteContext;
 import tools.jackson.core.json.JsonFactory;
 import tools.jackson.core.json.JsonWriteFeature;
 
-/** Between a JSON text and its values with their places. */
+/** Reads a JSON text to values with their positions, and writes them. */
 @Internal
 public final class JsonTree {
 
@@ -40,12 +40,12 @@ public final class JsonTree {
     /**
      * @param text   one JSON object
      * @param source names the text in errors
-     * @param what   says there what the text should be, as in {@code a scene}
-     * @throws SceneException if it is not JSON, not one object, or an object names a field twice
+     * @param what   says in errors what the text should be, as in {@code a scene}
+     * @throws SceneException if it is not JSON, not one object, or an object has a field twice
      */
     public static JsonObject read(String text, String source, String what) {
         try (JsonParser json = JSON.createParser(ObjectReadContext.empty(), text)) {
-            return new JsonTree(source, what, json).file();
+            return new JsonTree(source, what, json).readFile();
         }
     }
 
@@ -58,19 +58,19 @@ public final class JsonTree {
         return out.toString();
     }
 
-    private JsonObject file() {
+    private JsonObject readFile() {
         try {
-            return onlyObject();
+            return readOnlyObject();
         } catch (JacksonException e) {
             SourcePosition place = SourcePosition.of(e.getLocation() == null ? json.currentLocation()
                 : e.getLocation());
-            String why = JsonProblem.words(e);
+            String why = JsonProblem.message(e);
             throw SceneException.at(source, place, "", "found malformed JSON (" + why + "), expected " + what
                 + " in JSON");
         }
     }
 
-    private JsonObject onlyObject() {
+    private JsonObject readOnlyObject() {
         if (json.nextToken() == null) {
             throw SceneException.at(source, new SourcePosition(1, 1), "", "found an empty file, expected " + what
                 + " in JSON");

@@ -6,7 +6,7 @@ import steward.Internal;
 import steward.text.TextFormat;
 import tools.jackson.core.JsonGenerator;
 
-/** A value of a scene file as it was written, with its place. Numbers keep their text. */
+/** A value of a scene file as it was written, with its position. Numbers keep their text. */
 @Internal
 public sealed interface JsonValue {
 
@@ -16,7 +16,7 @@ public sealed interface JsonValue {
     /** How an error names it: {@code found ...}. */
     String shown();
 
-    /** Writes it as it was read. */
+    /** Writes the value as it was read. */
     void write(JsonGenerator json);
 
     /** An object; fields in the order of the file. */
@@ -38,7 +38,7 @@ public sealed interface JsonValue {
         }
     }
 
-    /** A field of an object; the place is that of the name. */
+    /** A field of an object; the position is that of the name. */
     record Entry(SourcePosition place, JsonValue value) { }
 
     /** An array. */
@@ -73,7 +73,7 @@ public sealed interface JsonValue {
         }
     }
 
-    /** A number; its text is kept, so that nothing is lost when the scene is written again. */
+    /** A number; its text is kept, so that no digit is lost when the scene is written again. */
     record JsonNumber(SourcePosition place, String text) implements JsonValue {
 
         @Override

@@ -6,14 +6,14 @@ import java.util.stream.Collectors;
 import steward.Internal;
 import steward.text.NearestName;
 
-/** How errors and plans say numbers, ranges and choices. */
+/** How errors and plans write numbers, ranges and choices. */
 @Internal
 public final class Wording {
 
     private Wording() {
     }
 
-    /** The shortest usual way to write it: 120, 0.15, 1e-5. */
+    /** The shortest usual notation: 120, 0.15, 1e-5. */
     public static String number(double value) {
         if (value == Math.rint(value) && Math.abs(value) < 1e9) {
             return Long.toString((long) value);
@@ -34,12 +34,12 @@ public final class Wording {
         return hasHigh ? "a number of at most " + number(high) : "a finite number";
     }
 
-    /** What a text has to be one of, and the one it probably was meant to be. */
+    /** The allowed words, and the nearest of them to a word that is not allowed. */
     public static String choice(String word, Collection<String> known) {
         return oneOf(known) + NearestName.question(word, known, "\"");
     }
 
-    /** What a text has to be one of. */
+    /** The allowed words. */
     public static String oneOf(Collection<String> known) {
         String list = known.stream().map(name -> '"' + name + '"').collect(Collectors.joining(", "));
         return known.size() == 1 ? list : "one of " + list;

@@ -41,6 +41,18 @@ class BotCommandTest {
     }
 
     @Test
+    void wordsThatAShellHasSplitMayBeginWithNameAndPrefix() {
+        assertEquals(new BotCommand(null, Prefix.CODINGAME, List.of("sh", "-c", "a b")),
+            BotCommand.of(List.of("sh", "-c", "a b"), Prefix.CODINGAME));
+        assertEquals(new BotCommand("blue", Prefix.JSON, List.of("my bot", "c=d")),
+            BotCommand.of(List.of("blue=json:my bot", "c=d"), Prefix.CODINGAME));
+        assertEquals(new BotCommand(null, Prefix.BUILTIN, List.of("racer")),
+            BotCommand.of(List.of("builtin:", "racer"), Prefix.JSON));
+        assertEquals("bot 'json:': there is no command; expected " + BotCommand.FORM, assertThrows(
+            IllegalArgumentException.class, () -> BotCommand.of(List.of("json:"), Prefix.JSON)).getMessage());
+    }
+
+    @Test
     void anEqualsSignAfterABlankOrQuoteIsPartOfTheCommand() {
         reads("racer a=b", null, Prefix.JSON, "racer", "a=b");
         reads("'x'=y", null, Prefix.JSON, "x=y");
@@ -108,7 +120,7 @@ class BotCommandTest {
 
     @Test
     void builtinBotsStartTheJvmThatIsRunning() {
-        Builtins builtins = new Builtins(Map.of("racer", "a.b.Racer --mild 'x y'"));
+        BuiltinBots builtins = new BuiltinBots(Map.of("racer", "a.b.Racer --mild 'x y'"));
         List<String> command = BotCommand.parse("builtin:racer --fast").resolve(builtins);
         assertEquals(Path.of(System.getProperty("java.home"), "bin", "java").toString(), command.get(0));
         int end = command.size();
@@ -120,27 +132,27 @@ class BotCommandTest {
 
     @Test
     void theJvmOptionsOfBuiltinBotsCanBeReplaced() {
-        String before = System.getProperty(Builtins.JVM_OPTIONS);
+        String before = System.getProperty(BuiltinBots.JVM_OPTIONS);
         try {
-            System.setProperty(Builtins.JVM_OPTIONS, "-Xmx64m '-Dx=a b'");
-            List<String> command = new Builtins(Map.of("racer", "Racer")).command("racer", List.of());
+            System.setProperty(BuiltinBots.JVM_OPTIONS, "-Xmx64m '-Dx=a b'");
+            List<String> command = new BuiltinBots(Map.of("racer", "Racer")).command("racer", List.of());
             assertEquals(List.of("-Xmx64m", "-Dx=a b", "-cp"), command.subList(1, 4));
-            System.setProperty(Builtins.JVM_OPTIONS, "'");
+            System.setProperty(BuiltinBots.JVM_OPTIONS, "'");
             Exception e = assertThrows(IllegalArgumentException.class,
-                () -> new Builtins(Map.of("racer", "Racer")).command("racer", List.of()));
+                () -> new BuiltinBots(Map.of("racer", "Racer")).command("racer", List.of()));
             assertEquals("system property steward.bot.jvm, column 1: the single quote is never closed", e.getMessage());
         } finally {
             if (before == null) {
-                System.clearProperty(Builtins.JVM_OPTIONS);
+                System.clearProperty(BuiltinBots.JVM_OPTIONS);
             } else {
-                System.setProperty(Builtins.JVM_OPTIONS, before);
+                System.setProperty(BuiltinBots.JVM_OPTIONS, before);
             }
         }
     }
 
     @Test
     void anUnknownBuiltinBotIsAnErrorThatKnowsBetter() {
-        Builtins builtins = new Builtins(Map.of("racer", "R", "blocker", "B", "plain", "P"));
+        BuiltinBots builtins = new BuiltinBots(Map.of("racer", "R", "blocker", "B", "plain", "P"));
         assertEquals(List.of("blocker", "plain", "racer"), builtins.names());
         Exception near = assertThrows(IllegalArgumentException.class,
             () -> BotCommand.parse("builtin:Racr").resolve(builtins));
@@ -149,14 +161,14 @@ class BotCommandTest {
         Exception far = assertThrows(IllegalArgumentException.class, () -> builtins.command("zzz", List.of()));
         assertEquals("there is no builtin bot 'zzz'; there are: blocker, plain, racer", far.getMessage());
         Exception none = assertThrows(IllegalArgumentException.class,
-            () -> new Builtins(Map.of()).command("racer", List.of()));
+            () -> new BuiltinBots(Map.of()).command("racer", List.of()));
         assertEquals("there is no builtin bot 'racer': this installation has none"
             + " (no steward/bots/builtin.properties on the class path)", none.getMessage());
     }
 
     @Test
     void neighboursThatChangedPlacesAreOneSlip() {
-        Builtins builtins = new Builtins(Map.of("racer", "a.Racer"));
+        BuiltinBots builtins = new BuiltinBots(Map.of("racer", "a.Racer"));
         assertEquals("there is no builtin bot 'arcer'; did you mean 'racer'? There are: racer",
             assertThrows(IllegalArgumentException.class, () -> builtins.command("arcer", List.of())).getMessage());
         assertEquals("there is no builtin bot 'aecer'; there are: racer",

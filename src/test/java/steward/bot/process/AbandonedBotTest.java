@@ -13,6 +13,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import steward.bot.Answer;
 import steward.bot.Player;
@@ -21,6 +22,7 @@ import steward.bot.Player;
  * A process that has left the bot's group, and whose parents are gone, is not found. It may hold the bot's pipes for
  * as long as it likes: then the asking thread is given up, and another one goes on.
  */
+@Tag("process")
 class AbandonedBotTest {
 
     private static final long SHORT = 50_000_000;

@@ -9,12 +9,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.bot.Answer;
 import steward.bot.Player;
 
 /** The ways in which a bot fails, each with its words; nothing is left of it afterwards. */
+@Tag("process")
 class BotFaultTest {
 
     private static final long SHORT = 50_000_000;

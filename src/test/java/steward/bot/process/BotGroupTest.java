@@ -5,10 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import steward.bot.Player;
 
 /** A bot is killed with everything that it has started. */
+@Tag("process")
 class BotGroupTest {
 
     private static final long SHORT = 50_000_000;

@@ -6,9 +6,13 @@ import java.io.File;
 import java.util.Set;
 import java.util.TreeSet;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Isolated;
 
 /** Many matches in one JVM leave nothing behind. */
+@Tag("process")
+@Isolated("counts descriptors, threads and files of the whole JVM")
 class BotLeakTest {
 
     private static final int BOTS = 300;

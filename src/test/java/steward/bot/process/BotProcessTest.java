@@ -17,13 +17,15 @@ import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.bot.Answer;
 import steward.bot.Player;
-import steward.bot.command.Programs;
+import steward.bot.command.ProgramFinder;
 
 /** Bots that do as they should: what they are sent, and what comes back. */
+@Tag("process")
 class BotProcessTest {
 
     private static final String ECHO = "while read -r line; do echo \"got $line\"; done";
@@ -112,7 +114,7 @@ class BotProcessTest {
     @Test
     void spareThreadsKeepNoJvmAlive() throws InterruptedException {
         BlockingQueue<Thread> threads = new LinkedBlockingQueue<>();
-        SpareThreads.run(() -> threads.add(Thread.currentThread()));
+        DaemonThreadPool.run(() -> threads.add(Thread.currentThread()));
         assertTrue(threads.take().isDaemon());
     }
 
@@ -129,13 +131,13 @@ class BotProcessTest {
         ScriptedBots.reply(one, "x\n");
         ScriptedBots.reply(other, "x\n");
         byte[] end = "over\n".getBytes(StandardCharsets.UTF_8);
-        one.farewell(end, end.length);
-        other.farewell(end, end.length);
+        one.sendLastLines(end, end.length);
+        other.sendLastLines(end, end.length);
         end[0] = '?';                                  // it was copied
         one.finish(end, end.length);
         other.finish(end, end.length);
 
-        assertEquals("bye\n", one.lastWords());
+        assertEquals("bye\n", one.finalStderr());
         assertEquals("over\n", Files.readString(heard));
     }
 
@@ -232,7 +234,7 @@ class BotProcessTest {
 
     @Test
     void aBotInPythonAnswers() {
-        assumeTrue(Programs.find("python3") != null, "there is no python3 on the PATH");
+        assumeTrue(ProgramFinder.find("python3") != null, "there is no python3 on the PATH");
         String script = "import sys\nfor line in sys.stdin:\n  print(line.strip().upper(), flush=True)";
         try (BotProcess bot = new BotProcess("py", List.of("python3", "-c", script))) {
             assertEquals("HELLO", ScriptedBots.reply(bot, "hello\n"));

@@ -13,12 +13,14 @@ import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.bot.Answer;
-import steward.bot.command.Programs;
+import steward.bot.command.ProgramFinder;
 
 /** What a bot writes to its stderr belongs to the turn in which it was written, and never blocks it. */
+@Tag("process")
 class BotStderrTest {
 
     @BeforeEach
@@ -102,6 +104,25 @@ class BotStderrTest {
         }
     }
 
+    /** A bot that talks a lot says in the end why it dies: 12 KiB from the beginning, whole lines of the last 4. */
+    @Test
+    void theEndOfALongLastMessageIsThere() {
+        String script = "read -r l; head -c 50000 /dev/zero | tr '\\0' e >&2; echo >&2; echo '[PDATA] score = 7' >&2;"
+            + " head -c 5000 /dev/zero | tr '\\0' f >&2; echo >&2; echo 'ValueError: bad' >&2; exit 1";
+        try (BotProcess bot = ScriptedBots.bot(script)) {
+            // Dropped: all but 12288 of the 50001 bytes of the first line, and the line of 5001.
+            assertEquals("\n[" + (50_001 - 12_288 + 5001)
+                + " more bytes dropped]\n[PDATA] score = 7\nValueError: bad\n",
+                ScriptedBots.fault(bot, "a\n", ScriptedBots.FOREVER).stderr().replaceFirst("^e{12288}", ""));
+        }
+        String line = "read -r l; head -c 50000 /dev/zero | tr '\\0' e >&2; printf '\\303\\251' >&2;"
+            + " head -c 4095 /dev/zero | tr '\\0' f >&2; exit 1";
+        try (BotProcess bot = ScriptedBots.bot(line)) {
+            assertEquals("\n[" + (50_000 - 12_288 + 2) + " more bytes dropped]\n" + "f".repeat(4095),
+                ScriptedBots.fault(bot, "a\n", ScriptedBots.FOREVER).stderr().replaceFirst("^e{12288}", ""));
+        }
+    }
+
     @Test
     void theLastWordsOfABotThatIsTooLateAreThere(@TempDir Path folder) {
         Path marker = folder.resolve("marker");
@@ -118,7 +139,7 @@ class BotStderrTest {
 
     @Test
     void aTracebackIsThere() {
-        assumeTrue(Programs.find("python3") != null, "there is no python3 on the PATH");
+        assumeTrue(ProgramFinder.find("python3") != null, "there is no python3 on the PATH");
         String script = "import sys\nfor line in sys.stdin:\n  print(1 // (len(line) - 2), flush=True)";
         try (BotProcess bot = new BotProcess("py", List.of("python3", "-c", script))) {
             assertEquals("1", ScriptedBots.reply(bot, "ab\n"));

@@ -11,9 +11,11 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** However a referee ends, its bots end with it, and so does its sentinel. */
+@Tag("process")
 class RefereeKilledTest {
 
     /** Answers with the numbers of a child, of a grandchild whose parent has gone, and its own; ignores signals. */

@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.function.BooleanSupplier;
 import steward.bot.Answer;
 import steward.bot.Player;
-import steward.bot.command.Programs;
+import steward.bot.command.ProgramFinder;
 
 /** Bots for tests, written as shell scripts, and how tests talk to them and look whether they are still there. */
 public final class ScriptedBots {
@@ -27,12 +27,12 @@ public final class ScriptedBots {
     }
 
     public static void assumeShell() {
-        assumeTrue(Programs.find("sh") != null, "there is no sh on the PATH");
+        assumeTrue(ProgramFinder.find("sh") != null, "there is no sh on the PATH");
     }
 
     static void assumeGroups() {
         assumeShell();
-        assumeTrue(Programs.find("setsid") != null, "there is no setsid on the PATH");
+        assumeTrue(ProgramFinder.find("setsid") != null, "there is no setsid on the PATH");
         assumeTrue(Files.isDirectory(Path.of("/proc/self")), "there is no /proc");
     }
 

@@ -10,13 +10,15 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** The sentinel kills what it is told to kill, and lives through everything it can live through. */
+@Tag("process")
 class SentinelTest {
 
     /** No process has such a number: Linux counts to 4,194,304. */
-    private static final String NOBODY = "-99999999";
+    private static final String NO_GROUP = "-99999999";
 
     private final Sentinel sentinel = new Sentinel();
     private Process victim;
@@ -26,7 +28,7 @@ class SentinelTest {
         ScriptedBots.assumeGroups();
         sentinel.start();
         // Its first report says that it has begun: before that, a signal ends it.
-        assertFalse(sentinel.kill(NOBODY));
+        assertFalse(sentinel.kill(NO_GROUP));
         victim = new ProcessBuilder("setsid", "sh", "-c", "echo; exec sleep 1000").start();
         // Its line says that it has its group.
         assertEquals('\n', victim.getInputStream().read());
@@ -59,7 +61,7 @@ class SentinelTest {
         sentinel.watch(group());
         assertTrue(sentinel.kill(group()));
         assertVictimIsGone();
-        assertFalse(sentinel.kill(NOBODY));
+        assertFalse(sentinel.kill(NO_GROUP));
         assertFalse(sentinel.kill(group()));
     }
 
@@ -69,7 +71,7 @@ class SentinelTest {
         for (String name : List.of("TERM", "INT", "HUP", "QUIT", "PIPE", "USR1", "TSTP")) {
             signal(name);
         }
-        assertFalse(sentinel.kill(NOBODY));
+        assertFalse(sentinel.kill(NO_GROUP));
         assertEquals(pid, sentinel.pid());
     }
 
@@ -78,7 +80,7 @@ class SentinelTest {
         Process forgotten = new ProcessBuilder("setsid", "sh", "-c", "echo; exec sleep 1000").start();
         assertEquals('\n', forgotten.getInputStream().read());
         sentinel.watch("-" + forgotten.pid());
-        sentinel.watch(NOBODY);
+        sentinel.watch(NO_GROUP);
         sentinel.watch(group());
         sentinel.forget("-" + forgotten.pid());
         long pid = sentinel.pid();
@@ -96,7 +98,7 @@ class SentinelTest {
         signal("KILL");
         ScriptedBots.assertGone(first);
         ScriptedBots.await("it has not noticed", () -> {
-            sentinel.watch(NOBODY);
+            sentinel.watch(NO_GROUP);
             return sentinel.pid() != first;
         });
         sentinel.endOrders();
@@ -112,7 +114,7 @@ class SentinelTest {
         assertVictimIsGone();
         ScriptedBots.assertGone(first);
         assertNotEquals(first, sentinel.pid());
-        assertFalse(sentinel.kill(NOBODY));
+        assertFalse(sentinel.kill(NO_GROUP));
     }
 
     @Test
@@ -120,10 +122,10 @@ class SentinelTest {
         long pid = sentinel.pid();
         sentinel.watch(group());
         for (int bot = 0; bot < 1000; bot++) {
-            sentinel.watch(NOBODY + bot);
-            sentinel.watch(NOBODY + bot + 1);
-            assertFalse(sentinel.kill(NOBODY + bot));
-            sentinel.forget(NOBODY + bot + 1);
+            sentinel.watch(NO_GROUP + bot);
+            sentinel.watch(NO_GROUP + bot + 1);
+            assertFalse(sentinel.kill(NO_GROUP + bot));
+            sentinel.forget(NO_GROUP + bot + 1);
         }
         assertEquals(pid, sentinel.pid());
         assertEquals(1, sentinel.size());

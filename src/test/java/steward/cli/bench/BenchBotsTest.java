@@ -13,7 +13,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import steward.bench.section.MatchKit;
+import steward.bench.section.MatchFixture;
 import steward.bench.section.ParallelMatches;
 import steward.bot.InProcessPlayer;
 import steward.game.FrameCodec;
@@ -31,29 +31,31 @@ import steward.match.TimeControl;
 import steward.match.Turn;
 import steward.replay.ReplayHeader;
 import steward.replay.ReplayWriter;
+import steward.scene.Scene;
 
 /** Bots that sit at the game itself: the same matches as by lines, and nothing allocated in a turn. */
 class BenchBotsTest {
 
-    private static final MatchListener NOBODY = new MatchListener() { };
-    private final MatchKit kit = BenchScenes.kit();
+    private static final MatchListener NO_LISTENER = new MatchListener() { };
+    private final MatchFixture fixture = BenchSuite.fixture();
 
     private Seat direct(String name) {
-        return Seat.direct(name, new BenchDirect());
+        return Seat.direct(name, new BenchDirectBot());
     }
 
     private Seat lines(String name) {
-        return new Seat(new InProcessPlayer(name, new BenchLines()), Protocol.JSON);
+        return new Seat(new InProcessPlayer(name, new BenchLineBot()), Protocol.JSON);
     }
 
     private ReplayWriter writer(OutputStream file, long seed) {
-        return new ReplayWriter(file, new ReplayHeader(kit.setup().scene().gameId(), kit.setup().scene().json(), seed,
+        Scene scene = fixture.setup().scene();
+        return new ReplayWriter(file, new ReplayHeader(scene.gameId(), scene.json(), seed,
             List.of("a", "b"), List.of("a", "b"), 1));
     }
 
     private String recording(long seed, List<Seat> seats) throws InterruptedException {
         ByteArrayOutputStream file = new ByteArrayOutputStream();
-        Referee.of(kit.setup(), seed, seats, TimeControl.UNLIMITED, writer(file, seed)).play();
+        Referee.of(fixture.setup(), seed, seats, TimeControl.UNLIMITED, writer(file, seed)).play();
         return file.toString(StandardCharsets.UTF_8).replaceAll(",\"times\":\\{[^}]*}", "");
     }
 
@@ -82,8 +84,8 @@ class BenchBotsTest {
                 seat.thrust(seat.first(), 0, 0, 201);
             }
         };
-        MatchResult result = Referee.of(kit.setup(), 1, List.of(Seat.direct("wild", wild), direct("b")),
-            TimeControl.UNLIMITED, NOBODY).play();
+        MatchResult result = Referee.of(fixture.setup(), 1, List.of(Seat.direct("wild", wild), direct("b")),
+            TimeControl.UNLIMITED, NO_LISTENER).play();
 
         assertEquals("threw java.lang.IllegalArgumentException: thrust: found 201, expected 0..200",
             result.players().get(0).fault());
@@ -92,7 +94,7 @@ class BenchBotsTest {
 
     @Test
     void commandsAreCheckedAsThoseOfLines() {
-        PodSeat seat = new PodSeat((PodRace) kit.setup().create(1), 1);
+        PodSeat seat = new PodSeat((PodRace) fixture.setup().create(1), 1);
 
         assertEquals(2, seat.first());
         assertThrows(IllegalArgumentException.class, () -> seat.thrust(1, 0, 0, 100), "another player's pod");
@@ -105,23 +107,23 @@ class BenchBotsTest {
     @Test
     void anInterruptedCallerPlaysNoFurther() {
         Thread.currentThread().interrupt();
-        assertThrows(InterruptedException.class, () -> Referee.of(kit.setup(), 1, List.of(direct("a"), direct("b")),
-            TimeControl.UNLIMITED, NOBODY).play());
+        assertThrows(InterruptedException.class, () -> Referee.of(fixture.setup(), 1, List.of(direct("a"), direct("b")),
+            TimeControl.UNLIMITED, NO_LISTENER).play());
     }
 
     @Test
     void resultsDoNotDependOnTheNumberOfThreads() throws InterruptedException {
-        long one = ParallelMatches.play(kit, 30, 1);
+        long one = ParallelMatches.play(fixture, 30, 1);
 
-        assertEquals(one, ParallelMatches.play(kit, 30, 3));
-        assertEquals(one, ParallelMatches.play(kit, 30, 8));
+        assertEquals(one, ParallelMatches.play(fixture, 30, 3));
+        assertEquals(one, ParallelMatches.play(fixture, 30, 8));
     }
 
     @Test
     void aMatchThatFailsIsNoResult() {
-        MatchKit failing = new MatchKit(kit.types(), kit.setup(), () -> {
+        MatchFixture failing = new MatchFixture(fixture.types(), fixture.setup(), () -> {
             throw new IllegalStateException("no bot today");
-        }, kit.lines(), List.of(), null, List.of());
+        }, fixture.lines(), List.of(), null, List.of());
         assertEquals("no bot today", assertThrows(IllegalStateException.class,
             () -> ParallelMatches.play(failing, 30, 2)).getMessage());
     }
@@ -135,7 +137,8 @@ class BenchBotsTest {
         boolean[] quiet = new boolean[500];
         for (int match = 0; match < 40; match++) {
             ReplayWriter writer = writer(OutputStream.nullOutputStream(), 1);
-            Referee.of(kit.setup(), 1, List.of(direct("a"), direct("b")), TimeControl.UNLIMITED, new MatchListener() {
+            List<Seat> seats = List.of(direct("a"), direct("b"));
+            Referee.of(fixture.setup(), 1, seats, TimeControl.UNLIMITED, new MatchListener() {
                 private Game game;
                 private long before;
 
@@ -174,11 +177,11 @@ class BenchBotsTest {
     @Test
     void writingAFrameAndReadingAnAnswerAllocateNothing() {
         ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-        Game game = kit.setup().create(1);
-        Dialogue dialogue = Dialogue.of(Protocol.JSON, kit.setup(), game, kit.setup().codec(game));
+        Game game = fixture.setup().create(1);
+        Dialogue dialogue = Dialogue.of(Protocol.JSON, fixture.setup(), game, fixture.setup().codec(game));
         byte[] answer = "{\"pods\":[{\"x\":8000,\"y\":4500,\"thrust\":50},{\"x\":-80,\"y\":45,\"shield\":true}]}"
             .getBytes(StandardCharsets.UTF_8);
-        BenchStates states = new BenchStates(kit.setup());
+        BenchRaceStates states = new BenchRaceStates(fixture.setup());
         long least = Long.MAX_VALUE;
         for (int count = 0; count < 30 && least > 0; count++) {
             long before = threads.getCurrentThreadAllocatedBytes();

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -44,6 +45,7 @@ class BenchCommandTest {
 
     /** Five ways, a race and a brawl; whoever played another game than the textbook would have ended the part. */
     @Test
+    @Tag("slow")
     void podTurnsAreMeasuredInEveryWay() throws IOException {
         Cli cli = Cli.run("bench", "--quick", "--only", "pods", "--threads", "2", "--out",
             folder.resolve("pods").toString());
@@ -96,7 +98,7 @@ class BenchCommandTest {
     @Test
     void everyPartIsThere() {
         Map<String, Integer> names = new java.util.TreeMap<>();
-        BenchScenes.all(1, 1, List.of(10)).forEach(section -> names.merge(section.name(), 1, Integer::sum));
+        BenchSuite.all(1, 1, List.of(10)).forEach(section -> names.merge(section.name(), 1, Integer::sum));
 
         assertTrue(names.keySet().containsAll(List.of("pods", "matches", "growth", "frames", "verify", "processes",
             "start", "crowds")), names::toString);

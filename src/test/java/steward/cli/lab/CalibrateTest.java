@@ -10,6 +10,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -42,6 +43,7 @@ class CalibrateTest {
     }
 
     @Test
+    @Tag("process")
     void aSceneThatStatesAnErrorIsCalibratedAndPlayed() throws IOException {
         assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
         Path scene = scene("{ \"maxPositionError\": 0.01, \"share\": 0.99 }");

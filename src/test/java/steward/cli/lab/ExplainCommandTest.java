@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -50,6 +51,7 @@ class ExplainCommandTest {
 
     /** Every part has a price, but for the broad phase, which would take work away. */
     @Test
+    @Tag("slow")
     void everyPartHasItsPrice() {
         Cli cli = Cli.run("explain", "mad-pod-racing-silver");
         assertEquals(ExitStatus.DONE, cli.status(), cli.err());

@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.cli.Cli;
@@ -61,6 +62,7 @@ class StabilityCommandTest {
 
     /** Of a row that takes long, an interrupted run tells what there was so far. */
     @Test
+    @Tag("process")
     void theUnfinishedRowIsTold() throws IOException, InterruptedException {
         Path errors = folder.resolve("errors");
         Process run = child(List.of(), "stability", "--case", "crowd of 100, 10%", "--rung", "double", "--impacts",
@@ -123,6 +125,7 @@ class StabilityCommandTest {
 
     /** An interrupted run leaves the rows that were measured, in files that are whole. */
     @Test
+    @Tag("process")
     void whatWasMeasuredIsKept() throws IOException, InterruptedException {
         Path out = folder.resolve("results");
         Path errors = folder.resolve("errors");
@@ -147,6 +150,7 @@ class StabilityCommandTest {
 
     /** Interpreted, and without the machine's fused multiply-add: the same bits. */
     @Test
+    @Tag("process")
     void theGoldenHashIsTheSameUnderOtherFlags() throws IOException, InterruptedException {
         Cli here = Cli.run("stability", "--quick", "--golden");
         assertEquals(ExitStatus.DONE, here.status(), here.err());

@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.cli.Cli;
@@ -37,6 +38,7 @@ class TradeoffCommandTest {
     }
 
     @Test
+    @Tag("slow")
     void theTableAndTheFilesHoldEveryRung() throws IOException {
         Path out = folder.resolve("results");
         Cli cli = tradeoff(true, "--scene", "duel", "--scene", "headings", "--out", out.toString());
@@ -78,6 +80,7 @@ class TradeoffCommandTest {
 
     /** An interrupted run leaves the scenes that were measured, in files that are whole. */
     @Test
+    @Tag("process")
     void whatWasMeasuredIsKept() throws IOException, InterruptedException {
         Path out = folder.resolve("results");
         Path errors = folder.resolve("errors");

@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -57,6 +58,7 @@ class AccuracyOptionTest {
     }
 
     @ParameterizedTest
+    @Tag("process")
     @CsvSource({
         "exact, '{\"advance\":\"event\",\"arithmetic\":\"exact\"}'",
         "event/compensated, '{\"advance\":\"event\",\"arithmetic\":\"compensated\"}'",
@@ -75,6 +77,7 @@ class AccuracyOptionTest {
     }
 
     @Test
+    @Tag("process")
     void steppingIsAnotherGameThanTheOfficialOne() throws IOException {
         Path own = folder.resolve("own.jsonl");
         Path official = folder.resolve("official.jsonl");

@@ -6,13 +6,15 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import steward.bot.command.Builtins;
+import steward.bot.command.BuiltinBots;
 import steward.cli.Cli;
 import steward.cli.shared.ExitStatus;
 
 /** {@code steward demo}. */
+@Tag("process")
 class DemoCommandTest {
 
     @TempDir
@@ -20,7 +22,7 @@ class DemoCommandTest {
 
     @Test
     void itIsPlayedVerifiedAndDrawn() {
-        assumeTrue(Builtins.installed().names().containsAll(List.of("racer", "veteran")),
+        assumeTrue(BuiltinBots.installed().names().containsAll(List.of("racer", "veteran")),
             "the bundled bots are not on the class path");
         Path file = folder.resolve("a folder/demo.jsonl");
         Cli cli = Cli.run("demo", "--out", file.toString());

@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -18,6 +19,7 @@ import steward.cli.shared.ExitStatus;
 import tools.jackson.databind.JsonNode;
 
 /** {@code steward match} with real bot processes. Nobody is hurried: the tests are not about time. */
+@Tag("process")
 @Timeout(60)
 class MatchCommandTest {
 
@@ -109,7 +111,8 @@ class MatchCommandTest {
         assertTrue(cli.json().get("replay").isNull());
         Cli strict = duel(false, good, "bad=sh -c 'exit 3'", "--strict");
         assertEquals(ExitStatus.FAILED, strict.status());
-        assertTrue(strict.out().contains("bad failed: exited with status 3 before answering\n"), strict.out());
+        assertTrue(strict.out().contains("bad failed in turn 1: exited with status 3 before answering\n"),
+            strict.out());
     }
 
     @Test

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -41,10 +42,11 @@ class PlayCommandTest {
     }
 
     @Test
+    @Tag("process")
     void printsOneObject() {
         JsonNode json = play(bots.idler(0), bots.driver(), "--seed", "7");
 
-        assertEquals(List.of("ranks", "errors", "test_data", "player_data", "attributes"),
+        assertEquals(List.of("ranks", "errors", "faults", "test_data", "player_data", "attributes"),
             new ArrayList<>(json.propertyNames()));
         assertEquals("[1,0]", json.get("ranks").toString());
         assertEquals("[0,0]", json.get("errors").toString());
@@ -61,6 +63,7 @@ class PlayCommandTest {
     }
 
     @Test
+    @Tag("process")
     void aBotThatFailsIsAResult() {
         JsonNode json = play(bots.driver(), bots.idler(2));
         assertEquals("[0,1]", json.get("ranks").toString());
@@ -71,7 +74,27 @@ class PlayCommandTest {
         assertTrue(tied.get("test_data").get("seed").isIntegralNumber());
     }
 
+    /** The other bots of a league are to play on, whatever becomes of one of them. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
+        "/no/such/bot | bot 'codingame:/no/such/bot': there is no file '/no/such/bot'",
+        "/tmp | bot 'codingame:/tmp': '/tmp' is a directory; expected an executable program",
+        "builtin:nobody | bot 'builtin:nobody': there is no builtin bot 'nobody'",
+        "json: | bot 'json:': there is no command after 'json:'",
+        "'cat | bot ''cat', column 1: the single quote is never closed"})
+    void aBotThatCannotBeStartedHasFailed(String bot, String reason) {
+        JsonNode json = play(bots.idler(0), bot);
+        assertEquals("[0,1]", json.get("ranks").toString());
+        assertEquals("[0,1]", json.get("errors").toString());
+        assertTrue(json.get("faults").get(0).isNull());
+        String fault = json.get("faults").get(1).asString();
+        assertTrue(fault.startsWith("could not be started: " + reason), fault);
+        assertEquals("[1,0]", play(bot, bots.idler(0)).get("errors").toString());
+        assertEquals("[1,1]", play(bot, bot).get("errors").toString());
+    }
+
     @Test
+    @Tag("process")
     void aDrawIsNoError() {
         JsonNode json = play(bots.idler(0), bots.idler(0));
         assertEquals("[0,0]", json.get("ranks").toString());
@@ -83,7 +106,6 @@ class PlayCommandTest {
         "cat cat | --json-league",
         "--json-league cat | found 1 bot, expected 2 bots",
         "--json-league cat cat cat | found 3 bots, expected 2 bots",
-        "--json-league cat /no/such/bot | there is no file '/no/such/bot'",
         "--json-league cat cat --seed x | found 'x', expected a whole number of 64 bits",
         "--json-league cat cat --scene nowhere | nowhere: found no such file",
         "--json-league cat cat --time-factor nan | expected a number"})

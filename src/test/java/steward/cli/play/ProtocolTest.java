@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -35,6 +36,7 @@ import steward.scene.Scene;
 import tools.jackson.databind.JsonNode;
 
 /** Which bot of a match speaks which protocol, and what bots that speak in lines leave in results and replays. */
+@Tag("process")
 @Timeout(60)
 class ProtocolTest {
 

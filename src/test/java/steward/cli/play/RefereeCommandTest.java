@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -43,6 +44,7 @@ class RefereeCommandTest {
     }
 
     @Test
+    @Tag("process")
     void scoresAreInTheOrderOfThePlayers() {
         assertEquals(new Cli(0, "1\n0\n", ""), referee(bots.driver(), bots.idler(0), "-d", "seed=7"));
         assertEquals(new Cli(0, "0\n1\n", ""), referee(bots.idler(0), bots.driver(), "-seed", "7"));
@@ -50,13 +52,75 @@ class RefereeCommandTest {
     }
 
     @Test
+    @Tag("process")
     void whoFailsHasANegativeScore() {
         assertEquals(new Cli(0, "-1\n1\n", ""), referee(bots.idler(3), bots.driver(), "-d", "seed=1"));
         assertEquals(new Cli(0, "1\n-1\n", ""), referee(bots.idler(0), "true", "-d", "seed=1"));
         assertEquals(new Cli(0, "-1\n-1\n", ""), referee(bots.idler(2), bots.idler(2), "-d", "seed=1"));
     }
 
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
+        "/no/such/bot | bot 'codingame:/no/such/bot': there is no file '/no/such/bot'",
+        "builtin:nobody | bot 'builtin:nobody': there is no builtin bot 'nobody'",
+        "'cat | bot ''cat', column 1: the single quote is never closed"})
+    void aBotThatCannotBeStartedLoses(String bot, String reason) throws IOException {
+        Path replay = folder.resolve("match.jsonl");
+        Cli cli = Cli.run("referee", "-p1", bots.idler(0), "-p2", bot, "-p2name", "b", "-scene", "duel",
+            "--no-deadline", "-seed", "1", "-r", replay.toString());
+        assertEquals("1\n-1\n", cli.out());
+        assertEquals(0, cli.status());
+        assertTrue(cli.err().startsWith("steward: warning: -p2 has failed, because it cannot be started: " + reason)
+            && cli.err().indexOf('\n') == cli.err().length() - 1, cli.err());
+        assertTrue(Files.readString(replay).contains("\"name\":\"b\",\"fault\":\"could not be started: " + reason));
+        assertEquals("verified: 1 turn\n", Cli.run("replay", replay.toString(), "--verify").out());
+    }
+
+    /** As tools call: the same names again and again, or files that they have made. */
     @Test
+    void filesOfTheirOwnKindAreReplaced() throws IOException {
+        Path log = folder.resolve("log.json");
+        Path replay = folder.resolve("match.jsonl");
+        String[] files = {"-seed", "5", "-l", log.toString(), "-r", replay.toString(), "-s"};
+        assertEquals(0, referee(bots.driver(), bots.idler(0), files).status());
+        assertEquals(0, referee(bots.driver(), bots.idler(0), files).status());
+        Files.writeString(log, "{\"outputs\":{\"0\":[]},\"views\":[],\"errors\":{}}");
+        Files.writeString(replay, "{\"type\":\"steward-replay\",\"format\":2,\"cut");
+        assertEquals(0, referee(bots.driver(), bots.idler(0), files).status());
+        assertTrue(Files.readString(log).startsWith("{\"errors\":{\"referee\":[null,"));
+        assertEquals(0, referee(bots.idler(1), bots.idler(1), "-seed", "5", "-l", "/dev/null").status());
+    }
+
+    @Test
+    void otherFilesAreKept() throws IOException {
+        for (String precious : List.of("int main() {}\n", "{\"errors\":[1,2]}", "[]", "{", "{\"type\":\"x\"}")) {
+            Path file = Files.writeString(folder.resolve("precious"), precious);
+            kept(file, "-l " + file + ": found a file of another kind", "-l", file.toString());
+            kept(file, "-r " + file + ": found a file of another kind", "-r", file.toString());
+        }
+        Path log = folder.resolve("log.json");
+        Path replay = folder.resolve("match.jsonl");
+        referee(bots.idler(1), bots.idler(1), "-seed", "5", "-l", log.toString(), "-r", replay.toString());
+        kept(log, "-r " + log, "-r", log.toString());
+        kept(replay, "-l " + replay, "-l", replay.toString());
+        Path page = Files.writeString(folder.resolve("match.html"), "<!DOCTYPE html>\n<title>mine</title>");
+        kept(page, "-s: " + page + ": found a file of another kind", "-r", replay.toString(), "-s");
+    }
+
+    private void kept(Path file, String problem, String... files) throws IOException {
+        String before = Files.readString(file);
+        List<String> arguments = new ArrayList<>(List.of("referee", "-p1", bots.idler(1), "-p2", bots.idler(1),
+            "-scene", "duel"));
+        arguments.addAll(List.of(files));
+        Cli cli = Cli.run(arguments.toArray(String[]::new));
+        assertEquals(2, cli.status(), cli.out());
+        assertEquals("", cli.out());
+        assertTrue(cli.err().startsWith("steward: " + problem), cli.err());
+        assertEquals(before, Files.readString(file));
+    }
+
+    @Test
+    @Tag("process")
     void aDrawnSeedIsToldAfterTheScores() {
         String[] lines = referee(bots.idler(1), bots.idler(2)).out().split("\n");
         assertEquals(3, lines.length);
@@ -64,6 +128,7 @@ class RefereeCommandTest {
     }
 
     @Test
+    @Tag("process")
     void theFilesAgreeWithTheScores() throws IOException {
         Path log = Files.createFile(folder.resolve("log.json"));
         Path replay = folder.resolve("match.jsonl");
@@ -83,6 +148,7 @@ class RefereeCommandTest {
     }
 
     @Test
+    @Tag("process")
     void withoutAReplayOfItsOwnThePageHasATemporaryOne() throws IOException {
         String[] lines = referee(bots.idler(1), bots.idler(1), "-seed", "5", "-s").out().split("\n");
         assertEquals(4, lines.length);
@@ -99,9 +165,6 @@ class RefereeCommandTest {
         "-p1 cat -p2 cat -p3 cat | found -p3, expected -p1 to -p2",
         "-p1 cat -p2 cat -p9 cat | Unknown option",
         "-p1 cat -p2 cat -p3name X | found -p3name, expected -p3 with it",
-        "-p1 cat -p2 /no/such/bot | there is no file '/no/such/bot'",
-        "-p1 cat -p2 builtin:nobody | there is no builtin bot 'nobody'",
-        "-p1 cat -p2 'cat | the single quote is never closed",
         "-p1 cat -p2 cat -p2 cat | should be specified only once",
         "-p1 cat -p2 cat -d seed | -d: found 'seed', expected key=value, such as seed=7",
         "-p1 cat -p2 cat -d seed=0x7 | expected a whole number of 64 bits after seed=",

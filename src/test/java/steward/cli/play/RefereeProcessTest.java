@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.cli.Main;
@@ -19,6 +20,7 @@ import steward.cli.ShellBots;
 import steward.cli.TextShellBots;
 
 /** {@code steward referee} as a process of its own, which a tool has started: nothing but the answer, on one stream. */
+@Tag("process")
 class RefereeProcessTest {
 
     @TempDir

@@ -16,11 +16,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.cli.Main;
+import steward.cli.ProcessTest;
 import steward.cli.shared.ExitStatus;
 
 /**
@@ -94,7 +97,8 @@ class SimulateCommandTest {
 
     /** One process for all seven games; each test is sent only when the answer to the last has come. */
     @Test
-    void everyValueOfTheOfficialRecordings() throws IOException, InterruptedException {
+    @Tag("process")
+    void everyValueOfTheOfficialRecordings(TestReporter report) throws IOException, InterruptedException {
         List<Recording> recordings = recordings();
         Process process = simulator(ProcessBuilder.Redirect.INHERIT);
         int values = 0;
@@ -105,7 +109,7 @@ class SimulateCommandTest {
                 List<String> differences = new ArrayList<>();
                 int digits = count(recording, in, out, differences);
                 int all = recording.tests() * PODS * COLUMNS;
-                System.out.println("simulate, " + recording.name() + ": " + (all - differences.size()) + " of " + all
+                report.publishEntry("simulate, " + recording.name() + ": " + (all - differences.size()) + " of " + all
                     + " values equal, " + digits + " of them to the last digit; different: " + differences);
                 values += all;
                 different += differences.size();
@@ -191,6 +195,7 @@ class SimulateCommandTest {
     }
 
     @Test
+    @Tag("process")
     void aWrongInputEndsTheProgramWithStatus2AndTheAnswersBeforeAreThere() throws IOException, InterruptedException {
         Process process = simulator(ProcessBuilder.Redirect.PIPE);
         write(process.getOutputStream(), MAP + "2\n\n" + STATES + "5000 0 100\n5000 0 0\n0 0 SHIELD\n0 0 BOOST\nx\n");
@@ -209,6 +214,14 @@ class SimulateCommandTest {
     }
 
     @Test
+    void aFolderIsNoInput() throws IOException, InterruptedException {
+        String call = ProcessTest.steward("simulate") + " </tmp 2>&1";
+        assertEquals("steward: standard input: found a folder, expected a file or a pipe\nstatus 2\n",
+            ProcessTest.shell(call));
+    }
+
+    @Test
+    @Tag("process")
     void noInputIsNoTest() throws IOException, InterruptedException {
         Process process = simulator(ProcessBuilder.Redirect.INHERIT);
         process.getOutputStream().close();

@@ -13,6 +13,7 @@ import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -77,6 +78,7 @@ class ViewTest {
     }
 
     @Test
+    @Tag("process")
     void aMatchBecomesAPageWithoutAReplay() throws IOException {
         Path page = folder.resolve("m.html");
         Cli cli = Cli.run(match("--view", page.toString(), "--json"));
@@ -87,6 +89,7 @@ class ViewTest {
     }
 
     @Test
+    @Tag("process")
     void thePageOfAMatchIsThatOfItsReplay() throws IOException {
         Path page = folder.resolve("m.html");
         Path file = folder.resolve("m.jsonl");
@@ -99,6 +102,7 @@ class ViewTest {
     }
 
     @Test
+    @Tag("process")
     void aPageThatExistsIsKeptUnlessItMayBeReplaced() throws IOException {
         Path page = Files.writeString(folder.resolve("x.html"), "precious");
         refused(page + ": exists already, and is kept", "replay", replay().toString(), "--view", page.toString());
@@ -194,6 +198,7 @@ class ViewTest {
 
     /** As a process of its own, since the programs that are found depend on its environment. */
     @Test
+    @Tag("process")
     void itIsOpenedInTheBrowserOfTheSystem() throws IOException, InterruptedException {
         assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
         Path opener = Files.writeString(folder.resolve("xdg-open"), "#!/bin/sh\necho \"$1\" >" + folder + "/opened\n");

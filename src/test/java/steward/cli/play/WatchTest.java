@@ -25,6 +25,7 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -36,6 +37,7 @@ import steward.cli.shared.Streams;
 import steward.live.Clients;
 
 /** {@code steward match --watch} as a whole. */
+@Tag("process")
 @Timeout(60)
 class WatchTest {
 

@@ -11,12 +11,14 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.PipedInputStream;
 import java.io.PipedOutputStream;
+import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -28,6 +30,7 @@ import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Streams;
 
 /** {@code steward feed} with bots that are shell scripts. */
+@Tag("process")
 @Timeout(60)
 class FeedCommandTest {
 
@@ -72,7 +75,8 @@ class FeedCommandTest {
     private Cli feed(InputStream in, String options, String... command) {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         ByteArrayOutputStream err = new ByteArrayOutputStream();
-        String[] words = ("feed " + replay + " --player 0 " + options).strip().split(" +");
+        String[] words = ("feed " + replay + (options.contains("--player") ? " " : " --player 0 ") + options).strip()
+            .split(" +");
         String[] call = Arrays.copyOf(words, words.length + 1 + command.length);
         call[words.length] = "--";
         System.arraycopy(command, 0, call, words.length + 1, command.length);
@@ -179,13 +183,104 @@ class FeedCommandTest {
         assertTrue(cli.out().contains("turn   30  played, differs: command[0].thrust recorded 100, now 90\n"
             + "turn   31  played\n"), cli.out());
         assertTrue(cli.out().contains("19 turns compared: 19 the same, 0 different\n31 turns played by the bot\n"
-            + "near wins: all others are out, 50 turns (duel, seed 7)\n"), cli.out());
+            + "bot.sh wins: all others are out, 50 turns (duel, seed 7)\n"), cli.out());
         assertEquals("verified: 50 turns\n", Cli.run("replay", file.toString(), "--verify").out());
         Cli early = feed("--from-turn 20 --replace --overwrite --quiet --out " + file, bot("100", "3", "exit 1"));
         assertEquals(ExitStatus.FAILED, early.status());
         assertTrue(early.out().contains("no result after 2 turns: the bot has ended before turn 20; ahead then: "),
             early.out());
         assertEquals("verified: 2 turns\n", Cli.run("replay", file.toString(), "--verify").out());
+    }
+
+    /** Which player, as its number or its name; a name that is another's is told from it by the number. */
+    @Test
+    void theBotPlaysUnderItsOwnName() throws IOException {
+        Path file = folder.resolve("new.jsonl");
+        String call = "--player near --from-turn 20 --replace --quiet --overwrite --out " + file;
+        String[] words = bot("100");
+        words[0] = "mine=json:sh";
+        assertEquals(ExitStatus.DONE, feed(call, words).status());
+        assertTrue(Files.readString(file).contains("\"players\":[{\"name\":\"mine\",\"bot\":\"mine=sh "), "header");
+        words[0] = "far=sh";
+        assertEquals(ExitStatus.DONE, feed(call, words).status());
+        assertTrue(Files.readString(file).contains("\"players\":[{\"name\":\"far-0\",\"bot\":\"far=sh "), "header");
+        assertEquals("verified: 50 turns\n", Cli.run("replay", file.toString(), "--verify").out());
+    }
+
+    /** A player that spoke CodinGame's lines, and a bundled bot, which speaks JSON. */
+    @Test
+    void aPrefixSaysWhatTheBotSpeaks() {
+        Path lines = folder.resolve("lines.jsonl");
+        String reader = "while read -r own; do read -r other; echo 10500 3500 100; done";
+        Cli match = Cli.run("match", "--scene", "duel", "--no-deadline", "--seed", "7", "--out", lines.toString(),
+            "--bot", "lines=codingame:sh -c '" + reader + "'", "--bot", "builtin:racer");
+        assertEquals(ExitStatus.DONE, match.status(), match.err());
+        Cli builtin = Cli.run("feed", lines.toString(), "--player", "lines", "--", "builtin:racer");
+        assertEquals(ExitStatus.FAILED, builtin.status(), builtin.err());
+        assertTrue(builtin.out().lines().findFirst().orElseThrow().endsWith(", speaks json: builtin:racer"),
+            builtin.out());
+        assertTrue(builtin.out().contains("\nturn    1  differs: command[0]."), builtin.out());
+        Cli same = Cli.run("feed", lines.toString(), "--player", "lines", "--quiet", "--", "sh", "-c", reader);
+        assertEquals(ExitStatus.DONE, same.status(), same.out());
+        Cli other = Cli.run("feed", lines.toString(), "--player", "1", "--quiet", "--", "codingame:sh", "-c", reader);
+        assertTrue(other.out().contains(", speaks codingame: sh -c '") && other.out().contains("differs"),
+            other.out());
+        Cli whole = Cli.run("feed", lines.toString(), "--player", "1", "--quiet", "--", "codingame:sh -c '" + reader
+            + "'");
+        assertEquals(other.out().lines().skip(1).toList(), whole.out().lines().skip(1).toList());
+    }
+
+    @Test
+    void programsReadOneObject() {
+        Cli same = feed("--json", bot("100"));
+        assertEquals("{\"player\":0,\"name\":\"near\",\"bot\":\"sh " + script + " 100 0 ''\",\"protocol\":\"json\","
+            + "\"compared\":50,\"same\":50,\"differing\":[],\"played\":null}\n", same.out());
+        assertEquals("", same.err());
+        Cli other = feed("--json", bot("100", "7", "thrust=50"));
+        assertEquals(ExitStatus.FAILED, other.status());
+        assertEquals("[{\"turn\":7,\"recordedFault\":null,\"fault\":null,\"fields\":[{\"field\":\"command[0].thrust\","
+            + "\"recorded\":\"100\",\"now\":\"50\"}]}]", other.json().get("differing").toString());
+        Cli played = feed("--json --from-turn 20 --replace --out " + folder.resolve("new.jsonl"), bot("100"));
+        assertEquals("{\"turns\":31,\"turnsInAll\":50,\"ending\":\"all others are out\",\"noResultBecause\":null,"
+            + "\"ahead\":[\"bot.sh\"],\"replay\":\"" + folder.resolve("new.jsonl") + "\"}",
+            played.json().get("played").toString());
+    }
+
+    @Test
+    void aReplayComesAndGoesByPipes() throws IOException {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        ByteArrayOutputStream err = new ByteArrayOutputStream();
+        try (InputStream in = Files.newInputStream(replay)) {
+            int status = Main.run(new Streams(in, false, out, err, false, false), "feed", "-", "--player", "near",
+                "--from-turn", "20", "--replace", "--quiet", "--out", "-", "--", "sh", script, "100", "0", "");
+            assertEquals(ExitStatus.DONE, status, err.toString(StandardCharsets.UTF_8));
+        }
+        assertTrue(err.toString(StandardCharsets.UTF_8).contains("31 turns played by the bot\n"));
+        ByteArrayOutputStream verified = new ByteArrayOutputStream();
+        Main.run(new Streams(new ByteArrayInputStream(out.toByteArray()), false, verified, err, false, false),
+            "replay", "-", "--verify");
+        assertEquals("verified: 50 turns\n", verified.toString(StandardCharsets.UTF_8));
+    }
+
+    @Test
+    void waitingIsToldOnATerminal() throws InterruptedException {
+        ByteArrayOutputStream terminal = new ByteArrayOutputStream();
+        PrintStream printed = new PrintStream(terminal, true, StandardCharsets.UTF_8);
+        try (WaitingNotice notice = new WaitingNotice(printed, "json", 50)) {
+            notice.asked(1);
+            notice.answered();
+            notice.asked(2);
+            while (terminal.size() == 0) {
+                Thread.sleep(10);
+            }
+            notice.answered();
+        }
+        assertEquals("waiting for the bot's answer to turn 2 (it is sent json)\n",
+            terminal.toString(StandardCharsets.UTF_8));
+        try (WaitingNotice nowhere = new WaitingNotice(null, "json", 0)) {
+            nowhere.asked(1);
+            nowhere.answered();
+        }
     }
 
     private void refused(String message, String options, String... command) {
@@ -199,7 +294,8 @@ class FeedCommandTest {
         Path precious = Files.writeString(folder.resolve("precious"), "precious");
         refused("expected the command of a bot", "");
         Cli player = Cli.run("feed", replay.toString(), "--player", "2", "--", "sh");
-        assertEquals("steward: --player: found 2, expected 0 to 1 in " + replay + "\n", player.err());
+        assertEquals("steward: --player: found 2, expected 0 to 1 in " + replay + ", or a name: near, far\n",
+            player.err());
         assertEquals(ExitStatus.UNUSABLE, player.status());
         refused("there is no program 'no-such-program'", "", "no-such-program");
         refused("--until: found 51, expected 1 to 50", "--until 51", bot);
@@ -212,6 +308,10 @@ class FeedCommandTest {
         refused("--overwrite: expected --out", "--overwrite", bot);
         refused("--until and --replace exclude", "--until 3 --from-turn 3 --replace --out y", bot);
         refused("--protocol: found 'x', expected json or codingame", "--protocol x", bot);
+        refused("expected json or none: 'builtin:racer' speaks json", "--protocol codingame", "builtin:racer");
+        refused("there is no builtin bot 'race'", "", "builtin:race");
+        refused("there is no command", "", "json:");
+        refused("--json is printed to the standard output", "--json --from-turn 3 --replace --out -", bot);
         refused("--pause is for attaching", "--pause", "gdb", "./a.out");
         refused("found the replay itself", "--from-turn 3 --replace --overwrite --out " + replay, bot);
         refused("exists already, and is kept", "--from-turn 3 --replace --out " + precious, bot);

@@ -10,6 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -64,6 +65,7 @@ class FramePrinterTest {
     }
 
     @Test
+    @Tag("process")
     void ofABotProgramThatKeptItsInput() throws IOException {
         assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
         ShellBots bots = new ShellBots(folder);
@@ -82,6 +84,7 @@ class FramePrinterTest {
 
     /** With one pod each there are two lines a turn, the own pod and the other, and none before and after. */
     @Test
+    @Tag("process")
     void ofABotThatSpeaksLines() throws IOException {
         assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
         Path kept = folder.resolve("kept");
@@ -113,7 +116,8 @@ class FramePrinterTest {
         Path file = Files.write(folder.resolve("x.jsonl"), Recorded.duel(11).bytes());
         Cli cli = Cli.run("replay", file.toString(), "--frames", "--player", "2");
         assertEquals(ExitStatus.UNUSABLE, cli.status());
-        assertEquals("steward: --player: found 2, expected 0 to 1 in " + file + "\n", cli.err());
+        assertEquals("steward: --player: found 2, expected 0 to 1 in " + file
+            + ", or a name: pilot-0, pilot-1\n", cli.err());
     }
 
     @Test

@@ -3,8 +3,13 @@ package steward.cli.replay;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -12,7 +17,11 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.cli.Cli;
+import steward.cli.Main;
+import steward.cli.ProcessTest;
+import steward.cli.ShellBots;
 import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Streams;
 import steward.codingame.OfficialGame;
 
 /** {@code steward import}, and what the other commands make of its replays. */
@@ -66,7 +75,7 @@ class ImportCommandTest {
 
     @Test
     void aChangedGameIsToldWithItsTurn() throws IOException {
-        int from = GAME.json().indexOf("\"view\":\"KEY_FRAME 20\\n") + "\"view\":\"KEY_FRAME 20\\n".length();
+        int from = GAME.json().indexOf("\"view\":\" 20\\n") + "\"view\":\" 20\\n".length();
         String json = GAME.json().substring(0, from) + "1" + GAME.json().substring(from);
         imported(json);
         Cli cli = Cli.run("replay", replay.toString(), "--verify");
@@ -115,15 +124,52 @@ class ImportCommandTest {
     void aRefusedRecordingLeavesNoReplay() throws IOException {
         String out = replay.toString();
         refused("game.json: frame 4, view line 1: found \"oops", "import",
-            Files.writeString(recording, GAME.json().replace("KEY_FRAME 4\\n", "KEY_FRAME 4\\noops ")).toString(),
+            Files.writeString(recording, GAME.json().replace("\" 4\\n", "\" 4\\noops ")).toString(),
             "--out", out);
         refused("game.json:1:", "import", Files.writeString(recording, "{").toString(), "--out", out);
         refused("found no frames", "import", Files.writeString(recording, "{}").toString(), "--out", out);
         refused("found no such file, expected a recording", "import", folder + "/nothing", "--out", out);
-        refused("expected a readable file in UTF-8", "import", folder.toString(), "--out", out);
-        refused("expected a readable file in UTF-8", "import",
+        refused(folder + ": found a folder, expected a recording", "import", folder.toString(), "--out", out);
+        refused("game.json: found bytes that are no text in UTF-8", "import",
             Files.write(recording, new byte[] {(byte) 0xff, 0x20}).toString(), "--out", out);
         assertFalse(Files.exists(replay));
+    }
+
+    @Test
+    void programsReadOneObject() throws IOException {
+        Cli cli = Cli.run("import", recording.toString(), "--json", "--out", replay.toString());
+        assertEquals("{\"turns\":" + GAME.turns() + ",\"ending\":\"finished after 3 laps\",\"replay\":\"" + replay
+            + "\"}\n", cli.out());
+        assertEquals("", cli.err());
+        refused("--json is printed to the standard output", "import", recording.toString(), "--json", "--out", "-");
+    }
+
+    @Test
+    void aGameComesAndGoesByPipes() {
+        ByteArrayOutputStream piped = new ByteArrayOutputStream();
+        assertEquals(ExitStatus.DONE, piped(GAME.json().getBytes(StandardCharsets.UTF_8), piped, "import", "-",
+            "--out", "-"));
+        ByteArrayOutputStream verified = new ByteArrayOutputStream();
+        assertEquals(ExitStatus.DONE, piped(piped.toByteArray(), verified, "replay", "-", "--verify"));
+        assertEquals("verified: " + GAME.turns() + " turns\n", verified.toString(StandardCharsets.UTF_8));
+        ByteArrayOutputStream nothing = new ByteArrayOutputStream();
+        assertEquals(ExitStatus.UNUSABLE, piped(new byte[0], nothing, "import", "-", "--out", "-"));
+        assertEquals(ExitStatus.UNUSABLE, piped(piped.toByteArray(), nothing, "replay", "-", "--view", "x.html"));
+        assertEquals("", nothing.toString(StandardCharsets.UTF_8));
+    }
+
+    /** Between programs, where the input is a pipe and not a file. */
+    @Test
+    void pipesOfAShellAreRead() throws IOException, InterruptedException {
+        assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
+        assertEquals("verified: " + GAME.turns() + " turns\nstatus 0\n", ProcessTest.shell("cat " + recording + " | "
+            + ProcessTest.steward("import", "-", "--out", "-") + " | "
+            + ProcessTest.steward("replay", "-", "--verify")));
+    }
+
+    private static int piped(byte[] in, OutputStream out, String... arguments) {
+        return Main.run(new Streams(new ByteArrayInputStream(in), false, out, OutputStream.nullOutputStream(), false,
+            false), arguments);
     }
 
     @Test

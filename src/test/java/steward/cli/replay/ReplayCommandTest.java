@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.cli.Cli;
@@ -116,6 +117,7 @@ class ReplayCommandTest {
     }
 
     @Test
+    @Tag("slow")
     void aFileCutAnywhereIsReadUpToTheCut() throws IOException {
         Path file = folder.resolve("cut.jsonl");
         byte[] bytes = duel.bytes();

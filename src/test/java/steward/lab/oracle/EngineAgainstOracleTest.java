@@ -5,6 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import steward.lab.trial.Rung;
@@ -17,6 +20,7 @@ import steward.physics.TurnLog;
 import steward.physics.Wall;
 
 /** Turns of small worlds on every event rung against the oracle: the same impacts in the same order. */
+@Execution(ExecutionMode.CONCURRENT)
 class EngineAgainstOracleTest {
 
     private static final ImpactLaw SOFT = ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM);
@@ -85,6 +89,7 @@ class EngineAgainstOracleTest {
      * places agree to some 1e-5 and no better; deep overlaps, batches and the minimum are the same.
      */
     @ParameterizedTest
+    @Tag("slow")
     @MethodSource("rungs")
     void theOfficialLaw(Rung rung) {
         int compared = 0;

@@ -47,9 +47,10 @@ class OracleTest {
     /** sqrt 2 to 60 digits, as published. */
     @Test
     void theRootOfTwo() {
-        assertNear("1.41421356237309504880168872420969807856967187537694807317667974", Digits.root(new BigDecimal(2)));
-        assertNear("1e-155", Digits.root(new BigDecimal("1e-310")));
-        assertEquals(0, new BigDecimal("1e160").compareTo(Digits.root(new BigDecimal("1e320"))));
+        assertNear("1.41421356237309504880168872420969807856967187537694807317667974",
+            Decimals.root(new BigDecimal(2)));
+        assertNear("1e-155", Decimals.root(new BigDecimal("1e-310")));
+        assertEquals(0, new BigDecimal("1e160").compareTo(Decimals.root(new BigDecimal("1e320"))));
     }
 
     /**
@@ -64,8 +65,8 @@ class OracleTest {
         bodies.setVelocity(0, 16, 0);
         List<OracleBody> state = OracleBody.of(bodies);
         OracleImpact impact = turn(ImpactLaw.PHYSICS, state).get(0);
-        BigDecimal three = Digits.root(new BigDecimal(3));
-        assertNear(BigDecimal.TEN.subtract(three).divide(new BigDecimal(16), Digits.ROUND), impact.time());
+        BigDecimal three = Decimals.root(new BigDecimal(3));
+        assertNear(BigDecimal.TEN.subtract(three).divide(new BigDecimal(16), Decimals.ROUND), impact.time());
         // n = (sqrt 3, 1) / 2; b gets 16 n (n.x) = (12, 4 sqrt 3) and a keeps the rest
         assertNear("12", impact.vbx());
         assertNear(three.multiply(new BigDecimal(4)), impact.vby());
@@ -102,7 +103,7 @@ class OracleTest {
         assertEquals(1, impacts.get(0).a(), "pairs are looked at from the last body down");
         assertNear("0.25", impacts.get(0).time());
         assertNear("400", impacts.get(0).impulse());
-        assertNear(new BigDecimal("-100").subtract(Digits.of(1e-5)), state.get(0).x);
+        assertNear(new BigDecimal("-100").subtract(Decimals.of(1e-5)), state.get(0).x);
         assertNear("-200", state.get(0).vx);
     }
 
@@ -115,7 +116,7 @@ class OracleTest {
         List<OracleBody> state = OracleBody.of(bodies);
         assertEquals(1, turn(ImpactLaw.OFFICIAL_POD_RACE, state).size());
         assertNear("-120", state.get(0).vx);
-        assertNear(new BigDecimal(-130).subtract(Digits.of(1e-5).multiply(new BigDecimal(2))), state.get(0).x);
+        assertNear(new BigDecimal(-130).subtract(Decimals.of(1e-5).multiply(new BigDecimal(2))), state.get(0).x);
         assertEquals(0, turn(ImpactLaw.PHYSICS, OracleBody.of(bodies)).size());
     }
 
@@ -132,7 +133,7 @@ class OracleTest {
         assertEquals(1, batch.get(0).a());
         assertEquals(2, batch.get(1).a());
         assertTrue(batch.get(1).time().compareTo(batch.get(0).time()) > 0);
-        assertNear(batch.get(0).ax().add(Digits.of(1e-5)), batch.get(1).bx());
+        assertNear(batch.get(0).ax().add(Decimals.of(1e-5)), batch.get(1).bx());
     }
 
     @Test
@@ -162,9 +163,9 @@ class OracleTest {
     void aTangentIsAMissAndAHairLessIsAHit() {
         BigDecimal two = new BigDecimal(2);
         BigDecimal v = new BigDecimal(-1);
-        assertNull(OracleTimes.circle(BigDecimal.TEN, two, v, BigDecimal.ZERO, two));
+        assertNull(OracleTimeOfImpact.circle(BigDecimal.TEN, two, v, BigDecimal.ZERO, two));
         BigDecimal less = two.subtract(new BigDecimal("1e-300"));
-        BigDecimal time = OracleTimes.circle(BigDecimal.TEN, less, v, BigDecimal.ZERO, two);
+        BigDecimal time = OracleTimeOfImpact.circle(BigDecimal.TEN, less, v, BigDecimal.ZERO, two);
         assertTrue(BigDecimal.TEN.subtract(time).abs().doubleValue() < 1e-140, "" + time);
     }
 
@@ -214,8 +215,8 @@ class OracleTest {
         state.forEach(OracleBody::reverse);
         assertEquals(impacts.size(), oracle.turn(state).size());
         for (int k = 0; k < 9; k++) {
-            assertTrue(Digits.relative(bodies.x[k], state.get(k).x, BigDecimal.ONE) < 1e-30, "body " + k);
-            assertTrue(Digits.relative(bodies.vy[k], state.get(k).vy.negate(), BigDecimal.ONE) < 1e-30, "body " + k);
+            assertTrue(Decimals.relative(bodies.x[k], state.get(k).x, BigDecimal.ONE) < 1e-30, "body " + k);
+            assertTrue(Decimals.relative(bodies.vy[k], state.get(k).vy.negate(), BigDecimal.ONE) < 1e-30, "body " + k);
         }
     }
 

@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.numerics.SplitMix64;
 import steward.physics.Arithmetic;
 import steward.physics.Bodies;
@@ -21,6 +23,7 @@ import steward.physics.event.EventAdvance;
 import steward.physics.event.StepAdvance;
 
 /** What the oracle says of a turn, and how far a rung is from it; whom the oracle need not look at. */
+@Execution(ExecutionMode.CONCURRENT)
 class TurnTruthTest {
 
     private static PhysicsParts parts(Arithmetic arithmetic, Wall... walls) {
@@ -175,14 +178,14 @@ class TurnTruthTest {
             List<OracleBody> bodies = OracleBody.of(pair);
             OracleBody p = bodies.get(0);
             OracleBody q = bodies.get(1);
-            java.math.BigDecimal until = OracleTimes.circle(p.x.subtract(q.x), p.y.subtract(q.y),
+            java.math.BigDecimal until = OracleTimeOfImpact.circle(p.x.subtract(q.x), p.y.subtract(q.y),
                 p.vx.subtract(q.vx), p.vy.subtract(q.vy), p.radius.add(q.radius));
-            OracleReach reach = new OracleReach(bodies);
+            OracleBroadPhase reach = new OracleBroadPhase(bodies);
             if (until != null) {
                 met++;
                 assertFalse(reach.apart(0, 1, until.doubleValue()), "seed " + seed + ", pair " + n);
                 Wall wall = new HalfPlane(q.x.doubleValue(), 0, p.x.compareTo(q.x) > 0 ? 1 : -1, 0, 1);
-                java.math.BigDecimal wallTime = OracleTimes.wall(p, wall);
+                java.math.BigDecimal wallTime = OracleTimeOfImpact.wall(p, wall);
                 assertFalse(wallTime != null && reach.apart(0, wall, wallTime.doubleValue()), "seed " + seed);
             }
             spared += reach.apart(0, 1, 0.1) ? 1 : 0;

@@ -16,6 +16,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.lab.tradeoff.report.TradeoffPage;
@@ -118,14 +119,14 @@ class TradeoffTest {
 
     /** B is dearer than A and no better, D is beaten by C; equal points stand together, NaN nowhere. */
     @Test
-    void theFrontIsWhomNobodyBeats() {
+    void theFrontHasAllPointsThatAreNotBeaten() {
         double nan = Double.NaN;
-        assertArrayEquals(new boolean[] {true, false, true, false}, TradeoffFront.of(
+        assertArrayEquals(new boolean[] {true, false, true, false}, ParetoFront.of(
             new double[] {1, 2, 3, 4}, new double[] {5, 5, 1, 2}));
-        assertArrayEquals(new boolean[] {true, true, false}, TradeoffFront.of(
+        assertArrayEquals(new boolean[] {true, true, false}, ParetoFront.of(
             new double[] {1, 1, 1}, new double[] {0, 0, 1e-9}));
-        assertArrayEquals(new boolean[] {false, true}, TradeoffFront.of(new double[] {nan, 9}, new double[] {0, 9}));
-        assertEquals(0, TradeoffFront.of(new double[0], new double[0]).length);
+        assertArrayEquals(new boolean[] {false, true}, ParetoFront.of(new double[] {nan, 9}, new double[] {0, 9}));
+        assertEquals(0, ParetoFront.of(new double[0], new double[0]).length);
     }
 
     /** Seen before: 0.24% along the axes, 7e-7 at random. The same seeds, so the same figures everywhere. */
@@ -232,6 +233,7 @@ class TradeoffTest {
     }
 
     @Test
+    @Tag("process")
     void aDisplayThatIsNotThereIsNoHindrance() throws IOException, InterruptedException {
         ProcessBuilder other = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
             "-cp", System.getProperty("java.class.path"), TradeoffTest.class.getName(), folder.toString());

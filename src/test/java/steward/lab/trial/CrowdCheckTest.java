@@ -5,7 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.lab.stability.crowds.CrowdCase;
@@ -19,9 +22,11 @@ import steward.physics.event.StepAdvance;
 import steward.physics.queue.QueueAdvance;
 
 /** Crowds in a box: nothing is missed, nobody escapes at any coverage; boxes that hold no such crowd are refused. */
+@Execution(ExecutionMode.CONCURRENT)
 class CrowdCheckTest {
 
     @ParameterizedTest
+    @Tag("slow")
     @CsvSource({"10, 0.001, 5000, DOUBLE", "10, 0.1, 20000, EXACT", "100, 0.1, 50000, COMPENSATED",
         "100, 0.6, 50000, DOUBLE", "1000, 0.8, 50000, OFFICIAL", "2000, 0.85, 20000, EXACT",
         "3000, 0.85, 50000, DOUBLE", "5000, 0.01, 20000, DOUBLE", "20000, 0.1, 50000, DOUBLE"})

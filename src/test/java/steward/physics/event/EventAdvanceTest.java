@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.numerics.SplitMix64;
 import steward.physics.Arena;
 import steward.physics.Arithmetic;
@@ -20,6 +22,7 @@ import steward.physics.TurnSink;
 import steward.physics.Wall;
 
 /** Turns whose course is known in closed form, ties, and independence of numbering. */
+@Execution(ExecutionMode.CONCURRENT)
 class EventAdvanceTest {
 
     /** 100 u of room at 200 u per turn toward each other: they touch at t = 1/2, swap speeds and fly back. */

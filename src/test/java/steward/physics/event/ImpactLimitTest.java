@@ -5,7 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.numerics.SplitMix64;
 import steward.physics.Arena;
 import steward.physics.Bodies;
@@ -15,6 +18,7 @@ import steward.physics.TurnLog;
 import steward.physics.Wall;
 
 /** Turns with more impacts than any bound: each ends, says so, and leaves a world that can go on. */
+@Execution(ExecutionMode.CONCURRENT)
 class ImpactLimitTest {
 
     private static final double INFINITY = Double.POSITIVE_INFINITY;
@@ -104,6 +108,7 @@ class ImpactLimitTest {
      * </pre>
      */
     @Test
+    @Tag("slow")
     void anImpossibleSqueezeStandsStill() {
         for (double e : new double[] {0, 0.5, 1}) {
             Bodies bodies = new Bodies(4);

@@ -94,10 +94,10 @@ final class NaiveOfficialTurn {
         ny /= distance;
         double f = (nx * (i.vx - j.vx) + ny * (i.vy - j.vy)) / (1 / i.mass + 1 / j.mass);
         double impulse = f + (f < 120 ? 120 : f);
-        i.vx -= nx * impulse / i.mass;
-        i.vy -= ny * impulse / i.mass;
-        j.vx += nx * impulse / j.mass;
-        j.vy += ny * impulse / j.mass;
+        i.vx -= nx * impulse * (1 / i.mass);
+        i.vy -= ny * impulse * (1 / i.mass);
+        j.vx += nx * impulse * (1 / j.mass);
+        j.vy += ny * impulse * (1 / j.mass);
         if (distance <= 800) {
             double push = (800 - distance) / 2 + 1e-5;
             i.x -= nx * push;

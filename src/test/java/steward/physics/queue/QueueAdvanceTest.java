@@ -11,7 +11,10 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -38,6 +41,7 @@ import steward.physics.event.Scenes;
  * the same order, at the same times and with the same outcome but for rounding. Both begin each turn from the same
  * state, so that roundings have one turn (some impacts per body) to grow.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class QueueAdvanceTest {
 
     private static final double SIDE = 1000;
@@ -48,6 +52,7 @@ class QueueAdvanceTest {
     private int impacts;
 
     @ParameterizedTest
+    @Tag("slow")
     @EnumSource(Arithmetic.class)
     void boxesOfAnySizeHaveTheSameImpacts(Arithmetic arithmetic) {
         for (int perRow : new int[] {1, 2, 3, 5, 8, 14}) {

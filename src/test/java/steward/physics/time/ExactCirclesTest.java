@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.numerics.DoubleDouble;
 import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
@@ -15,6 +17,7 @@ import steward.physics.ImpactLaw;
  * Decisions and times of the exact arithmetic against the definition in decimals: every decision is right, every time
  * is within 0.51 units in the last place, every lower bound of the search is one.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class ExactCirclesTest {
 
     private static final double NEVER = Double.POSITIVE_INFINITY;
@@ -62,7 +65,7 @@ class ExactCirclesTest {
 
     private void check(Bodies bodies, String what) {
         BigDecimal exact = touch(bodies);
-        boolean hit = pairs.exact(bodies, 0, 1, time);
+        boolean hit = pairs.exactTime(bodies, 0, 1, time);
         double bound = pairs.until(bodies, 0, 1);
         if (exact == null || exact.compareTo(Exact.of(Double.MAX_VALUE)) > 0) {
             assertEquals(false, hit, what + ": found " + time.high());
@@ -132,7 +135,7 @@ class ExactCirclesTest {
             for (double y : new double[] {off, Math.nextUp(off), Math.nextDown(off)}) {
                 Bodies bodies = across ? pair(y, far, 0, speed, radius, radius)
                     : pair(far, y, speed, 0, radius, radius);
-                assertEquals(y < off, pairs.exact(bodies, 0, 1, time), "seed " + seed + " off " + y);
+                assertEquals(y < off, pairs.exactTime(bodies, 0, 1, time), "seed " + seed + " off " + y);
                 check(bodies, "seed " + seed + " off " + y);
             }
         }
@@ -147,10 +150,10 @@ class ExactCirclesTest {
             double r = k % 17 + 1;
             Bodies bodies = pair(-far * t[0] - 2 * r * t[1], -far * t[1] + 2 * r * t[0], t[0], t[1],
                 r * t[2], r * t[2]);
-            assertEquals(false, pairs.exact(bodies, 0, 1, time), "k " + k);
+            assertEquals(false, pairs.exactTime(bodies, 0, 1, time), "k " + k);
             check(bodies, "k " + k);
             bodies.radius[0] = Math.nextUp(bodies.radius[0]);
-            assertEquals(true, pairs.exact(bodies, 0, 1, time), "k " + k + ", one ulp larger");
+            assertEquals(true, pairs.exactTime(bodies, 0, 1, time), "k " + k + ", one ulp larger");
             check(bodies, "k " + k);
         }
     }
@@ -245,7 +248,7 @@ class ExactCirclesTest {
             double x = (radius + 410) * (back * cos - across * sin);
             double y = (radius + 410) * (back * sin + across * cos);
             Bodies bodies = pair(x, y, 900 * cos, 900 * sin, radius, 410);
-            int found = FastCircles.first(bodies, 0, 1, false, grade, time);
+            int found = FastCircles.firstTouch(bodies, 0, 1, false, grade, time);
             if (found == FastCircles.UNDECIDED) {
                 continue;
             }
@@ -276,12 +279,12 @@ class ExactCirclesTest {
             Bodies bodies = pair(-far * t[0] - r * t[1], -far * t[1] + r * t[0], speed * t[0], speed * t[1],
                 r * t[2], 1);
             bodies.radius[1] = 0;
-            int found = FastCircles.first(bodies, 0, 1, false, FastCircles.COARSE, time);
+            int found = FastCircles.firstTouch(bodies, 0, 1, false, FastCircles.COARSE, time);
             assertTrue(found != FastCircles.IMPACT, "n " + n);
             bodies.radius[1] = Math.scalb(r * t[2], -107);
-            found = FastCircles.first(bodies, 0, 1, false, FastCircles.COARSE, time);
+            found = FastCircles.firstTouch(bodies, 0, 1, false, FastCircles.COARSE, time);
             assertTrue(found != FastCircles.NONE, "n " + n + ", a little larger");
-            assertTrue(pairs.exact(bodies, 0, 1, time), "n " + n + ", a little larger, exactly");
+            assertTrue(pairs.exactTime(bodies, 0, 1, time), "n " + n + ", a little larger, exactly");
         }
     }
 }

@@ -47,7 +47,7 @@ class ExactHalfPlaneTest {
                 .add(Exact.of(y).subtract(Exact.of(plane.y())).multiply(Exact.of(plane.insideY())))
                 .subtract(Exact.of(radius));
             BigDecimal exactClosing = Exact.dot(vx, vy, plane.insideX(), plane.insideY()).negate();
-            boolean hit = new ExactWalls(new Wall[] {plane}).exact(0, x, y, vx, vy, radius, time);
+            boolean hit = new ExactWalls(new Wall[] {plane}).exactTime(0, x, y, vx, vy, radius, time);
             String what = "n " + n + ", gap " + exactGap.doubleValue() + ", closing " + exactClosing.doubleValue();
             assertEquals(exactClosing.signum() > 0, hit, what);
             if (!hit) {

@@ -8,7 +8,6 @@ import org.junit.jupiter.api.Test;
 import steward.numerics.SplitMix64;
 import steward.physics.HalfPlane;
 import steward.physics.Segment;
-import steward.physics.event.Flight;
 
 /**
  * Circle against half-plane and segment, against 60 digits. With u = 2^-53, M the sum of all lengths that enter and w

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.io.ByteArrayOutputStream;
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.codingame.GameRecordingImport;
@@ -12,6 +13,7 @@ import steward.codingame.OfficialGame;
 import steward.match.TestScenes;
 
 /** The page of an imported match in a real browser: states without hashes and paths, turns without any state. */
+@Tag("browser")
 class ImportedPageTest {
 
     private static final int TURNS = 33;

@@ -11,6 +11,7 @@ import java.util.Map;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.openqa.selenium.Keys;
@@ -20,6 +21,7 @@ import tools.jackson.databind.JsonNode;
  * The page in a real browser: what it draws, against the numbers of the replay. One long file, because starting a
  * browser is what costs and all of its tests share one.
  */
+@Tag("browser")
 class PageTest {
 
     /** Places are computed in doubles from whole pixels; a hundredth of a pixel is far below what can be seen. */

@@ -11,10 +11,13 @@ import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.api.io.TempDir;
 
 /** What players, files and callers wrote, shown in a real browser: always harmless, never too much. */
+@Tag("browser")
 class PageTestTexts {
 
     private static final String ATTACK = "</script><script>window.hacked = 1</script>"
@@ -153,9 +156,9 @@ class PageTestTexts {
         assertHarmless();
     }
 
-    /** The aim is to open within 2 seconds; how long it takes is printed, for it depends on the machine. */
+    /** The aim is to open within 2 seconds; how long it takes is reported, for it depends on the machine. */
     @Test
-    void aRaceOfFiveHundredTurnsOpensAndScrubsToAnyTurn() throws Exception {
+    void aRaceOfFiveHundredTurnsOpensAndScrubsToAnyTurn(TestReporter report) throws Exception {
         String scene = PageTestRaces.scene("mad-pod-racing").replace("\"laps\": 3", "\"laps\": 100");
         byte[] race = PageTestRaces.play(scene, 11);
         var lines = PageTestRaces.lines(race);
@@ -163,8 +166,8 @@ class PageTestTexts {
         Path page = pages.page(race, "Long");
         long start = System.nanoTime();
         browser.open(page, "#turn=250");
-        System.out.printf("a race of 500 turns: %d bytes of replay, %d bytes of page, opened in %d ms%n",
-            race.length, Files.size(page), (System.nanoTime() - start) / 1_000_000);
+        report.publishEntry(String.format("a race of 500 turns: %d bytes of replay, %d bytes of page, opened in %d ms",
+            race.length, Files.size(page), (System.nanoTime() - start) / 1_000_000));
         for (int turn : new int[] {250, 1, 500, 57, 499, 123}) {
             browser.seek(turn, 1);
             browser.await("turn " + turn + " is not shown", () -> browser.text("#turn-shown").equals("Turn " + turn));

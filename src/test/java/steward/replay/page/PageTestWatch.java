@@ -7,12 +7,14 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.live.LiveRecording;
 import steward.live.LiveServer;
 
 /** A match watched in a real browser while it is played, served as the program serves it. */
+@Tag("browser")
 class PageTestWatch {
 
     @TempDir

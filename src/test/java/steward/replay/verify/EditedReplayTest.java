@@ -15,6 +15,8 @@ import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -29,6 +31,7 @@ import steward.replay.ReplayException;
 import steward.scene.json.SceneException;
 
 /** A replay in which something was changed: the verifier names the turn, and never lets it pass. */
+@Execution(ExecutionMode.CONCURRENT)
 class EditedReplayTest {
 
     private static Recorded match;

@@ -24,8 +24,9 @@ import steward.scene.SceneReader;
 import steward.scene.SceneText;
 
 /**
- * The official turn of four pods on every road to the same bits: {@code ./gradlew jmh -Pbench=PodKernel}. One operation
- * is one turn, from a given state that is put in (or copied in) first; {@code states} costs the putting in alone.
+ * The official turn of four pods by every implementation, all with the same bits:
+ * {@code ./gradlew jmh -Pbench=PodKernel}. One operation is one turn, from a given state that is set (or copied) first;
+ * {@code states} measures only the setting.
  *
  * <p>{@code race}: turns of four pods on an official map, each steered at its next checkpoint less three times its
  * speed, and up to 500 u beside it; {@code brawl}: each is steered at another pod. A start every 100 turns.
@@ -48,7 +49,7 @@ public class PodKernelBenchmark {
     private final PodCommands[] commands = new PodCommands[STATES];
     private final PodState[][] pods = new PodState[STATES][4];
     private final PodRaceSimulator simulator = new PodRaceSimulator(MAP);
-    private final TextbookPodRace textbook = new TextbookPodRace(MAP, 4, 3);
+    private final TextbookPodRace textbook = new TextbookPodRace(MAP, 4);
     private final PodRaceBatch batch = new PodRaceBatch(MAP, STATES);
     private final PodRaceBatch.Commands batchCommands = new PodRaceBatch.Commands(STATES);
     private PodRaceType.PodRaceSetup setup;
@@ -107,6 +108,7 @@ public class PodKernelBenchmark {
                 to.vy = from.vy();
                 to.heading = from.heading();
                 to.shieldTimer = from.shieldTimer();
+                to.mass = from.shieldTimer() == 4 ? 10 : 1;
                 to.boostLeft = from.boostLeft();
                 to.passed = from.passed();
             }
@@ -116,7 +118,7 @@ public class PodKernelBenchmark {
         return sum;
     }
 
-    /** {@link PodRace} with the event loop that every scene can have. */
+    /** {@link PodRace} with the event loop that is available to every scene. */
     @Benchmark
     @OperationsPerInvocation(STATES)
     public double plain() {
@@ -125,7 +127,7 @@ public class PodKernelBenchmark {
         return play(plain);
     }
 
-    /** {@link PodRace} as matches and verification play it. */
+    /** {@link PodRace} as matches and verification use it. */
     @Benchmark
     @OperationsPerInvocation(STATES)
     public double match() {
@@ -164,7 +166,7 @@ public class PodKernelBenchmark {
         return sum;
     }
 
-    /** Copying a state into a {@link PodRaceSimulator} alone. */
+    /** Only copies a state into a {@link PodRaceSimulator}. */
     @Benchmark
     @OperationsPerInvocation(STATES)
     public double states() {
@@ -176,7 +178,7 @@ public class PodKernelBenchmark {
         return sum;
     }
 
-    /** {@link PodRaceBatch}, one thread; states are put in. */
+    /** {@link PodRaceBatch}, one thread; states are set first. */
     @Benchmark
     @OperationsPerInvocation(STATES)
     public double batch() {
@@ -185,7 +187,7 @@ public class PodKernelBenchmark {
         return batch.x(0, 0);
     }
 
-    /** Putting the states into a {@link PodRaceBatch} alone. */
+    /** Only sets the states of a {@link PodRaceBatch}. */
     @Benchmark
     @OperationsPerInvocation(STATES)
     public double batchStates() {

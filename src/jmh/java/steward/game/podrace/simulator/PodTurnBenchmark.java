@@ -22,7 +22,7 @@ import steward.scene.SceneReader;
 import steward.scene.SceneText;
 
 /**
- * What one whole turn of four pods costs, from given states, impacts and checkpoints included:
+ * The cost of a whole turn of four pods from given states, impacts and checkpoints included:
  * {@code ./gradlew jmh -Pbench=PodTurn}. In {@code race} the pods are spread over the map, in {@code brawl} they crowd
  * around one place; {@code accuracy} is the rung.
  */
@@ -68,7 +68,9 @@ public class PodTurnBenchmark {
         }
     }
 
-    /** The rule of turns without a checkpoint ends a race; a new one costs as much as a turn, once in a hundred. */
+    /**
+     * The limit on turns without a checkpoint ends a race; a new one costs as much as a turn, once in a hundred turns.
+     */
     @Benchmark
     public double turn() {
         if (race == null || race.isOver()) {

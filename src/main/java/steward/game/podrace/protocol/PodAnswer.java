@@ -19,8 +19,7 @@ import tools.jackson.core.ObjectReadContext;
 /**
  * Reads one answer of a pod-race bot,
  * <pre>{"pods":[{"x":1,"y":2.5,"thrust":100},{"x":1,"y":2,"shield":true}],"message":"optional"}</pre>
- * token by token. What is wrong comes back as a sentence, because a wrong answer is an everyday event, not an
- * exception.
+ * token by token. An error is returned as a sentence, because a wrong answer is frequent and not an exception.
  */
 public final class PodAnswer {
 
@@ -68,61 +67,61 @@ public final class PodAnswer {
         return thrust[pod];
     }
 
-    /** The message of the last good answer, or {@code null}. */
+    /** The message of the last valid answer, or {@code null}. */
     public String message() {
         return message;
     }
 
-    /** @return {@code null} if the line is a good answer, otherwise what is wrong with it */
+    /** @return {@code null} if the line is a valid answer, otherwise what is wrong with it */
     public String read(byte[] line, int length) {
-        return isPlain(line, length) || isGood(line, length) ? null : readCarefully(line, length);
+        return isPlain(line, length) || isValid(line, length) ? null : readForError(line, length);
     }
 
-    /** As nearly all bots answer most of the time: no message, the fields in the order that the manual has them in. */
+    /** The fast path for the usual answer: no message, the fields in the order of the manual. */
     private boolean isPlain(byte[] line, int length) {
         message = null;
         scan.begin(line, length);
-        if (!scan.passes('{') || !scan.passesName(PODS) || !scan.passes('[')) {
+        if (!scan.accept('{') || !scan.acceptName(PODS) || !scan.accept('[')) {
             return false;
         }
         for (int pod = 0; pod < x.length; pod++) {
-            if (pod > 0 && !scan.passes(',') || !isPlainPod(pod)) {
+            if (pod > 0 && !scan.accept(',') || !isPlainPod(pod)) {
                 return false;
             }
         }
-        return scan.passes(']') && scan.passes('}') && scan.isOver();
+        return scan.accept(']') && scan.accept('}') && scan.isAtEnd();
     }
 
     private boolean isPlainPod(int pod) {
-        if (!scan.passes('{') || !scan.passesName(X) || !scan.passesNumber()) {
+        if (!scan.accept('{') || !scan.acceptName(X) || !scan.acceptNumber()) {
             return false;
         }
         x[pod] = scan.number();
-        if (!scan.passes(',') || !scan.passesName(Y) || !scan.passesNumber()) {
+        if (!scan.accept(',') || !scan.acceptName(Y) || !scan.acceptNumber()) {
             return false;
         }
         y[pod] = scan.number();
-        return scan.passes(',') && isPlainThrust(pod) && scan.passes('}');
+        return scan.accept(',') && isPlainThrust(pod) && scan.accept('}');
     }
 
     private boolean isPlainThrust(int pod) {
-        if (scan.passesName(THRUST)) {
-            double value = scan.passesNumber() ? scan.number() : Double.NaN;
+        if (scan.acceptName(THRUST)) {
+            double value = scan.acceptNumber() ? scan.number() : Double.NaN;
             thrust[pod] = (int) value;
             return thrust[pod] == value && value >= 0 && value <= maximumThrust;
         }
-        if (scan.passesName(SHIELD)) {
+        if (scan.acceptName(SHIELD)) {
             thrust[pod] = PodRace.SHIELD;
-        } else if (scan.passesName(BOOST)) {
+        } else if (scan.acceptName(BOOST)) {
             thrust[pod] = PodRace.BOOST;
         } else {
             return false;
         }
-        return scan.passes(TRUE);
+        return scan.accept(TRUE);
     }
 
-    /** Nearly always, as far as it is not plain; and then nothing has been allocated but the message. */
-    private boolean isGood(byte[] line, int length) {
+    /** The path for other valid answers: allocates only the message. */
+    private boolean isValid(byte[] line, int length) {
         if (!LineParser.canRead(line, 0, length)) {
             return false;
         }
@@ -130,19 +129,19 @@ public final class PodAnswer {
         try {
             JsonParser in = lines.begin(line, 0, length);
             if (in.nextToken() == JsonToken.START_OBJECT && readFields(in) == null) {
-                lines.rest();
+                lines.endValue();
                 return lines.restIsBlank();
             }
-            lines.forget();
+            lines.reset();
             return false;
         } catch (JacksonException problem) {
-            // What is wrong, and where, is found by reading it once more.
-            lines.forget();
+            // The error and its position are found by reading the line once more.
+            lines.reset();
             return false;
         }
     }
 
-    private String readCarefully(byte[] line, int length) {
+    private String readForError(byte[] line, int length) {
         message = null;
         try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), line, 0, length)) {
             if (in.nextToken() != JsonToken.START_OBJECT) {
@@ -154,9 +153,9 @@ public final class PodAnswer {
             }
             return in.nextToken() == null ? null : "found more after the closing }, expected one object a line";
         } catch (JacksonException problem) {
-            // The reader's own limits (digits of a number, length of a name) come without a place.
+            // The reader's own limits (digits of a number, length of a name) come without a position.
             String column = problem.getLocation() == null ? "" : ", column " + problem.getLocation().getColumnNr();
-            return "not JSON" + column + ": " + JsonProblem.words(problem);
+            return "not JSON" + column + ": " + JsonProblem.message(problem);
         }
     }
 
@@ -192,7 +191,7 @@ public final class PodAnswer {
         return null;
     }
 
-    /** Reads the array of pods on whose first token the parser stands. */
+    /** Reads the array of pods; the parser is on its first token. */
     String readPods(JsonParser in) {
         if (in.currentToken() != JsonToken.START_ARRAY) {
             return "pods: found " + describe(in) + ", expected an array of " + count();

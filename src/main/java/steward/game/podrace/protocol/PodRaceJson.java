@@ -26,7 +26,7 @@ final class PodRaceJson implements FrameCodec {
     private final PodRace race;
     private final Scene scene;
     private final PodAnswer answer;
-    private final PodTexts texts;
+    private final PodJsonCache texts;
     private final String[] messages;
 
     PodRaceJson(PodRace race, Scene scene) {
@@ -34,7 +34,7 @@ final class PodRaceJson implements FrameCodec {
         this.scene = scene;
         answer = new PodAnswer(race.settings().podsPerPlayer(), race.settings().maximumThrust());
         messages = new String[race.players()];
-        texts = new PodTexts(race);
+        texts = new PodJsonCache(race);
     }
 
     @Override
@@ -185,7 +185,7 @@ final class PodRaceJson implements FrameCodec {
         out.writeEndArray();
     }
 
-    /** What to show: the scene's field, or the official 16000 x 9000 grown to hold every checkpoint. */
+    /** The area to draw: the scene's field, or the official 16000 x 9000, enlarged to contain every checkpoint. */
     private double[] frame() {
         if (scene.field().isPresent()) {
             return new double[] {0, 0, scene.field().get().width(), scene.field().get().height()};

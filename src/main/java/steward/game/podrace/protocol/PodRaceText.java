@@ -4,6 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import steward.game.TextCodec;
 import steward.game.podrace.PodRace;
@@ -18,8 +19,10 @@ import steward.text.TextFormat;
  * nextDist nextAngle} and a line {@code x y} per opponent.
  *
  * <p>Answers are one line per pod, {@code X Y THRUST|SHIELD|BOOST message}. They are read as leniently as real bots
- * need it: any number of blanks, a carriage return, decimals in X and Y, lower-case words, and no third word, which
- * means full thrust.
+ * need it: any number of blanks, a carriage return, decimals and a plus in X and Y, lower-case words, blanks at the
+ * end, and no third word, which means full thrust; the published referee refuses all of these but blanks between the
+ * words, and a blank behind Y. Where two blanks stand behind Y, what follows may be a message and the thrust is full.
+ * Lines before a bad one take effect.
  */
 public final class PodRaceText implements TextCodec {
 
@@ -27,6 +30,9 @@ public final class PodRaceText implements TextCodec {
 
     /** What languages print for a double; Java alone would also read 1d, 0x1p3, NaN and Infinity. */
     private static final Pattern DECIMAL = Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
+
+    /** Two blanks or more behind Y stand for a thrust that is left out: what follows is a message. */
+    private static final Pattern MESSAGE_ONLY = Pattern.compile("\\S+\\s+\\S+\\s\\s+(.*\\D.*)");
 
     private final PodRace race;
     private final PodRaceSettings settings;
@@ -83,7 +89,7 @@ public final class PodRaceText implements TextCodec {
 
     /** Whole degrees, 0..360 after wrapping and rounding; -1 while unset. */
     static long angle(double heading) {
-        return Double.isNaN(heading) ? -1 : Math.round(PodTexts.degrees(heading));
+        return Double.isNaN(heading) ? -1 : Math.round(PodJsonCache.degrees(heading));
     }
 
     private void writeSinglePod(StringBuilder out, int player) {
@@ -110,7 +116,7 @@ public final class PodRaceText implements TextCodec {
         if (Double.isNaN(heading)) {
             return 0;
         }
-        double degrees = (Math.toDegrees(StrictMath.atan2(dy, dx)) - PodTexts.degrees(heading)) % FULL_TURN;
+        double degrees = (Math.toDegrees(StrictMath.atan2(dy, dx)) - PodJsonCache.degrees(heading)) % FULL_TURN;
         double wrapped = degrees > FULL_TURN / 2 ? degrees - FULL_TURN
             : degrees < -FULL_TURN / 2 ? degrees + FULL_TURN : degrees;
         return Math.round(wrapped);
@@ -133,36 +139,44 @@ public final class PodRaceText implements TextCodec {
             return "found " + lines.length + " lines, expected " + settings.podsPerPlayer();
         }
         List<String> said = new ArrayList<>();
-        double[] x = new double[lines.length];
-        double[] y = new double[lines.length];
-        int[] thrust = new int[lines.length];
-        for (int k = 0; k < lines.length; k++) {
-            String[] words = lines[k].strip().split("\\s+", 4);
-            String where = "line " + (k + 1) + " of " + lines.length + ": ";
-            if (words.length < 2) {
-                return where + "found \"" + shorten(lines[k].strip())
-                    + "\", expected X Y and a thrust, SHIELD or BOOST";
-            }
-            x[k] = decimal(words[0]);
-            y[k] = decimal(words[1]);
-            if (Double.isNaN(x[k]) || Double.isNaN(y[k])) {
-                return where + (Double.isNaN(x[k]) ? "X: found \"" + shorten(words[0]) : "Y: found \""
-                    + shorten(words[1])) + "\", expected a finite number";
-            }
-            thrust[k] = words.length < 3 ? settings.maximumThrust() : thrust(words[2]);
-            if (thrust[k] == PodRace.NO_COMMAND) {
-                return where + "thrust: found \"" + shorten(words[2]) + "\", expected a whole number 0.."
-                    + settings.maximumThrust() + ", SHIELD or BOOST";
-            }
-            if (words.length == 4) {
-                said.add(words[3]);
-            }
-        }
         int first = player * settings.podsPerPlayer();
         for (int k = 0; k < lines.length; k++) {
-            race.command(first + k, x[k], y[k], thrust[k]);
+            String wrong = readLine(first + k, lines[k], said);
+            if (wrong != null) {
+                return "line " + (k + 1) + " of " + lines.length + ": " + wrong;
+            }
         }
         messages[player] = said.isEmpty() ? null : String.join(" | ", said);
+        return null;
+    }
+
+    /** Gives one pod its command. @return what is wrong, or {@code null} */
+    private String readLine(int pod, String line, List<String> said) {
+        String[] words = line.strip().split("\\s+", 4);
+        if (words.length < 2) {
+            return "found \"" + shorten(line.strip()) + "\", expected X Y and a thrust, SHIELD or BOOST";
+        }
+        double x = decimal(words[0]);
+        double y = decimal(words[1]);
+        if (Double.isNaN(x) || Double.isNaN(y)) {
+            return (Double.isNaN(x) ? "X: found \"" + shorten(words[0]) : "Y: found \"" + shorten(words[1]))
+                + "\", expected a finite number";
+        }
+        int thrust = words.length < 3 ? settings.maximumThrust() : thrust(words[2]);
+        if (thrust == PodRace.NO_COMMAND) {
+            Matcher message = MESSAGE_ONLY.matcher(line.strip());
+            if (!message.matches()) {
+                return "thrust: found \"" + shorten(words[2]) + "\", expected a whole number 0.."
+                    + settings.maximumThrust() + ", SHIELD or BOOST";
+            }
+            race.command(pod, x, y, settings.maximumThrust());
+            said.add(message.group(1));
+            return null;
+        }
+        race.command(pod, x, y, thrust);
+        if (words.length == 4) {
+            said.add(words[3]);
+        }
         return null;
     }
 

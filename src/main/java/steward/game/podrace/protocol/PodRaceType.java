@@ -16,7 +16,7 @@ import steward.scene.Part;
 import steward.scene.Plan;
 import steward.scene.Scene;
 
-/** The pod race as a game that scenes can name. */
+/** The pod race as a {@link GameType}. */
 public final class PodRaceType implements GameType {
 
     @Override
@@ -55,7 +55,7 @@ public final class PodRaceType implements GameType {
      *
      * @param scene    the scene
      * @param settings its blocks {@code pods} and {@code race}
-     * @param plan     what it requires
+     * @param plan     the parts that the scene requires
      */
     public record PodRaceSetup(Scene scene, PodRaceSettings settings, Plan plan) implements GameSetup {
 

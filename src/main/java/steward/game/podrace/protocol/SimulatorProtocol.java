@@ -11,8 +11,8 @@ import steward.game.podrace.PodState;
 import steward.text.TextFormat;
 
 /**
- * The line protocol with which the community checks pod-race simulators: it gives states and commands, we give the
- * states one turn later. Input, until its end, is games of
+ * The line protocol with which the community checks pod-race simulators: input is states and commands, output the
+ * states one turn later. The input is a sequence of games of
  * <pre>
  * checkpointCount
  * x y                                                      checkpointCount times
@@ -20,16 +20,16 @@ import steward.text.TextFormat;
  * x y vx vy angleDegrees nextCheckpointId shield boosted   4 times  \ tests times
  * targetX targetY thrust|SHIELD|BOOST                      4 times  /
  * </pre>
- * and after each test the four new states are printed in the same form and flushed. {@code shield} is 3 after the
- * turn a shield was raised and counts down; {@code boosted} is 1 once the boost is used up. Every state is complete:
- * headings are set. Blank lines are passed over.
+ * and after each test the four new states are printed in the same form and flushed. {@code shield} is 3 after the turn
+ * a shield was raised and counts down; {@code boosted} is 1 once the boost is used up. Every state is complete:
+ * headings are set. Blank lines are skipped.
  */
 public final class SimulatorProtocol {
 
     private static final int PODS = 4;
     private static final int STATE_FIELDS = 8;
     private static final int MAXIMUM_CHECKPOINTS = 1000;
-    /** Places, speeds and angles beyond this are slips; much larger ones would end in infinity. */
+    /** Positions, speeds and angles beyond this are input errors; much larger ones would overflow. */
     private static final double MOST = 1e9;
 
     private final PodRaceType.PodRaceSetup setup;
@@ -51,10 +51,11 @@ public final class SimulatorProtocol {
     }
 
     /**
-     * Answers every test until the end of the input, or until nobody takes the answers any more.
+     * Answers every test until the end of the input, or until the output is closed.
      *
      * @return how many tests there were
-     * @throws IllegalArgumentException if a line is missing or wrong; says which, what was found and what was expected
+     * @throws IllegalArgumentException if a line is missing or wrong; the message names it, what was found and what was
+     *                                  expected
      */
     public long run() throws IOException {
         long tests = 0;
@@ -103,7 +104,7 @@ public final class SimulatorProtocol {
             append(lines, state.y()).append(' ');
             append(lines, state.vx()).append(' ');
             append(lines, state.vy()).append(' ');
-            append(lines, PodTexts.degrees(state.heading())).append(' ');
+            append(lines, PodJsonCache.degrees(state.heading())).append(' ');
             lines.append(race.nextCheckpoint(pod)).append(' ').append(Math.max(0, state.shieldTimer() - 1)).append(' ')
                 .append(state.boostLeft() ? 0 : 1).append('\n');
         }
@@ -131,7 +132,7 @@ public final class SimulatorProtocol {
         };
     }
 
-    /** Every digit, and no exponent: not every reader knows one. */
+    /** All digits without an exponent, which not every reader accepts. */
     private static StringBuilder append(StringBuilder lines, double value) {
         return lines.append(value == 0 ? "0" : new BigDecimal(Double.toString(value)).stripTrailingZeros()
             .toPlainString());
@@ -155,7 +156,7 @@ public final class SimulatorProtocol {
                 return value;
             }
         } catch (NumberFormatException problem) {
-            // Told below, with the range.
+            // reported below, with the range
         }
         throw wrong(what + " \"" + shorten(word) + "\"", "a whole number " + low + ".." + high);
     }

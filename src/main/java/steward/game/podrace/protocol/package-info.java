@@ -1,6 +1,6 @@
 /**
  * What bots of the pod race read and write: JSON frames and answers, CodinGame's lines, the community's test protocol
- * for simulators; and {@link steward.game.podrace.protocol.PodRaceType}, by which the house gets to know the game.
+ * for simulators; and {@link steward.game.podrace.protocol.PodRaceType}, the game as the other rooms see it.
  */
 @Internal
 package steward.game.podrace.protocol;

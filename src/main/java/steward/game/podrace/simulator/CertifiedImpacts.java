@@ -5,60 +5,65 @@ import steward.physics.event.OfficialAdvance;
 import steward.physics.event.ScanPairs;
 
 /**
- * The impacts of a turn from velocities that are known to 2^-27 only, with a bound on what that does to everything that
- * follows. It either says that every decision (who meets whom, in which order, what each number is rounded to, which
- * checkpoints are passed) is the game's, or gives up, and the turn is played from the game's own directions. It gives
- * up, too, where proofs would be long: impacts within the same window of time, grazes, overlaps later than at the
- * start, high speeds, many impacts. Allocates nothing.
+ * The impacts of a turn from velocities that are accurate only to 2^-27, with a bound on the errors of everything that
+ * follows. Either every decision (which pairs meet, in which order, the result of each rounding, which checkpoints are
+ * passed) is certified to be the game's, or this class gives up and the turn is played from the game's own directions.
+ * It also gives up where proofs would be long: impacts within the same time window, grazing impacts, overlaps later
+ * than at the start, high speeds, many impacts. Allocates nothing.
  */
 final class CertifiedImpacts {
 
     private static final double TOUCH = 2 * PodTurn.RADIUS;
     private static final double TOUCH_SQUARE = TOUCH * TOUCH;
-    /** 120; the proofs below count on it, and on the push-out. */
+    /** 120; the proofs below depend on it, and on the push-out. */
     private static final double MINIMUM_IMPULSE = ImpactLaw.OFFICIAL_POD_RACE.minimumImpulse();
-    /** The rules push each of two that overlap by half of the overlap and so much, in u: 1e-5. */
+    /** The rules move each of an overlapping pair by half of the overlap plus this, in u: 1e-5. */
     private static final double PUSH_OUT = ImpactLaw.OFFICIAL_POD_RACE.pushOut();
 
     /*
-     * Below, "ours" is what is computed here, "the game's" what the official expressions give. Two numbers bound how
-     * they differ, in u and u per turn, as lengths of vectors, for all pods:
+     * Below, "ours" is what is computed here, "the game's" what the official expressions give. Two numbers bound the
+     * differences, in u and u per turn, as lengths of vectors, for all pods:
      *   v, between two velocities, at first 2^-26;
-     *   x, between two places at the same time, at the times when both have had the same impacts, at first 2^-30 (for
-     *      the rounding of flights; the very first places are the same).
+     *   x, between two positions at the same time, at times when both have had the same impacts, at first 2^-30 (for
+     *      the rounding of flights; the positions at the start of the turn are the same).
      * Guards: coordinates below 2^15, components of speeds below 2^12; so a relative speed |w| is below 2^13.5, and a
      * pair that meets has been less than 2^13.6 apart.
      *
-     * (1) When two meet. Their relative places on one course differ by at most e = 2 (x + v) at every time. r(t), ours,
-     *     is convex and comes down to s = 800 at t with slope -g. Before t - e/g the game's r is above s. After
-     *     t + 2 e/g it is below s, if e |w|^2 <= 350 g^2: r'' <= |w|^2 / 700 there. D = (s g)^2; the roundings of D
-     *     (16 u |d|^2 w^2) and of the root move a time by less than 2^-29 / g, both ways together: e has 2^-28 more.
-     *     With g >= 16 and e <= g 2^-15 the condition holds (2^27 e <= 4096 g <= 350 g^2), and the game has its impact
-     *     within dt = 2 e / g <= 2^-14 of ours. Both are in the turn if t g > 2 e and (1 - now - t) g > 2 e.
+     * (1) The time of an impact. The relative positions of a pair on the same course differ by at most e = 2 (x + v) at
+     *     every time. r(t), ours, is convex and reaches s = 800 at t with slope -g. Before t - e/g the game's r is
+     *     above s. After t + 2 e/g it is below s, if e |w|^2 <= 350 g^2: r'' <= |w|^2 / 700 there. D = (s g)^2; the
+     *     roundings of D (16 u |d|^2 w^2) and of the root move a time by less than 2^-29 / g, in both computations
+     *     together: e contains 2^-28 more for them. With g >= 16 and e <= g 2^-15 the condition holds
+     *     (2^27 e <= 4096 g <= 350 g^2), and the game has its impact within dt = 2 e / g <= 2^-14 of ours. Both are in
+     *     the turn if t g > 2 e and (1 - now - t) g > 2 e.
      * (2) The order. Of two impacts more than 2^-12 apart the game's are more than 2^-12 - 2 dt > 1e-5 apart: in the
      *     same order, and not in one window of the rules. So are two of which one is at the start.
-     * (3) Who does not meet. At the start the filter of {@link OfficialAdvance} and its proof hold. After an impact
-     *     those who have a new course are set aside only if r stays above 800.1. With e < 2^-6 more than 0.08 is left.
-     *     Between our impact and the game's, up to 2^-14, a course of the game may still be the old one (which is sure
-     *     not to meet before) or begin earlier: r is convex and its slope changes by at most 2^27 / 800 2^-14 < 11 in
-     *     that time, it cannot dip by 7e-4 in between. (Nor for those that meet later: they are g 2^-12 >= 3.9e-3
-     *     apart.)
+     * (3) Pairs that do not meet. At the start the filter of {@link OfficialAdvance} and its proof hold. After an
+     *     impact pairs with a new course are set aside only if r stays above 800.1. With e < 2^-6 more than 0.08 is
+     *     left. Between our impact and the game's, up to 2^-14, a course of the game may still be the old one (which
+     *     surely has no impact before) or begin earlier: r is convex and its slope changes by at most
+     *     2^27 / 800 2^-14 < 11 in that time, so it cannot fall by 7e-4 in between. (The same holds for pairs that
+     *     meet later: they are g 2^-12 >= 3.9e-3 apart.)
      *     A pair that is not set aside does not meet if it is apart (at the start: by more than roundings; later: by
-     *     more than e + 1e-3) and recedes: d.w > 1024, of which the difference of places and velocities takes at most
-     *     2 (|w| x + |d| v) < 200. Whether two touch at the start, of places that are the game's, is sure if it does
-     *     not hang on a rounding.
-     * (4) An impact. Relative places, each at its own impact, differ by z = e + |w| dt, the normals by n = z / 750, as
-     *     both are 800 long (to 1e-6, or the same at the start). A change of velocity is (f + max(120, f)) / mass
-     *     along the normal, with f = (normal . w) / (1/m + 1/m'): at most 2 |w| + 120, and differs by at most
-     *     n (2 |w| + 120) + 2 (n |w| + 2 v). So the new v is 5 v + n (4 |w| + 120), and 2^-30 for roundings.
-     * (5) Where that leads. Places at the two impacts differ by x + v + |V| dt, those on the new courses V', at the
-     *     same time, by |V'| dt more. Whether the rules push the two apart, by 1e-5 each, depends on the last bit of
-     *     their distance: the half of it is done here. So the new x is x + v + (|V| + |V'|) dt + 5.1e-6.
-     *     At the start places are the game's, dt = 0, and the push is the game's but for roundings.
+     *     more than e + 1e-3) and recedes: d.w > 1024, of which the difference of positions and velocities takes at
+     *     most 2 (|w| x + |d| v) < 200. Whether a pair touches at the start, where positions are the game's, is sure
+     *     if it does not depend on a rounding.
+     * (4) The impulse. Relative positions, each at its own impact, differ by z = e + |w| dt, the normals by
+     *     n = z / 750, as both are 800 long (to 1e-6, or the same at the start). A change of velocity is
+     *     (f + max(120, f)) / mass along the normal, with f = (normal . w) / (1/m + 1/m'): at most 2 |w| + 120, and
+     *     differs by at most n (2 |w| + 120) + 2 (n |w| + 2 v). So the new v is 5 v + n (4 |w| + 120), and 2^-30 for
+     *     roundings.
+     * (5) Positions after an impact. Positions at the two impacts differ by x + v + |V| dt, those on the new courses
+     *     V', at the same time, by |V'| dt more. Whether the rules apply the positional correction, 1e-5 each, depends
+     *     on the last bit of the distance: half of it is applied here. So the new x is
+     *     x + v + (|V| + |V'|) dt + 5.1e-6. At the start positions are the game's, dt = 0, and the correction is the
+     *     game's except for roundings.
      * (6) After its impact a pair recedes by at least 120 (1/m + 1/m') >= 24 and is, computed, farther apart than 800
-     *     by the rules' own test: it does not meet before one of both changes its course.
-     * (7) At the end, v + x and 2^-27 for the drag's product and the sums bound the error of places and of 0.85 times
-     *     the velocities. A distance of a point from a path is off by no more than its corners, push included, are.
+     *     by the rules' own test: it does not meet again before one of the two changes its course.
+     * (7) At the end, v + x and 2^-27 for the drag's product and the sums bound the error of positions and of 0.85
+     *     times the velocities. The error of the distance of a point from a path is at most that of its corners,
+     *     positional corrections included. A path has one corner per impact, the position after the correction; by (2)
+     *     a pod has no two impacts at the same time.
      */
 
     private static final double FASTEST = 0x1p12;
@@ -70,7 +75,7 @@ final class CertifiedImpacts {
     private static final double GREATEST_ERROR = 0x1p-8;
     private static final double APART = 0x1p-12;
     private static final double RECEDING = 1024;
-    /** Pairs on a new course are set aside if they stay farther apart: see (3). */
+    /** Pairs on a new course are set aside if they stay farther apart than this, see (3). */
     private static final double CLEAR = 800.1;
     private static final double CLEAR_SQUARE = CLEAR * CLEAR;
     private static final double AWAY = 1e-3;
@@ -89,7 +94,7 @@ final class CertifiedImpacts {
     private double errorX;
     private double errorV;
     private int touched;
-    /** What the last {@link #meets} found. */
+    /** Results of the last {@link #isSure}. */
     private double time;
     private double approach;
 
@@ -104,7 +109,7 @@ final class CertifiedImpacts {
         scan = ScanPairs.of(pods);
     }
 
-    /** A pod at the start of the turn. @return whether its numbers are small enough */
+    /** Sets a pod at the start of the turn. @return whether its numbers are small enough */
     boolean set(int pod, double placeX, double placeY, double speedX, double speedY, double ofMass) {
         x[pod] = placeX;
         y[pod] = placeY;
@@ -123,7 +128,7 @@ final class CertifiedImpacts {
         return touched;
     }
 
-    /** Where a touched pod is at the end of the turn: rounded. */
+    /** The rounded position of a touched pod at the end of the turn. */
     double x(int pod) {
         return x[pod];
     }
@@ -140,21 +145,21 @@ final class CertifiedImpacts {
         return vy[pod];
     }
 
-    /** How far places and velocities at the end, before they were rounded, may be from the game's: see (7). */
+    /** Bound on the error of positions and velocities at the end, before rounding, see (7). */
     private double error() {
         return errorX + errorV + 0x1p-27;
     }
 
-    /** How far a corner of a path may be from the game's. */
+    /** Bound on the error of a corner of a path. */
     double cornerError() {
         return error() + 2 * PUSH_OUT;
     }
 
     /**
-     * Flies all pods through the turn. Corners go to the paths.
+     * Plays the turn for all pods. Corners go to the paths.
      *
      * @param near the pairs that may meet, as bits in the order of the scan
-     * @return whether all is sure; if not, nothing that was done holds
+     * @return whether everything is certified; if not, the results are invalid
      */
     boolean fly(long near) {
         errorX = FIRST_X;
@@ -191,19 +196,19 @@ final class CertifiedImpacts {
             }
             advance(soonest);
             now += soonest;
-            react(scan.first(pair), scan.second(pair), impacts == 0 && soonest == 0, error, itsApproach);
+            react(scan.first(pair), scan.second(pair), now, impacts == 0 && soonest == 0, error, itsApproach);
             if (!(errorX + errorV < GREATEST_ERROR && isSlow(scan.first(pair)) && isSlow(scan.second(pair)))) {
                 return false;
             }
             long changed = scan.pairsOf(scan.first(pair)) | scan.pairsOf(scan.second(pair));
-            live = live & ~changed | nearAgain(changed & ~(1L << pair), 1 - now);
+            live = live & ~changed | nearPairsAmong(changed & ~(1L << pair), 1 - now);
         }
         return false;
     }
 
     /**
-     * Whether it is sure if, and about when, a pair meets: {@link #time} from now, infinite for never, and by what
-     * {@link #approach}.
+     * Whether it is certain that, and about when, a pair meets or that it does not. Sets {@link #time} from now,
+     * infinite for never, and the speed of {@link #approach}.
      */
     private boolean isSure(int pair, boolean start, double error, double left) {
         int i = scan.first(pair);
@@ -235,7 +240,7 @@ final class CertifiedImpacts {
             && (left - time) * approach > 2 * error;
     }
 
-    /** Drags and rounds those that were touched, if it is sure to what. */
+    /** Applies drag and rounding to the touched pods. @return whether the results of all roundings are certain */
     private boolean areRounded() {
         double doubt = error();
         boolean sure = true;
@@ -266,7 +271,7 @@ final class CertifiedImpacts {
         }
     }
 
-    private void react(int a, int b, boolean start, double error, double slope) {
+    private void react(int a, int b, double now, boolean start, double error, double slope) {
         double dx = x[b] - x[a];
         double dy = y[b] - y[a];
         double wx = vx[a] - vx[b];
@@ -283,8 +288,6 @@ final class CertifiedImpacts {
         vx[b] += nx * impulse * inverseMass[b];
         vy[b] += ny * impulse * inverseMass[b];
         touched |= 1 << a | 1 << b;
-        paths.knot(a, 0, x[a], y[a]);
-        paths.knot(b, 0, x[b], y[b]);
         double w = Math.abs(wx) + Math.abs(wy);
         double late = start ? 0 : 2 * error / slope;
         double normal = start ? 0 : (error + w * late) * (1.0 / 750);
@@ -295,18 +298,16 @@ final class CertifiedImpacts {
         y[a] -= ny * each;
         x[b] += nx * each;
         y[b] += ny * each;
-        if (start) {
-            paths.knot(a, 0, x[a], y[a]);
-            paths.knot(b, 0, x[b], y[b]);
-        }
+        paths.knot(a, now, x[a], y[a]);
+        paths.knot(b, now, x[b], y[b]);
     }
 
-    /** At least the greater speed of two. */
+    /** An upper bound of the greater speed of two pods. */
     private double speed(int a, int b) {
         return Math.max(Math.abs(vx[a]) + Math.abs(vy[a]), Math.abs(vx[b]) + Math.abs(vy[b]));
     }
 
-    private long nearAgain(long among, double left) {
+    private long nearPairsAmong(long among, double left) {
         long near = 0;
         for (long rest = among; rest != 0; rest &= rest - 1) {
             int pair = Long.numberOfTrailingZeros(rest);

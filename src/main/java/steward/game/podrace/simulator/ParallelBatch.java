@@ -4,44 +4,44 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * Plays a {@link PodRaceBatch} with several threads. Each takes some games at a time until there are none left, the
- * caller's thread too, so that one that comes late holds nobody up. Games know nothing of each other, so that the
- * results do not depend on the number of threads. Allocates nothing in a turn. Not thread-safe: one caller at a time,
- * who leaves the batch and the commands alone meanwhile.
+ * Plays a {@link PodRaceBatch} with several threads. Each thread, including the caller's, takes some games at a time
+ * until none are left, so that a late thread delays no other. Games are independent of each other, so the results do
+ * not depend on the number of threads. Allocates nothing in a turn. Not thread-safe: one caller at a time, which must
+ * not change the batch or the commands during the call.
  *
- * <p>Threads that have nothing to do look out for the next turn before they sleep, for some tens of microseconds,
- * unless there are more of them than processors. A batch of 16 games or fewer is left to the caller's thread.
+ * <p>Idle threads spin for some tens of microseconds before they sleep, unless there are more threads than processors.
+ * A batch of 16 games or fewer is left to the caller's thread.
  */
 public final class ParallelBatch implements AutoCloseable {
 
     private static final int MOST_THREADS = 1024;
     /** How many games a thread takes at a time. */
     private static final int CHUNK = 16;
-    /** How often a thread looks before it sleeps. */
-    private static final int PATIENCE = 2000;
+    /** How often a thread checks before it sleeps. */
+    private static final int SPIN_LIMIT = 2000;
 
     private final PodRaceBatch batch;
     private final Helper[] helpers;
     private final PodTurn kernel;
     private final int chunks;
-    private final int patience;
+    private final int spinLimit;
 
-    /** The games that nobody has taken yet begin with this chunk; so many chunks have not been played. */
+    /** The first chunk of games that no thread has taken; and the number of chunks that are not finished. */
     private final AtomicInteger next;
     private final AtomicInteger left = new AtomicInteger();
     private volatile long turn;
-    /** Written before {@link #next} says that there is something to take. */
+    /** Written before {@link #next} makes chunks available. */
     private volatile PodRaceBatch.Commands commands;
     private volatile Throwable problem;
     private volatile boolean closed;
-    /** The caller, when it sleeps. */
-    private volatile Thread sleeper;
+    /** The caller's thread while it may sleep. */
+    private volatile Thread parkedCaller;
 
     /**
      * Starts the threads.
      *
-     * @param threads 1..1024; no more are used than there are sixteens of games
-     * @throws IllegalArgumentException if that is not so
+     * @param threads 1..1024; at most one per 16 games is used
+     * @throws IllegalArgumentException if the number is out of range
      */
     public ParallelBatch(PodRaceBatch batch, int threads) {
         if (threads < 1 || threads > MOST_THREADS) {
@@ -52,7 +52,7 @@ public final class ParallelBatch implements AutoCloseable {
         chunks = (batch.games() - 1) / CHUNK + 1;
         next = new AtomicInteger(chunks);
         helpers = new Helper[Math.min(threads, chunks) - 1];
-        patience = threads() <= Runtime.getRuntime().availableProcessors() ? PATIENCE : 0;
+        spinLimit = threads() <= Runtime.getRuntime().availableProcessors() ? SPIN_LIMIT : 0;
         for (int k = 0; k < helpers.length; k++) {
             helpers[k] = new Helper(batch.kernel());
             helpers[k].setName("pod-race-batch-" + (k + 1));
@@ -61,17 +61,17 @@ public final class ParallelBatch implements AutoCloseable {
         }
     }
 
-    /** How many threads play, the caller's among them. */
+    /** The number of threads, including the caller's. */
     public int threads() {
         return helpers.length + 1;
     }
 
     /**
-     * Plays a turn of every game; returns when all are played, also when the thread is interrupted meanwhile (it stays
-     * interrupted).
+     * Plays a turn of every game; returns when all are played. If the thread is interrupted meanwhile, it stays
+     * interrupted.
      *
      * @throws IllegalArgumentException if the commands are for another number of games
-     * @throws IllegalStateException    if the threads have been let go
+     * @throws IllegalStateException    if the batch is closed
      */
     public void play(PodRaceBatch.Commands given) {
         batch.check(given);
@@ -82,7 +82,7 @@ public final class ParallelBatch implements AutoCloseable {
         commands = given;
         left.set(chunks);
         next.set(0);
-        turn++;                                        // one caller at a time: nobody else writes it
+        turn++;                                        // one caller at a time: no other thread writes it
         wake();
         playChunks(kernel);
         await();
@@ -99,7 +99,7 @@ public final class ParallelBatch implements AutoCloseable {
         }
     }
 
-    /** Takes games and plays them until there are none left. */
+    /** Takes chunks and plays them until none are left. */
     private void playChunks(PodTurn by) {
         for (int chunk = next.getAndIncrement(); chunk < chunks; chunk = next.getAndIncrement()) {
             try {
@@ -109,32 +109,32 @@ public final class ParallelBatch implements AutoCloseable {
                 problem = thrown;
             }
             if (left.decrementAndGet() == 0) {
-                LockSupport.unpark(sleeper);
+                LockSupport.unpark(parkedCaller);
             }
         }
     }
 
     private void await() {
-        for (int look = 0; look < patience && left.get() > 0; look++) {
+        for (int look = 0; look < spinLimit && left.get() > 0; look++) {
             Thread.onSpinWait();
         }
         boolean interrupted = false;
-        sleeper = Thread.currentThread();
+        parkedCaller = Thread.currentThread();
         while (left.get() > 0) {
             LockSupport.park(this);
             interrupted |= Thread.interrupted();
         }
-        sleeper = null;
+        parkedCaller = null;
         if (interrupted) {
             Thread.currentThread().interrupt();
         }
     }
 
-    /** Plays along. */
+    /** A worker thread. */
     private final class Helper extends Thread {
 
         private final PodTurn own;
-        /** Whoever starts a turn after this was set wakes it. */
+        /** Set before sleeping; a caller that starts a turn after that wakes the thread. */
         private volatile boolean asleep;
 
         Helper(PodTurn own) {
@@ -155,7 +155,7 @@ public final class ParallelBatch implements AutoCloseable {
         }
 
         private void awaitTurn(long played) {
-            for (int look = 0; look < patience; look++) {
+            for (int look = 0; look < spinLimit; look++) {
                 if (turn != played || closed) {
                     return;
                 }
@@ -164,13 +164,13 @@ public final class ParallelBatch implements AutoCloseable {
             asleep = true;
             while (turn == played && !closed) {
                 LockSupport.park(this);
-                Thread.interrupted();                  // nobody means it
+                Thread.interrupted();                  // clears an interrupt, which has no meaning here
             }
             asleep = false;
         }
     }
 
-    /** Lets the threads go. */
+    /** Ends the threads. */
     @Override
     public void close() {
         closed = true;

@@ -5,14 +5,18 @@ import steward.game.podrace.PodRace;
 import steward.game.podrace.PodRaceSettings;
 
 /**
- * One command per pod, for a {@link PodRaceSimulator}: fill it, play it, fill it anew. A command stays until another is
- * set. A pod's target is where it steers, as in a bot's answer; at its own place it neither turns nor thrusts.
+ * One command per pod, for a {@link PodRaceSimulator}; reused from turn to turn. A command stays until another is set.
+ * A pod steers towards its target, as in a bot's answer; if the target is its own position, it neither turns nor
+ * thrusts.
  */
 public final class PodCommands {
 
-    /** Instead of a thrust: no command, as of a player who is out. The pod drifts. */
+    /** Instead of a thrust: no command, as for an eliminated player. The pod drifts. */
     public static final int NO_COMMAND = PodRace.NO_COMMAND;
-    /** Instead of a thrust: raise the shield. The pod weighs ten times as much, and has no thrust for a while. */
+    /**
+     * Instead of a thrust: raise the shield. Multiplies the mass by 10 for the turn; no thrust on this and the next
+     * three turns.
+     */
     public static final int SHIELD = PodRace.SHIELD;
     /** Instead of a thrust: boost, a thrust of 650 once in a race, and of 200 from then on. */
     public static final int BOOST = PodRace.BOOST;
@@ -26,7 +30,7 @@ public final class PodCommands {
     /**
      * No command for any pod.
      *
-     * @param pods how many there are, at least 1
+     * @param pods number of pods, at least 1
      * @throws IllegalArgumentException if there are fewer
      */
     public PodCommands(int pods) {
@@ -42,10 +46,10 @@ public final class PodCommands {
     /**
      * Sets the command of a pod.
      *
-     * @param x         where to steer, in u; finite
-     * @param y         where to steer, in u; finite
+     * @param x         of the target, in u; finite
+     * @param y         of the target, in u; finite
      * @param podThrust 0..{@link #GREATEST_THRUST}, {@link #SHIELD}, {@link #BOOST} or {@link #NO_COMMAND}
-     * @throws IllegalArgumentException  if a number is not among these
+     * @throws IllegalArgumentException  if a number is out of range
      * @throws IndexOutOfBoundsException if there is no such pod
      */
     public void set(int pod, double x, double y, int podThrust) {
@@ -55,7 +59,7 @@ public final class PodCommands {
         thrust[pod] = podThrust;
     }
 
-    /** Refuses what cannot be commanded. */
+    /** Throws if a command is out of range. */
     static void check(int pod, double x, double y, int thrust) {
         if (!(Math.abs(x) <= Double.MAX_VALUE && Math.abs(y) <= Double.MAX_VALUE)) {
             throw new IllegalArgumentException("pod " + pod + ": target " + x + " " + y + ", expected finite numbers");
@@ -66,7 +70,7 @@ public final class PodCommands {
         }
     }
 
-    /** How many pods there are. */
+    /** The number of pods. */
     public int pods() {
         return thrust.length;
     }
@@ -79,7 +83,7 @@ public final class PodCommands {
     }
 
     /**
-     * Becomes a copy.
+     * Copies other commands.
      *
      * @throws IllegalArgumentException if the numbers of pods differ
      */
@@ -92,12 +96,12 @@ public final class PodCommands {
         System.arraycopy(other.thrust, 0, thrust, 0, thrust.length);
     }
 
-    /** Where a pod is to steer, in u. */
+    /** The x coordinate of a pod's target, in u. */
     public double targetX(int pod) {
         return targetX[pod];
     }
 
-    /** Where a pod is to steer, in u. */
+    /** The y coordinate of a pod's target, in u. */
     public double targetY(int pod) {
         return targetY[pod];
     }

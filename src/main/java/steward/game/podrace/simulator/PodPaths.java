@@ -10,21 +10,35 @@ import steward.physics.event.OfficialAdvance;
 final class PodPaths implements TurnSink {
 
     private static final double CLEARANCE = 0.1;
+    /**
+     * The filter sets a path aside if the true square of its distance is above that of the radius by 0.9 u^2. The rules'
+     * formula has squares of the path's length in it, which round by less than 2^-50 of them: up to here by less than
+     * 0.9. Longer paths, in u, are not filtered.
+     */
+    static final double LONG = 0x1p24;
 
     private final TurnLog log;
     private final double radius;
     private boolean recorded;
 
     private int[] pods = new int[32];
+    private double[] times = new double[32];
     private double[] x = new double[32];
     private double[] y = new double[32];
     private int corners;
+    /** Knots told, of which some stand at the same corner. */
+    private int knots;
+    /** By pod: the last corner, -1 for none. */
+    private final int[] last;
 
     /**
+     * @param pods   how many there are
      * @param log    receives everything while it is recorded
      * @param radius of checkpoints
      */
-    PodPaths(TurnLog log, double radius) {
+    PodPaths(int pods, TurnLog log, double radius) {
+        last = new int[pods];
+        Arrays.fill(last, -1);
         this.log = log;
         this.radius = radius;
     }
@@ -40,7 +54,11 @@ final class PodPaths implements TurnSink {
 
     /** A turn begins. */
     void clear() {
+        if (corners > 0) {
+            Arrays.fill(last, -1);
+        }
         corners = 0;
+        knots = 0;
         if (recorded) {
             log.clear();
         }
@@ -57,20 +75,32 @@ final class PodPaths implements TurnSink {
         }
     }
 
+    /** A later one at the same time replaces a corner. */
     @Override
     public void knot(int pod, double time, double cornerX, double cornerY) {
-        if (corners == pods.length) {
-            pods = Arrays.copyOf(pods, 2 * corners);
-            x = Arrays.copyOf(x, 2 * corners);
-            y = Arrays.copyOf(y, 2 * corners);
+        knots++;
+        int corner = last[pod];
+        if (corner < 0 || times[corner] != time) {
+            if (corners == pods.length) {
+                grow();
+            }
+            corner = corners++;
+            last[pod] = corner;
         }
-        pods[corners] = pod;
-        x[corners] = cornerX;
-        y[corners] = cornerY;
-        corners++;
+        pods[corner] = pod;
+        times[corner] = time;
+        x[corner] = cornerX;
+        y[corner] = cornerY;
         if (recorded) {
             log.knot(pod, time, cornerX, cornerY);
         }
+    }
+
+    private void grow() {
+        pods = Arrays.copyOf(pods, 2 * corners);
+        times = Arrays.copyOf(times, 2 * corners);
+        x = Arrays.copyOf(x, 2 * corners);
+        y = Arrays.copyOf(y, 2 * corners);
     }
 
     @Override
@@ -80,16 +110,17 @@ final class PodPaths implements TurnSink {
         }
     }
 
-    /** How many corners all paths have together: at least two for each impact. */
-    int corners() {
-        return corners;
+    /** How many knots all paths have together: at least two for each impact. */
+    int knots() {
+        return knots;
     }
 
     /** The filter for impacts knows this too: a moving point, and one at rest. */
     private boolean mayPass(double fromX, double fromY, double toX, double toY, double checkpointX,
                             double checkpointY) {
-        return OfficialAdvance.mayMeet(fromX - checkpointX, fromY - checkpointY, toX - fromX, toY - fromY, 1,
-            radius * radius);
+        return !(Math.abs(toX - fromX) + Math.abs(toY - fromY) < LONG)
+            || OfficialAdvance.mayMeet(fromX - checkpointX, fromY - checkpointY, toX - fromX, toY - fromY, 1,
+                radius * radius);
     }
 
     /** As {@link CheckpointSweep#passes}. */

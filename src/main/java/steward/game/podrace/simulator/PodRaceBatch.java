@@ -5,11 +5,11 @@ import java.util.Objects;
 
 /**
  * Many independent official pod races of four pods on one map, played together: one call plays a turn of every game.
- * Every bit is that of {@link PodRaceSimulator}, game by game. For search over many lines, training and ratings.
+ * Every bit is that of {@link PodRaceSimulator}, game by game. For search programs, training and ratings.
  *
- * <p>A game's numbers lie side by side; one kernel goes over them, so that a game costs no more
- * than its turn. Tried and not taken: one array per quantity with loops over games without branches, which compilers
- * can turn into vector instructions. Hotspot 17 did so for some of the loops only, and the whole was slower.
+ * <p>The numbers of a game are adjacent in memory; one kernel plays game after game. Tried and rejected: one array per
+ * quantity with loops over games without branches, which compilers can turn into vector instructions. Hotspot 17 did so
+ * for some of the loops only, and the whole was slower.
  *
  * <p>Allocates nothing in a turn. Not thread-safe; all cores are used by {@link ParallelBatch}.
  */
@@ -36,8 +36,8 @@ public final class PodRaceBatch {
         /**
          * No commands.
          *
-         * @param games how many games they are for, 1..100,000,000
-         * @throws IllegalArgumentException if that is not so
+         * @param games number of games, 1..100,000,000
+         * @throws IllegalArgumentException if the number is out of range
          */
         public Commands(int games) {
             checkGames(games);
@@ -50,9 +50,9 @@ public final class PodRaceBatch {
         /**
          * As {@link PodCommands#set}.
          *
-         * @param game which, from 0 on
-         * @param pod  which, 0..3
-         * @throws IllegalArgumentException  if the target is not finite, or there is no such thrust
+         * @param game index of the game, from 0
+         * @param pod  index of the pod, 0..3
+         * @throws IllegalArgumentException  if the target is not finite or the thrust out of range
          * @throws IndexOutOfBoundsException if there is no such game or pod
          */
         public void set(int game, int pod, double podTargetX, double podTargetY, int podThrust) {
@@ -70,8 +70,8 @@ public final class PodRaceBatch {
      * Games at the start.
      *
      * @param checkpoints as for {@link PodRaceSimulator#PodRaceSimulator(double[][])}
-     * @param games       how many, 1..100,000,000
-     * @throws IllegalArgumentException if that is not so, and as there
+     * @param games       number of games, 1..100,000,000
+     * @throws IllegalArgumentException if the number is out of range, and as there
      */
     public PodRaceBatch(double[][] checkpoints, int games) {
         checkGames(games);
@@ -91,12 +91,12 @@ public final class PodRaceBatch {
         }
     }
 
-    /** What one thread needs to play. */
+    /** The working memory of one thread. */
     PodTurn kernel() {
         return new PodTurn(checkpoints, PODS, PODS / PLAYERS, LAPS);
     }
 
-    /** How many games there are. */
+    /** The number of games. */
     public int games() {
         return states.length;
     }
@@ -126,9 +126,9 @@ public final class PodRaceBatch {
     }
 
     /**
-     * Puts a game into the state of a race on the same map.
+     * Sets a game to the state of a race on the same map.
      *
-     * @throws IllegalArgumentException if its numbers of pods, players or checkpoints are others
+     * @throws IllegalArgumentException if its number of pods, players or checkpoints differs
      */
     public void set(int game, PodRaceSimulator from) {
         start.checkAlike(from);
@@ -136,36 +136,36 @@ public final class PodRaceBatch {
     }
 
     /**
-     * Puts a race on the same map into the state of a game.
+     * Sets a race on the same map to the state of a game.
      *
-     * @throws IllegalArgumentException if its numbers of pods, players or checkpoints are others
+     * @throws IllegalArgumentException if its number of pods, players or checkpoints differs
      */
     public void get(int game, PodRaceSimulator to) {
         start.checkAlike(to);
         to.copyFrom(states[game], counts[game]);
     }
 
-    /** Where a pod is, in u. */
+    /** The x coordinate of a pod, in u. */
     public double x(int game, int pod) {
         return states[game][PodTurn.NUMBERS * pod + PodTurn.X];
     }
 
-    /** Where a pod is, in u. */
+    /** The y coordinate of a pod, in u. */
     public double y(int game, int pod) {
         return states[game][PodTurn.NUMBERS * pod + PodTurn.Y];
     }
 
-    /** The speed of a pod, in u per turn. */
+    /** The velocity of a pod to the right, in u per turn. */
     public double vx(int game, int pod) {
         return states[game][PodTurn.NUMBERS * pod + PodTurn.VX];
     }
 
-    /** The speed of a pod, in u per turn. */
+    /** The velocity of a pod downwards, in u per turn. */
     public double vy(int game, int pod) {
         return states[game][PodTurn.NUMBERS * pod + PodTurn.VY];
     }
 
-    /** How many checkpoints a pod has passed since the start. */
+    /** The number of checkpoints that a pod has passed since the start. */
     public int passed(int game, int pod) {
         return counts[game][PodTurn.COUNTS * pod + PodTurn.PASSED];
     }
@@ -183,7 +183,7 @@ public final class PodRaceBatch {
         return Math.sqrt(dx * dx + dy * dy);
     }
 
-    /** How many turns the player has left to pass a checkpoint. */
+    /** The number of turns that the player has left to pass a checkpoint. */
     public int turnsLeft(int game, int player) {
         return counts[game][PodTurn.COUNTS * PODS + Objects.checkIndex(player, PLAYERS)];
     }

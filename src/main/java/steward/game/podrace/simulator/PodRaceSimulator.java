@@ -10,9 +10,9 @@ import steward.physics.TurnLog;
 import steward.physics.event.OfficialAdvance;
 
 /**
- * The official pod race for programs that search: states are put in and copied, turns are played, nothing is allocated,
- * and every bit is that of {@link PodRace} on the scene {@code mad-pod-racing}: positions, speeds, headings, timers,
- * checkpoints and, when asked for, impacts.
+ * The official pod race for search programs: states are set and copied, turns are played, nothing is allocated, and
+ * every bit is that of {@link PodRace} on the scene {@code mad-pod-racing}: positions, speeds, headings, timers,
+ * checkpoints and, if recorded, impacts.
  *
  * <pre>{@code
  * PodRaceSimulator now = new PodRaceSimulator(checkpoints), trial = new PodRaceSimulator(checkpoints);
@@ -24,20 +24,20 @@ import steward.physics.event.OfficialAdvance;
  * double worth = 50_000.0 * trial.passed(0) - trial.toNext(0);
  * }</pre>
  *
- * <p>What it leaves out: elimination, the end of a race, marks. A bot sees headings as degrees and knows neither the
- * shield timers nor the boosts of others. Degrees put in with {@code Math.toRadians} are the referee's radians but for
+ * <p>Not simulated: elimination, the end of a race, marks. A bot sees headings as degrees and knows neither the shield
+ * timers nor the boosts of others. Degrees converted with {@code Math.toRadians} are the referee's radians except for
  * the last digits (and for whole turns, which do not matter): the next positions differ in about one pod-turn of a
- * million. Bots that speak lines see whole degrees; they do better to set a heading once and play their own commands
- * on.
+ * million. Bots with the line protocol see whole degrees; they should set a heading once and then simulate their own
+ * commands.
  *
  * <p>Sources of the rules as in {@link PodRace}. Not thread-safe: one instance, one thread.
  */
 public final class PodRaceSimulator {
 
-    /** The most pods in a race. */
+    /** The maximum number of pods in a race. */
     public static final int MOST_PODS = OfficialAdvance.MOST_BODIES;
 
-    /** The greatest place (u) and speed (u per turn) that can be put in. */
+    /** The greatest coordinate (u) and speed (u per turn) that can be set, in magnitude. */
     public static final double GREATEST = 0x1p200;
 
     private static final int LAPS = 3;
@@ -55,7 +55,8 @@ public final class PodRaceSimulator {
      * Four pods, those of player 0 first, three laps; pods stand at the start places, headings unset.
      *
      * @param checkpoints {@code [n][x, y]} in u, n at least 2; copied
-     * @throws IllegalArgumentException if there are too few, a number is not finite, or the first two are in one place
+     * @throws IllegalArgumentException if there are too few, a number is not finite or above {@link #GREATEST}, or the
+     *                                  first two are in one place
      */
     public PodRaceSimulator(double[][] checkpoints) {
         this(checkpoints, 2, 2, LAPS);
@@ -100,7 +101,7 @@ public final class PodRaceSimulator {
             "checkpoints 0 and 1 are in the same place, expected two places: pods start across them");
     }
 
-    /** Not NaN either. */
+    /** False for NaN too. */
     private static boolean isPlayable(double value) {
         return Math.abs(value) <= GREATEST;
     }
@@ -112,19 +113,20 @@ public final class PodRaceSimulator {
     }
 
     /**
-     * Puts a pod into a state. Whole numbers are usual; others are played as {@link PodRace} would. How many turns the
-     * player has left stays as it is.
+     * Sets the state of a pod. Whole numbers are usual; others are played as {@link PodRace} would. The turns left of
+     * the player do not change.
      *
      * @param x             in u, of at most {@link #GREATEST} in magnitude
      * @param y             in u, likewise
      * @param vx            in u per turn, likewise
      * @param vy            in u per turn, likewise
      * @param heading       in radians, NaN while unset
-     * @param podTimer      4 after the turn the shield was raised, counting down to 0
-     * @param podBoostLeft  whether the boost is still there
+     * @param podTimer      4 after the turn the shield was raised, counting down to 0; at 4 the pod weighs 10 until its
+     *                      next command
+     * @param podBoostLeft  whether the boost is left
      * @param podPassed     checkpoints passed since the start, 0..1,000,000; the next is number
      *                      {@code (podPassed + 1) % n}
-     * @throws IllegalArgumentException  if a number is out of range; the state is as before
+     * @throws IllegalArgumentException  if a number is out of range; then the state is unchanged
      * @throws IndexOutOfBoundsException if there is no such pod
      */
     public void setPod(int pod, double x, double y, double vx, double vy, double heading, int podTimer,
@@ -150,7 +152,7 @@ public final class PodRaceSimulator {
         state[at + PodTurn.VY] = vy;
         turn.setHeading(state, pod, heading);
         at = PodTurn.COUNTS * pod;
-        counts[at + PodTurn.TIMER] = podTimer;
+        counts[at + PodTurn.TIMER] = podTimer == PodRaceSettings.SHIELD_TURNS ? podTimer + PodTurn.HEAVY : podTimer;
         counts[at + PodTurn.BOOST] = podBoostLeft ? 1 : 0;
         counts[at + PodTurn.PASSED] = podPassed;
         counts[at + PodTurn.NEXT] = (podPassed + 1) % checkpoints;
@@ -161,7 +163,7 @@ public final class PodRaceSimulator {
     }
 
     /**
-     * Says how long a player may go on without a checkpoint: at the start 100 turns.
+     * Sets the number of turns that a player has left without a checkpoint: at the start 100.
      *
      * @param turns how many turns the player has left to pass a checkpoint
      * @throws IndexOutOfBoundsException if there is no such player
@@ -171,14 +173,14 @@ public final class PodRaceSimulator {
         counts[PodTurn.COUNTS * pods + player] = turns;
     }
 
-    /** Whether {@link #log()} shall hold the impacts and corners of the next turns; at first it does not. */
+    /** Sets whether {@link #log()} records the impacts and corners of the next turns; at first it does not. */
     public void setRecorded(boolean wanted) {
         turn.record(wanted);
     }
 
     /**
-     * Becomes a copy of another race on the same map, without its log. Another map with as many checkpoints is not
-     * noticed: the pods then race on this one.
+     * Copies another race on the same map, without its log. Another map with the same number of checkpoints is not
+     * detected: the pods then race on the map of this one.
      *
      * @throws IllegalArgumentException if the numbers of pods, players or checkpoints differ
      */
@@ -221,44 +223,47 @@ public final class PodRaceSimulator {
         turn.play(state, counts, commands.targetX, commands.targetY, commands.thrust, 0);
     }
 
-    /** How many pods race. */
+    /** The number of pods in the race. */
     public int pods() {
         return pods;
     }
 
-    /** The player whose pod it is. */
+    /** The player that owns a pod. */
     public int playerOf(int pod) {
         return pod / perPlayer;
     }
 
-    /** Where a pod is, in u: whole after a turn. */
+    /** The x coordinate of a pod, in u: whole after a turn. */
     public double x(int pod) {
         return state[PodTurn.NUMBERS * pod + PodTurn.X];
     }
 
-    /** Where a pod is, in u: whole after a turn. */
+    /** The y coordinate of a pod, in u: whole after a turn. */
     public double y(int pod) {
         return state[PodTurn.NUMBERS * pod + PodTurn.Y];
     }
 
-    /** The speed of a pod, in u per turn: whole after a turn. */
+    /** The velocity of a pod to the right, in u per turn: whole after a turn. */
     public double vx(int pod) {
         return state[PodTurn.NUMBERS * pod + PodTurn.VX];
     }
 
-    /** The speed of a pod, in u per turn: whole after a turn. */
+    /** The velocity of a pod downwards, in u per turn: whole after a turn. */
     public double vy(int pod) {
         return state[PodTurn.NUMBERS * pod + PodTurn.VY];
     }
 
-    /** In radians, not normalised, NaN while unset: exact. It may have to be worked out, a matter of 10 ns. */
+    /**
+     * The exact heading in radians, not normalised; NaN while unset. It may have to be computed, which takes about 10
+     * ns.
+     */
     public double heading(int pod) {
         return Headings.angle(state, PodTurn.NUMBERS * pod + PodTurn.HEADING);
     }
 
     /**
-     * The x component of the direction in which a pod heads, known to 1e-11; NaN while unset, and from 512 radians on.
-     * At hand.
+     * The x component of the direction in which a pod heads, accurate to 1e-11; NaN while unset, and from 512 radians
+     * on. Needs no computation.
      */
     public double directionX(int pod) {
         return state[PodTurn.NUMBERS * pod + PodTurn.HEADING];
@@ -271,20 +276,20 @@ public final class PodRaceSimulator {
 
     /** 4 after the turn the shield was raised, counting down to 0. */
     public int shieldTimer(int pod) {
-        return counts[PodTurn.COUNTS * pod + PodTurn.TIMER];
+        return counts[PodTurn.COUNTS * pod + PodTurn.TIMER] & PodTurn.TIMER_BITS;
     }
 
-    /** Whether the boost is still there. */
+    /** Whether the boost is left. */
     public boolean boostLeft(int pod) {
         return counts[PodTurn.COUNTS * pod + PodTurn.BOOST] != 0;
     }
 
-    /** How many checkpoints a pod has passed since the start. */
+    /** The number of checkpoints that a pod has passed since the start. */
     public int passed(int pod) {
         return counts[PodTurn.COUNTS * pod + PodTurn.PASSED];
     }
 
-    /** How many checkpoints make the race. */
+    /** The number of checkpoints of the whole race. */
     public int toFinish() {
         return turn.toFinish();
     }
@@ -294,12 +299,12 @@ public final class PodRaceSimulator {
         return counts[PodTurn.COUNTS * pod + PodTurn.NEXT];
     }
 
-    /** The place of a checkpoint, in u. */
+    /** The x coordinate of a checkpoint, in u. */
     public double checkpointX(int checkpoint) {
         return turn.checkpointX(checkpoint);
     }
 
-    /** The place of a checkpoint, in u. */
+    /** The y coordinate of a checkpoint, in u. */
     public double checkpointY(int checkpoint) {
         return turn.checkpointY(checkpoint);
     }
@@ -312,7 +317,7 @@ public final class PodRaceSimulator {
         return Math.sqrt(dx * dx + dy * dy);
     }
 
-    /** How many turns the player has left to pass a checkpoint; the race would put a player out at 0. */
+    /** The number of turns that the player has left to pass a checkpoint; the race eliminates a player at 0. */
     public int turnsLeft(int player) {
         return counts[PodTurn.COUNTS * pods + player];
     }

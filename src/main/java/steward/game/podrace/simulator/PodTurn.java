@@ -9,17 +9,17 @@ import steward.physics.event.OfficialAdvance;
 
 /**
  * The official turn, fast: the kernel of {@link PodRaceSimulator} and {@link PodRaceBatch}. Pods are steered by
- * certified vectors ({@link Headings}); in a turn in which nobody can meet they go straight to their rounded ends, else
- * through certified impacts ({@link CertifiedImpacts}), unless impacts are recorded; where a decision or a rounding is
- * in doubt, the game's own expressions are evaluated. States lie in arrays of the caller; this holds what one turn
- * needs. Allocates nothing. Not thread-safe.
+ * certified vectors ({@link Headings}); in a turn in which no pair can meet they fly straight to their rounded ends,
+ * otherwise through certified impacts ({@link CertifiedImpacts}), unless impacts are recorded. Where a decision or a
+ * rounding is in doubt, the game's own expressions are evaluated. States are in arrays of the caller; this class holds
+ * the working memory of a turn. Allocates nothing. Not thread-safe.
  *
- * <p>Of a turn without impacts most of the time goes into steering, then into gliding; a turn with impacts takes
- * longer. Tried and not taken, because measured no faster: a box around the checkpoint before its quadratic; one sum in
- * place of the four bounds on place and speed; going through the pods of a set bit by bit when they glide; writing the
- * base of a heading to one of two places instead of taking one of two values (slower: later loads wait for the
- * address); steering and gliding in one loop. A closer test of who may meet would gain nothing: those whom the filter
- * leaves nearly always meet. All in one file of almost 500 lines, because all of it works on the same arrays.
+ * <p>A turn without impacts takes most of its time for steering, then for gliding; a turn with impacts takes longer.
+ * Tried and rejected, because measured no faster: a box around the checkpoint before its quadratic; one sum instead of
+ * the four bounds on position and speed; iterating over the set bits of the pods that glide; writing the base of a
+ * heading to one of two places instead of taking one of two values (slower: later loads wait for the address); steering
+ * and gliding in one loop. A more precise filter of pairs would gain nothing: the pairs that it keeps nearly always
+ * meet. One file of almost 500 lines, because all of it works on the same arrays.
  */
 final class PodTurn {
 
@@ -35,32 +35,35 @@ final class PodTurn {
     private static final double SHIELD_MASS = PodRaceSettings.SHIELD_MASS_FACTOR;
 
     /*
-     * Where a certified vector suffices. A pod below SMALL in each coordinate and speed is steered by a vector known to
-     * 2^-37; times a thrust of at most 650 that is 2^-27.6 for the speed, and with the roundings of both ways (2^-39
-     * for the speed; 2^-37 for the place) less than 2^-27 for the speed and for the place at the end. A drag's product
-     * adds 2^-39. So when the fraction to be cut or rounded off is farther than DOUBT from where the result would be
-     * another, the result is the game's. Otherwise, or when somebody may be hit, the game's own direction is worked
-     * out.
+     * When a certified vector suffices. A pod below SMALL in each coordinate and speed is steered by a vector accurate
+     * to 2^-37; times a thrust of at most 650 that is 2^-27.6 for the speed, and with the roundings of both
+     * computations (2^-39 for the speed; 2^-37 for the position) less than 2^-27 for the speed and for the position at
+     * the end. A drag's product adds 2^-39. So when the fraction to be truncated or rounded is farther than DOUBT from
+     * where the result changes, the result is the game's. Otherwise, or when pairs may meet, the game's own direction
+     * is computed.
      */
     static final double SMALL = 0x1p15;
     /** See {@link #areSure}. */
     private static final int MOST_CORNERS = 500;
     static final double DOUBT = 0x1p-26;
 
-    /** Per pod, in {@link #state}: place, velocity, heading. */
+    /** Offsets per pod in {@link #state}: position, velocity, heading. */
     static final int X = 0;
     static final int Y = 1;
     static final int VX = 2;
     static final int VY = 3;
     static final int HEADING = 4;
     static final int NUMBERS = HEADING + Headings.NUMBERS;
-    /** Per pod, in {@link #counts}; behind the pods, per player, the turns left. */
+    /** Offsets per pod in {@link #counts}; after the pods, per player, the turns left. */
     static final int TIMER = 0;
+    /** The timer stands in these bits of its count; above them whether the last command was a shield. */
+    static final int TIMER_BITS = 7;
+    static final int HEAVY = 8;
     static final int BOOST = 1;
     static final int PASSED = 2;
     static final int NEXT = 3;
     static final int COUNTS = 4;
-    /** Per pod, in {@link #speed}: the place before, the velocity, and these. */
+    /** Offsets per pod in {@link #speed}: the position before, the velocity, and these. */
     private static final int POWER = 4;
     private static final int MASS = 5;
     private static final int SPEED = 6;
@@ -74,14 +77,14 @@ final class PodTurn {
     private final OfficialAdvance advance = new OfficialAdvance(RADIUS);
     private final Headings headings = new Headings();
     private final TurnLog log = new TurnLog();
-    private final PodPaths paths = new PodPaths(log, CHECKPOINT_RADIUS);
+    private final PodPaths paths;
     private final CertifiedImpacts impacts;
     /** The pods of a turn with impacts. */
     private final Bodies bodies;
-    /** Per pod the place before, the velocity in this turn, and the thrust if it acts through a certified vector. */
+    /** Per pod: the position before, the velocity in this turn, the thrust if by a certified vector, and the mass. */
     private final double[] speed;
 
-    /** Of the pods in certified impacts those that pass a checkpoint, as bits. */
+    /** The pods with certified impacts that pass a checkpoint, as bits. */
     private int passing;
 
     /** The states of the game being played. */
@@ -96,6 +99,7 @@ final class PodTurn {
         checkpointX = Arrays.stream(checkpoints).mapToDouble(place -> place[0]).toArray();
         checkpointY = Arrays.stream(checkpoints).mapToDouble(place -> place[1]).toArray();
         bodies = new Bodies(pods);
+        paths = new PodPaths(pods, log, CHECKPOINT_RADIUS);
         impacts = new CertifiedImpacts(pods, paths);
         speed = new double[SPEED * pods];
         for (int pod = 0; pod < pods; pod++) {
@@ -123,7 +127,7 @@ final class PodTurn {
         return checkpointY[checkpoint];
     }
 
-    /** The heading of a pod becomes an angle in radians, NaN for unset. */
+    /** Sets the heading of a pod to an angle in radians, NaN for unset. */
     void setHeading(double[] to, int pod, double angle) {
         headings.set(to, NUMBERS * pod + HEADING, angle);
     }
@@ -133,7 +137,7 @@ final class PodTurn {
      *
      * @param states   {@link #NUMBERS} per pod, altered
      * @param numbers  {@link #COUNTS} per pod, then the turns left per player, altered
-     * @param first    where the commands of the first pod stand
+     * @param first    index of the command of the first pod
      */
     void play(double[] states, int[] numbers, double[] targetX, double[] targetY, int[] thrust, int first) {
         state = states;
@@ -151,7 +155,7 @@ final class PodTurn {
         }
     }
 
-    /** Headings and thrusts. What is not usual is done elsewhere, so that nothing here has to be kept for a call. */
+    /** Applies headings and thrusts. Rare cases go to {@link #steerExactly}, so that values stay in registers here. */
     private void steer(double[] targetX, double[] targetY, int[] thrusts, int first) {
         double[] from = state;
         double[] to = speed;
@@ -168,7 +172,7 @@ final class PodTurn {
             if (command >= 0 && Math.abs(x) < SMALL && Math.abs(y) < SMALL && Math.abs(vx) < SMALL
                 && Math.abs(vy) < SMALL
                 && Headings.turnQuickly(from, at + HEADING, targetX[first + pod] - x, targetY[first + pod] - y)) {
-                int timer = Math.max(0, count[COUNTS * pod + TIMER] - 1);
+                int timer = Math.max(0, (count[COUNTS * pod + TIMER] & TIMER_BITS) - 1);
                 count[COUNTS * pod + TIMER] = timer;
                 to[out + X] = x;
                 to[out + Y] = y;
@@ -187,15 +191,17 @@ final class PodTurn {
         }
     }
 
-    /** The same for any pod, by the game's own direction. */
+    /** The same for any pod, with the game's own direction. */
     private void steerExactly(int pod, double targetX, double targetY, int command) {
         int at = NUMBERS * pod;
         int to = SPEED * pod;
+        int before = counts[COUNTS * pod + TIMER];
+        boolean heavy = command == PodCommands.SHIELD || command == PodCommands.NO_COMMAND && before > TIMER_BITS;
         int thrust = command < 0 ? special(pod, command) : command;
-        int timer = Math.max(0, counts[COUNTS * pod + TIMER] - 1);
-        counts[COUNTS * pod + TIMER] = timer;
+        int timer = Math.max(0, (counts[COUNTS * pod + TIMER] & TIMER_BITS) - 1);
+        counts[COUNTS * pod + TIMER] = heavy ? timer + HEAVY : timer;
         System.arraycopy(state, at + X, speed, to + X, POWER);
-        speed[to + MASS] = command == PodCommands.SHIELD ? SHIELD_MASS : 1;
+        speed[to + MASS] = heavy ? SHIELD_MASS : 1;
         speed[to + POWER] = 0;
         double dx = targetX - state[at + X];
         double dy = targetY - state[at + Y];
@@ -208,7 +214,7 @@ final class PodTurn {
         }
     }
 
-    /** Shield or boost. @return the thrust */
+    /** Applies shield or boost. @return the thrust */
     private int special(int pod, int command) {
         int at = COUNTS * pod;
         if (command == PodCommands.SHIELD) {
@@ -231,7 +237,7 @@ final class PodTurn {
         speed[to + POWER] = 0;
     }
 
-    /** Whether no two of four pods can meet by the coarse test: straight through, as most turns go. */
+    /** Whether no pair of four pods can meet, by the coarse test without a loop; true for most turns. */
     private boolean allFar4() {
         double[] of = speed;
         double x0 = of[X];
@@ -259,7 +265,7 @@ final class PodTurn {
             && OfficialAdvance.areFar(x2 - x3, y2 - y3, vx2 - vx3, vy2 - vy3, reach);
     }
 
-    /** The pairs that may meet: bits in the order of the scan. */
+    /** The pairs that may meet, as bits in the order of the scan. */
     private long nearPairs() {
         double[] from = speed;
         long near = 0;
@@ -280,15 +286,15 @@ final class PodTurn {
     }
 
     /*
-     * Of the four fractions f to be cut or rounded off, each f (1 - f) is at most 1/4; so when the product of the four
-     * is above DOUBT / 64, each is above DOUBT, and so are f and 1 - f. (A speed beyond all int leaves a "fraction"
-     * above 1.)
+     * For each of the four fractions f to be truncated or rounded, f (1 - f) is at most 1/4; so when the product of the
+     * four is above DOUBT / 64, each is above DOUBT, and so are f and 1 - f. A path longer than LONG is too long for
+     * the filter of checkpoints; then everything is computed as the game does.
      */
 
     /**
-     * The end of the turn for pods (bits) that nobody touches: straight to the end, drag, cut, round.
+     * The end of the turn for pods (bits) without impacts: free flight, drag, truncation, rounding.
      *
-     * @return those that may have passed their next checkpoint, as bits
+     * @return the pods that may have passed their next checkpoint, as bits
      */
     private int glide(int which) {
         double[] to = state;
@@ -316,13 +322,15 @@ final class PodTurn {
             double lostY = Math.abs(slowY - cutY);
             double product = (restX - restX * restX) * (restY - restY * restY)
                 * ((lostX - lostX * lostX) * (lostY - lostY * lostY));
-            if (product > DOUBT / 64 && lostX < 1) {
+            if (product > DOUBT / 64 && Math.abs(slowX) + Math.abs(slowY) < PodPaths.LONG / 2) {
                 to[at + X] = roundX + 0.0;
                 to[at + Y] = roundY + 0.0;
                 to[at + VX] = cutX;
                 to[at + VY] = cutY;
             } else {
                 glideExactly(pod);
+                mayPass |= 1 << pod;                  // the paths have a filter of their own
+                continue;
             }
             int next = counts[COUNTS * pod + NEXT];
             if (OfficialAdvance.mayMeet(startX - checkpointX[next], startY - checkpointY[next], to[at + X] - startX,
@@ -345,7 +353,7 @@ final class PodTurn {
         state[at + VY] = cut(speed[to + VY] * KEEP);
     }
 
-    /** Toward zero, never -0.0. */
+    /** Truncates toward zero, never to -0.0. */
     private static double cut(double value) {
         if (Math.abs(value) < 0x1p31) {
             return (int) value;
@@ -354,8 +362,8 @@ final class PodTurn {
     }
 
     /**
-     * The turn when some may meet: they get directions and speeds as the game has them, then its event loop. The others
-     * only when somebody has been thrown at them.
+     * The turn when some pairs may meet. Their pods get the game's own directions and speeds, then the game's event
+     * loop is played; the other pods get them only if an impact sends a pod towards them.
      */
     private int collide(long near) {
         if (!paths.areRecorded()) {
@@ -374,7 +382,7 @@ final class PodTurn {
             paths.clear();
         }
         int exact = advance.bodiesOf(near, pods);
-        if (!collide(near, exact) || paths.corners() > MOST_CORNERS || !areSure(~exact)) {
+        if (!collide(near, exact) || paths.knots() > MOST_CORNERS || !areSure(~exact)) {
             paths.clear();
             exact = OfficialAdvance.ALL;
             collide(near, exact);
@@ -391,7 +399,7 @@ final class PodTurn {
         return exact | glide(~exact);
     }
 
-    /** Whether the impacts of certified speeds are those of the game, in all that they lead to. */
+    /** Whether the impacts of certified speeds, with all their results, are certified to be those of the game. */
     private boolean flyCertified(long near) {
         for (int pod = 0; pod < pods; pod++) {
             int in = SPEED * pod;
@@ -414,7 +422,7 @@ final class PodTurn {
 
     private boolean isSureOfCheckpoints(int pod) {
         int next = counts[COUNTS * pod + NEXT];
-        for (int passed = counts[COUNTS * pod + PASSED]; passed < toFinish; passed++) {
+        for (int passed = 0; passed < checkpoints; passed++) {
             double above = paths.nearest(pod, speed[SPEED * pod + X], speed[SPEED * pod + Y], impacts.x(pod),
                 impacts.y(pod), checkpointX[next], checkpointY[next]) - CHECKPOINT_RADIUS;
             if (Math.abs(above) <= impacts.cornerError()) {
@@ -430,11 +438,11 @@ final class PodTurn {
     }
 
     /*
-     * In a turn with impacts the game flies everybody from impact to impact, also those whom nobody touches; a place is
+     * In a turn with impacts the game moves all pods from impact to impact, also those without impacts; a position is
      * rounded at each, by less than 2^-37. In MOST_CORNERS / 2 flights that stays below the 2^-27 that DOUBT leaves.
      */
 
-    /** Whether all fractions of these pods (bits) are away from where they would be another number's. */
+    /** Whether the roundings of these pods (bits) are all certain: no fraction is close to where the result changes. */
     private boolean areSure(int which) {
         for (int pod = 0; pod < pods; pod++) {
             if ((which >> pod & 1) != 0 && !isSure(SPEED * pod)) {
@@ -472,7 +480,7 @@ final class PodTurn {
         return advance.turn(bodies, paths, near, exact);
     }
 
-    /** @param mayPass the pods (bits) that may have passed one */
+    /** @param mayPass the pods (bits) that may have passed a checkpoint */
     private void countCheckpoints(int mayPass) {
         for (int rest = mayPass & (1 << pods) - 1; rest != 0; rest &= rest - 1) {
             int pod = Integer.numberOfTrailingZeros(rest);
@@ -482,13 +490,17 @@ final class PodTurn {
         }
     }
 
-    /** Counts the checkpoints on the path of a pod. @return whether there is one */
+    /**
+     * Counts the checkpoints on the path of a pod, on behind the finish too, each once at most.
+     *
+     * @return whether there is one
+     */
     private boolean pass(int pod) {
         int at = COUNTS * pod;
         boolean any = false;
         int next = counts[at + NEXT];
-        while (counts[at + PASSED] < toFinish && paths.passes(pod, speed[SPEED * pod + X], speed[SPEED * pod + Y],
-            state[NUMBERS * pod + X], state[NUMBERS * pod + Y], checkpointX[next], checkpointY[next])) {
+        for (int most = checkpoints; most > 0 && paths.passes(pod, speed[SPEED * pod + X], speed[SPEED * pod + Y],
+            state[NUMBERS * pod + X], state[NUMBERS * pod + Y], checkpointX[next], checkpointY[next]); most--) {
             any = true;
             counts[at + PASSED]++;
             next = next + 1 < checkpoints ? next + 1 : 0;

@@ -10,7 +10,7 @@ import steward.lab.trial.Rung;
 import steward.lab.trial.StabilityCase;
 import steward.physics.Arithmetic;
 
-/** A crowd in a box, played on and on: whether anything is missed. */
+/** A crowd in a box, played for many impacts: whether any is missed. */
 public final class CrowdCase implements StabilityCase {
 
     private static final long SEED = 9;
@@ -24,9 +24,9 @@ public final class CrowdCase implements StabilityCase {
     private final long impacts;
 
     /**
-     * @param coverage share of the box that they cover
+     * @param coverage share of the box that is covered
      * @param longest  how many impacts the long version has in {@code double}, which most scenes use
-     * @param impacts  on each event rung, or 0 for what the size says
+     * @param impacts  on each event rung, or 0 for the number of the run length
      */
     public CrowdCase(int bodies, double coverage, long longest, long impacts) {
         this.bodies = bodies;

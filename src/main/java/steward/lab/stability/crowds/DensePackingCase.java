@@ -17,15 +17,15 @@ import steward.physics.ImpactLaw;
 import steward.physics.Wall;
 
 /*
- *      | o o o o  |      rows of discs of radius 1 at distances of 2 (1 + gap), every other one shifted by half of
- *      |  o o o o |      that: the densest packing of the plane is that of gap 0, which covers pi / (2 sqrt 3) = 0.9069
- *      | o o o o  |      of it, and with a gap 1 / (1 + gap)^2 of that
+ *      | o o o o  |      rows of discs of radius 1 at distances of 2 (1 + gap), every other row shifted by half of
+ *      |  o o o o |      that: gap 0 is the densest packing of the plane and covers pi / (2 sqrt 3) = 0.9069 of it,
+ *      | o o o o  |      a larger gap covers 1 / (1 + gap)^2 of that
  */
 
 /**
  * Discs so close that there is hardly room to move, in a box that fits: coverage from 0.84 to the densest packing, down
- * to gaps of some units in the last place. Speeds are in proportion to the gap, so that a turn has some impacts per
- * disc; and once they are not, so that no turn can have them all.
+ * to gaps of some units in the last place. Speeds are proportional to the gap, so that a turn has some impacts per
+ * disc; in one world they are not, so that no turn can have all of its impacts.
  */
 public final class DensePackingCase implements StabilityCase {
 
@@ -33,14 +33,14 @@ public final class DensePackingCase implements StabilityCase {
     private static final double DENSEST = Math.PI / (2 * Math.sqrt(3));
     private static final int ROWS = 6;
     /**
-     * Of the box's length. Every impact rounds everybody's place, to half a unit at most; with some hundred impacts
-     * from one encounter of a pair to the next, their distance wanders by sqrt(100) 0.4 of a unit, and this is four
-     * times that.
+     * Units in the last place of the box's length. Every impact rounds the position of every disc, by half a unit at
+     * most; with some hundred impacts between two impacts of the same pair, their distance drifts by sqrt(100) 0.4 of a
+     * unit, and this is four times that.
      */
     private static final double OVERLAP_ULPS = 16;
-    /** What the official expressions lose in two million impacts, and ten times that. */
+    /** Ten times what the official expressions lose in two million impacts. */
     private static final double ENERGY = 1e-12;
-    /** From here on all rungs must have the same first impacts; nearer, the order of impacts is that of roundings. */
+    /** From this gap on all rungs must have the same first impacts; below it, rounding decides the order of impacts. */
     private static final double CLEAR_GAP = 1e-6;
     private static final int COMPARED = 20;
 
@@ -70,7 +70,7 @@ public final class DensePackingCase implements StabilityCase {
         return Finding.of(rung.isEvent(), met, tally.text());
     }
 
-    /** What is worst in all worlds. */
+    /** The worst values of all worlds. */
     private static final class Tally {
         private long impacts;
         private int named;
@@ -121,7 +121,7 @@ public final class DensePackingCase implements StabilityCase {
         return Rung.all().stream().filter(Rung::isExact).findFirst().orElseThrow();
     }
 
-    /** Who has the first impacts, in their order. */
+    /** The bodies of the first impacts, in order. */
     private static List<Integer> first(Rung rung, ImpactLaw law, Bodies start, Wall[] box) {
         Bodies discs = new Bodies(start.capacity());
         discs.copyFrom(start);
@@ -138,7 +138,7 @@ public final class DensePackingCase implements StabilityCase {
         return pairs;
     }
 
-    /** The deepest of all pairs and walls; below 0 if nobody touches. */
+    /** The deepest overlap of all pairs and walls; below 0 if nothing touches. */
     private static double overlap(Bodies discs, double width, double height) {
         double deepest = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < discs.size(); i++) {

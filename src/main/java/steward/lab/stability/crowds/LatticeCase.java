@@ -14,8 +14,8 @@ import steward.physics.ImpactLaw;
 
 /**
  * Pairs on a lattice that all meet at the same instant, no body being in two of them: whatever the numbering, each body
- * ends in the same place. Under the official law they react in one batch; one at a time means a scan of all bodies for
- * each, so that all 10,000 are asked of the advance for crowds, and some hundred of the other.
+ * ends at the same position. Under the official law they react in one batch; one at a time means a scan of all bodies
+ * for each, so the advance for crowds gets all 10,000, and the other one some hundred.
  */
 public final class LatticeCase implements StabilityCase {
 
@@ -49,7 +49,7 @@ public final class LatticeCase implements StabilityCase {
         return agree ? "agree" : "differ";
     }
 
-    /** No pair may be left over. */
+    /** A limit on impacts that leaves room for every pair. */
     private static ImpactLaw bounded(ImpactLaw law, int pairs) {
         return law.withMaximumImpacts(2 * pairs);
     }
@@ -78,7 +78,7 @@ public final class LatticeCase implements StabilityCase {
         return same;
     }
 
-    /** Body k is that of the given place: the left (even) or right (odd) of a pair, which meet at t = 1/2. */
+    /** Body k is the one at the given place: the left (even) or right (odd) of a pair; pairs meet at t = 1/2. */
     private static Bodies lattice(int[] place) {
         Bodies bodies = new Bodies(place.length);
         int perRow = (int) Math.ceil(Math.sqrt(place.length / 2.0));

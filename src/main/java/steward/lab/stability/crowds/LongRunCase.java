@@ -3,7 +3,7 @@ package steward.lab.stability.crowds;
 import java.math.BigDecimal;
 import java.util.Locale;
 import steward.lab.trial.Finding;
-import steward.lab.trial.Ledger;
+import steward.lab.trial.MomentumBalance;
 import steward.lab.trial.Probe;
 import steward.lab.trial.Progress;
 import steward.lab.trial.RunLength;
@@ -15,15 +15,15 @@ import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 import steward.physics.Wall;
 
-/** Many elastic impacts in a box: what becomes of the energy, and whether the books of momentum are whole. */
+/** Many elastic impacts in a box: the drift of the energy, and whether the momentum balance is closed. */
 public final class LongRunCase implements StabilityCase {
 
     private static final long SEED = 16;
-    private static final double BOOKS = 1e-28;
+    private static final double MOMENTUM_GAP = 1e-28;
     private static final long MILLION = 1_000_000;
-    /** From so many bodies on, all pairs at each impact would take long. */
+    /** From this many bodies on, checking all pairs at each impact would take too long. */
     private static final int CROWD = 100;
-    /** A turn has one or more on the average: who needs so many turns for each misses them. */
+    /** A turn has one impact or more on average: a rung that needs this many turns for each one misses impacts. */
     private static final int TURNS_PER_IMPACT = 10;
 
     private final int bodies;
@@ -45,7 +45,7 @@ public final class LongRunCase implements StabilityCase {
         return String.format(Locale.ROOT, "energy within %.0e after 10^6 elastic impacts, on every event rung but "
             + "official, whose expressions are the server's: it rounds 1 / mass, by which all impulses of a pair are "
             + "off to the same side; momentum between the walls accounted for to %.0e by m (v after - v before), on "
-            + "every event rung", drift, BOOKS);
+            + "every event rung", drift, MOMENTUM_GAP);
     }
 
     @Override
@@ -53,32 +53,32 @@ public final class LongRunCase implements StabilityCase {
         int small = bodies == 10 ? 100_000 : 20_000;
         long wanted = rung.isEvent() ? size.pick(small, 1_000_000, 10_000_000) : 1;
         Bodies gas = gas();
-        Ledger ledger = new Ledger(gas);
+        MomentumBalance balance = new MomentumBalance(gas);
         Wall[] box = Wall.box(side(), side(), 1);
         Advance advance = bodies < CROWD ? rung.advance(ImpactLaw.PHYSICS, box)
             : rung.crowdAdvance(ImpactLaw.PHYSICS, box);
         BigDecimal energy = Probe.energy(gas);
         double atMillion = Double.NaN;
-        for (long turn = 0; ledger.impacts < wanted && turn < TURNS_PER_IMPACT * wanted; turn++) {
-            advance.turn(gas, ledger);
-            if (Double.isNaN(atMillion) && ledger.impacts >= MILLION) {
+        for (long turn = 0; balance.impacts < wanted && turn < TURNS_PER_IMPACT * wanted; turn++) {
+            advance.turn(gas, balance);
+            if (Double.isNaN(atMillion) && balance.impacts >= MILLION) {
                 atMillion = drift(gas, energy);
             }
             if (turn % 10_000 == 0) {
                 double first = atMillion;
-                progress.reached((double) ledger.impacts / wanted,
-                    () -> text(ledger, drift(gas, energy), first, ledger.gap(gas)));
+                progress.reached((double) balance.impacts / wanted,
+                    () -> text(balance, drift(gas, energy), first, balance.gap(gas)));
             }
         }
         double last = drift(gas, energy);
         double judged = Double.isNaN(atMillion) ? last : atMillion;
-        double gap = ledger.gap(gas);
-        boolean met = ledger.impacts >= wanted && (judged <= drift || !rung.isOurs()) && gap <= BOOKS;
-        return Finding.of(rung.isEvent(), met, text(ledger, last, judged, gap));
+        double gap = balance.gap(gas);
+        boolean met = balance.impacts >= wanted && (judged <= drift || !rung.isOurs()) && gap <= MOMENTUM_GAP;
+        return Finding.of(rung.isEvent(), met, text(balance, last, judged, gap));
     }
 
-    private static String text(Ledger ledger, double last, double atMillion, double gap) {
-        return String.format(Locale.ROOT, "%d impacts: energy %.1e%s, books %.1e", ledger.impacts, last,
+    private static String text(MomentumBalance balance, double last, double atMillion, double gap) {
+        return String.format(Locale.ROOT, "%d impacts: energy %.1e%s, books %.1e", balance.impacts, last,
             last == atMillion || Double.isNaN(atMillion) ? ""
                 : String.format(Locale.ROOT, " (%.1e after 10^6)", atMillion), gap);
     }
@@ -96,7 +96,7 @@ public final class LongRunCase implements StabilityCase {
         SplitMix64 random = new SplitMix64(SEED + bodies);
         Bodies gas = new Bodies(bodies);
         int perRow = (int) Math.ceil(Math.sqrt(bodies));
-        double speed = 1000.0 / bodies;                        // at most some ten impacts a turn, however many bodies
+        double speed = 1000.0 / bodies;                        // at most some ten impacts a turn, whatever the count
         for (int k = 0; k < bodies; k++) {
             gas.add(100 * (k % perRow) + 25 + 50 * random.nextDouble(),
                 100 * (k / perRow) + 25 + 50 * random.nextDouble(), 20, 1 + 3 * random.nextDouble());

@@ -12,7 +12,7 @@ import steward.physics.HalfPlane;
 import steward.physics.ImpactLaw;
 import steward.physics.Wall;
 
-/** One body hits two touching ones symmetrically, and small worlds among walls, each beside its mirror image. */
+/** One body hits two touching ones symmetrically, and small worlds among walls, each compared with its mirror image. */
 public final class MirrorCase implements StabilityCase {
 
     private static final long SEED = 11;
@@ -50,7 +50,7 @@ public final class MirrorCase implements StabilityCase {
             worlds + " worlds, " + probe.impacts + " impacts, " + wrong + " not mirrored");
     }
 
-    /** Two that touch, one above the other, and one that comes between them. */
+    /** Two that touch, one above the other, and a third that hits between them. */
     private static Bodies trio(double speed) {
         Bodies bodies = new Bodies(3);
         bodies.add(-50, 0, 10, 1);
@@ -70,7 +70,7 @@ public final class MirrorCase implements StabilityCase {
         return bodies;
     }
 
-    /** @param mirror bit 0: x is turned round, bit 1: y is */
+    /** @param mirror bit 0: x is negated, bit 1: y is negated */
     private static boolean agrees(Rung rung, Bodies start, int mirror, int turns, Probe probe) {
         double mx = (mirror & 1) == 0 ? 1 : -1;
         double my = (mirror & 2) == 0 ? 1 : -1;
@@ -91,7 +91,7 @@ public final class MirrorCase implements StabilityCase {
         return true;
     }
 
-    /** Around the origin, in the same order in the mirror. */
+    /** Around the origin, in the same order in the mirror image. */
     private static Wall[] walls(double mx, double my) {
         return new Wall[] {
             new HalfPlane(-SIDE * mx, 0, mx, 0, 1), new HalfPlane(0, -SIDE * my, 0, my, 1),

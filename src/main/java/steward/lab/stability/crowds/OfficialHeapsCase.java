@@ -53,7 +53,7 @@ public final class OfficialHeapsCase implements StabilityCase {
         return Finding.of(rung.isEvent(), met, seen.text());
     }
 
-    /** Adds up what is seen of the states. */
+    /** Sums up the results of the states. */
     private static final class Heaps extends Probe {
 
         private long states;
@@ -66,7 +66,7 @@ public final class OfficialHeapsCase implements StabilityCase {
         }
     }
 
-    /** A quarter stands on whole numbers, a quarter of the pods is shielded, speeds are 0, ordinary or wild. */
+    /** A quarter has integer coordinates, a quarter of the pods is shielded, speeds are 0, ordinary or extreme. */
     private static void heap(SplitMix64 random, Bodies bodies, int n) {
         while (bodies.size() > 0) {
             bodies.remove(bodies.size() - 1);

@@ -12,7 +12,7 @@ import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 import steward.physics.Wall;
 
-/** Five discs in a box fly n turns; then all velocities are turned round and they fly back. */
+/** Five discs in a box fly n turns; then all velocities are reversed and they fly back. */
 public final class TimeReversalCase implements StabilityCase {
 
     private static final long SEED = 15;

@@ -9,7 +9,7 @@ import steward.lab.trial.StabilityCase;
 import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 
-/** States that leave nothing to divide by: coincident centres, deep overlap, no relative speed in contact. */
+/** States that lead to divisions by 0: coincident centres, deep overlap, no relative speed in contact. */
 public final class ContactCase implements StabilityCase {
 
     private static final double TOLERANCE = 1e-12;

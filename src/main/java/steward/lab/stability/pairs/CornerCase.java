@@ -14,7 +14,7 @@ import steward.physics.ImpactLaw;
 import steward.physics.Segment;
 import steward.physics.Wall;
 
-/** A hit into a corner at exactly 45 degrees, which meets two walls at once, and hits on the end of a segment. */
+/** A hit into a corner at exactly 45 degrees, which touches two walls at once, and hits on the end of a segment. */
 public final class CornerCase implements StabilityCase {
 
     private static final double TOLERANCE = 1e-12;
@@ -47,7 +47,7 @@ public final class CornerCase implements StabilityCase {
             String.format(Locale.ROOT, "%d of %d corners exact; ends: %s", exact, corners, check.text()));
     }
 
-    /** From the middle of a box around the origin, with room 90 to each side: some ways there and back. */
+    /** From the middle of a box around the origin, with 90 u to each side: there and back some times. */
     private static boolean backFromCorner(Rung rung, int corner, double speed) {
         Bodies bodies = new Bodies(1);
         bodies.add(0, 0, 10, 1);

@@ -12,7 +12,7 @@ import steward.physics.HalfPlane;
 import steward.physics.ImpactLaw;
 import steward.physics.Segment;
 
-/** Speeds that vanish or explode when squared, and lengths that do, between bodies and at walls. */
+/** Speeds and lengths whose squares underflow or overflow, between bodies and at walls. */
 public final class ExtremeSpeedsCase implements StabilityCase {
 
     private static final double TOLERANCE = 1e-12;
@@ -67,7 +67,7 @@ public final class ExtremeSpeedsCase implements StabilityCase {
         check.addOrRefused("masses and speeds too large together", ImpactLaw.PHYSICS, heavy(1e300, 1e100));
     }
 
-    /** In the middle, flying along x. */
+    /** One body in the middle, flying along x. */
     private static Bodies single(double size, double rise) {
         Bodies bodies = new Bodies(1);
         bodies.add(0, 0, size, 2);
@@ -75,7 +75,7 @@ public final class ExtremeSpeedsCase implements StabilityCase {
         return bodies;
     }
 
-    /** In contact with a wall at x = 9, and approaching. */
+    /** One body in contact with a wall at x = 9, approaching it. */
     private static Bodies slow(double speed) {
         Bodies bodies = new Bodies(1);
         bodies.add(8, 0, 1, 2);
@@ -83,7 +83,7 @@ public final class ExtremeSpeedsCase implements StabilityCase {
         return bodies;
     }
 
-    /** In contact, and approaching. */
+    /** Two bodies in contact, approaching. */
     private static Bodies heavy(double mass, double speed) {
         Bodies bodies = new Bodies(2);
         bodies.add(0, 0, 1, mass);
@@ -92,7 +92,7 @@ public final class ExtremeSpeedsCase implements StabilityCase {
         return bodies;
     }
 
-    /** A body of radius r at rest, and one that comes along x, offset by a share of the touch, a gap away. */
+    /** A body of radius r at rest, and one that comes along x from a gap away, offset by a share of the touch. */
     private static Bodies pair(double radius, double share, double gap, double speed) {
         Bodies bodies = new Bodies(2);
         double along = Math.sqrt(1 - share * share) * 2 * radius;

@@ -10,7 +10,10 @@ import steward.lab.trial.StabilityCase;
 import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 
-/** Passes that nearly touch: at R (1 - 10^-k), R (1 + 10^-k), and exactly tangent, one unit in the last place aside. */
+/**
+ * Passes that nearly touch: at R (1 - 10^-k), R (1 + 10^-k), and exactly tangent, one unit in the last place to either
+ * side.
+ */
 public final class GrazingCase implements StabilityCase {
 
     private static final long SEED = 2;

@@ -2,7 +2,7 @@ package steward.lab.stability.pairs;
 
 import java.math.BigDecimal;
 import java.util.Locale;
-import steward.lab.oracle.Digits;
+import steward.lab.oracle.Decimals;
 import steward.lab.trial.Finding;
 import steward.lab.trial.Probe;
 import steward.lab.trial.Progress;
@@ -13,9 +13,9 @@ import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 
 /**
- * Impacts 1e-9 turns after each other, late: a body runs into a row whose gaps it crosses in that time, at the very end
- * of a turn. Between turns there is no clock at all ({@link steward.physics.Advance} is not told the turn), so a turn
- * that is late in a match is a turn like any other; within one, a time rounded at 1 is worth 1e-16 of the speed.
+ * Impacts 1e-9 turns after each other, late: a body hits a row whose gaps it crosses in that time, at the very end of a
+ * turn. There is no clock across turns ({@link steward.physics.Advance} does not know the turn's number), so a late
+ * turn of a match is like any other; within one, rounding a time near 1 moves a body by 1e-16 of its speed.
  */
 public final class LateTimesCase implements StabilityCase {
 
@@ -58,8 +58,8 @@ public final class LateTimesCase implements StabilityCase {
     }
 
     /**
-     * So far from the origin that the whole way has coordinates of one size; the first impact comes 5 to 6 times 1e-9
-     * before the end of the turn.
+     * So far from the origin that all coordinates on the path have the same exponent; the first impact comes 5 to 6
+     * times 1e-9 before the end of the turn.
      */
     private static Bodies row(double speed, int n) {
         Bodies bodies = new Bodies(ROW);
@@ -74,16 +74,16 @@ public final class LateTimesCase implements StabilityCase {
         return bodies;
     }
 
-    /** Measures how far two that touch overlap. */
+    /** Measures the overlap of touching bodies. */
     private static final class Deepest extends Probe {
 
         private double ulps;
 
         @Override
         public void touched(int a, int b, double ax, double ay, double bx, double by) {
-            BigDecimal distance = Digits.length(Digits.of(bx).subtract(Digits.of(ax)),
-                Digits.of(by).subtract(Digits.of(ay)));
-            double overlap = Digits.of(2 * RADIUS).subtract(distance).doubleValue();
+            BigDecimal distance = Decimals.length(Decimals.of(bx).subtract(Decimals.of(ax)),
+                Decimals.of(by).subtract(Decimals.of(ay)));
+            double overlap = Decimals.of(2 * RADIUS).subtract(distance).doubleValue();
             ulps = Math.max(ulps, overlap / Math.ulp(Math.max(Math.abs(ax), Math.abs(bx))));
         }
     }

@@ -11,7 +11,7 @@ import steward.lab.trial.StabilityCase;
 import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 
-/** Times of impact where the terms of the quadratic cancel: a hair apart, very far apart, far from the origin. */
+/** Times of impact where the terms of the quadratic cancel: minimally apart, very far apart, far from the origin. */
 public final class NearAndFarCase implements StabilityCase {
 
     private static final long SEED = 3;
@@ -57,7 +57,7 @@ public final class NearAndFarCase implements StabilityCase {
         };
     }
 
-    /** Beside each other on the x axis, as near as a gap of about 1e-12 R can be stored. */
+    /** Side by side on the x axis, with the smallest gap that can be stored, about 1e-12 R. */
     private static Bodies hairApart(SplitMix64 random) {
         Bodies bodies = new Bodies(2);
         bodies.add(0, 0, 0.5, 1);

@@ -12,7 +12,7 @@ import steward.physics.Bodies;
 import steward.physics.HalfPlane;
 import steward.physics.ImpactLaw;
 
-/** The official law at its edges: a row that just touches, the force at the minimum, a pod squeezed against a wall. */
+/** The official law at its limits: a row that just touches, the force at the minimum, a pod squeezed against a wall. */
 public final class OfficialEdgesCase implements StabilityCase {
 
     @Override
@@ -37,7 +37,10 @@ public final class OfficialEdgesCase implements StabilityCase {
         return Finding.of(rung.isEvent(), met, text.substring(2));
     }
 
-    /** Pairs 01, 12, 23 touch: each gets 120 apart, so the outer ones leave, mirrored to the push-out's last bits. */
+    /**
+     * Pairs 01, 12, 23 touch: each pair is driven apart with 120, so the outer ones leave, symmetrically up to the last
+     * bits of the push-out.
+     */
     private static boolean row(Rung rung, StringBuilder text) {
         Bodies bodies = new Bodies(4);
         for (int k = 0; k < 4; k++) {
@@ -50,7 +53,7 @@ public final class OfficialEdgesCase implements StabilityCase {
             && bodies.vx[3] >= 120 && bodies.vy[0] == 0;
     }
 
-    /** Head-on, both at f: the force is (f + f) / (1 + 1) = f. */
+    /** A head-on impact of two at speed f: the force is (f + f) / (1 + 1) = f. */
     private static boolean force(Rung rung, double f, StringBuilder text) {
         Bodies bodies = new Bodies(2);
         bodies.add(0, 0, 400, 1);

@@ -61,7 +61,7 @@ public final class PiBlocksCase implements StabilityCase {
         return bodies;
     }
 
-    /** Until both fly away from the wall, the faster one ahead. */
+    /** Plays until both fly away from the wall, the faster one ahead. */
     private static long impacts(Rung rung, Bodies bodies) {
         Advance advance = rung.advance(ImpactLaw.PHYSICS.withMaximumImpacts(Integer.MAX_VALUE),
             new HalfPlane(0, 0, 1, 0, 1));

@@ -10,16 +10,16 @@ import steward.lab.trial.StabilityCase;
 import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 
-/** A campaign: pairs of all sizes, speeds, masses and offsets, a third of them grazing. */
+/** Random pairs of all sizes, speeds, masses and offsets, a third of them grazing. */
 public final class RandomPairsCase implements StabilityCase {
 
     private static final long SEED = 20_000;
-    /** So many share a seed. */
+    /** How many pairs share a seed. */
     private static final int BLOCK = 10_000;
-    /** Powers of two that lengths and speeds are scaled by: up to what a sum of squares can hold, and beyond. */
+    /** Powers of two that scale lengths and speeds: up to what a sum of squares can hold, and beyond. */
     private final int exponents;
 
-    /** @param exponents lengths lie around 2^-exponents to 2^exponents */
+    /** @param exponents lengths range from about 2^-exponents to 2^exponents */
     public RandomPairsCase(int exponents) {
         this.exponents = exponents;
     }

@@ -8,15 +8,15 @@ import steward.lab.trial.StabilityCase;
 import steward.physics.Bodies;
 import steward.physics.Motion;
 
-/** The official end of a turn at the numbers where rounding could go either way. */
+/** The official rounding at the end of a turn, at the numbers where it could go either way. */
 public final class RoundingCase implements StabilityCase {
 
-    /** Position and what floor(x + 0.5) makes of it, the sum being a double: so 0.49999999999999994 becomes 1. */
+    /** Position and floor(x + 0.5) of it, the sum being a double: so 0.49999999999999994 becomes 1. */
     private static final double[][] POSITIONS = {
         {0.49999999999999994, 1}, {0.5, 1}, {1.5, 2}, {2.5, 3}, {-0.5, 0}, {-1.5, -1}, {-2.5, -2}, {-0.0, 0}, {0, 0},
         {-0.49999999999999994, 0}, {-0.25, 0}, {0.4999, 0}, {0x1p52, 0x1p52}, {0x1p51 + 0.5, 0x1p51 + 1},
         {-0x1p51 - 0.5, -0x1p51}, {0x1p53, 0x1p53}, {15999.5, 16000}, {-Double.MIN_VALUE, 0}};
-    /** Speed and what cutting toward zero makes of it. */
+    /** Speed and its value cut toward zero. */
     private static final double[][] SPEEDS = {
         {-0.0, 0}, {0, 0}, {0.9999999999999999, 0}, {-0.9999999999999999, 0}, {1, 1}, {-1, -1}, {1.9999999999999998, 1},
         {-1.9999999999999998, -1}, {-Double.MIN_VALUE, 0}, {Double.MIN_VALUE, 0}, {0x1p52 + 1, 0x1p52 + 1},

@@ -7,10 +7,10 @@ import steward.lab.tradeoff.TradeoffHeadings;
 import steward.lab.tradeoff.TradeoffResult;
 import steward.lab.tradeoff.TradeoffRow;
 
-/** The page that shows the plot, says in five sentences how to choose, and has the table: all numbers are measured. */
+/** The page with the plot, five sentences on how to choose, and the table; all numbers are measured. */
 public final class TradeoffPage {
 
-    /** The scenes that the sentences speak of. */
+    /** The scenes that the sentences are about. */
     static final String RACE = "official-race";
     static final String GRAZING = "grazing";
 
@@ -36,7 +36,7 @@ public final class TradeoffPage {
         this.result = result;
     }
 
-    /** In Markdown; sentences for which something was not measured are left out. */
+    /** In Markdown; sentences with missing measurements are left out. */
     public static String text(TradeoffResult result) {
         TradeoffPage page = new TradeoffPage(result);
         StringBuilder out = new StringBuilder();

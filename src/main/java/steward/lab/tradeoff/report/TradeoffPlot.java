@@ -29,12 +29,12 @@ import steward.lab.tradeoff.TradeoffRow;
 
 /**
  * Draws error against cost on logarithmic axes: one line per scene along its Pareto front, whose rungs have big marks;
- * rungs that others beat are small crosses of the same colour.
+ * rungs off the front are small crosses of the same colour.
  */
 final class TradeoffPlot {
 
     static {
-        // No display is asked for, not even one that is there; to be said before the first colour is mixed.
+        // Headless even where there is a display; must be set before the first colour is created.
         System.setProperty("java.awt.headless", "true");
     }
 
@@ -52,7 +52,7 @@ final class TradeoffPlot {
     private static final Color INK = new Color(0x333333);
     private static final Color GRID = new Color(0xE4E4E4);
 
-    /** Apart also for people who do not see all colours (after Okabe and Ito, 2008). */
+    /** Colours that can be told apart with colour vision deficiencies (after Okabe and Ito, 2008). */
     private static final Color[] COLOURS = {new Color(0x0072B2), new Color(0xD55E00), new Color(0x009E73),
         new Color(0xCC79A7), new Color(0xE69F00), new Color(0x56B4E9), new Color(0x222222), new Color(0x7A5195)};
     private static final Marker[] MARKS = {SeriesMarkers.CIRCLE, SeriesMarkers.SQUARE, SeriesMarkers.DIAMOND,
@@ -66,7 +66,7 @@ final class TradeoffPlot {
     private TradeoffPlot() {
     }
 
-    /** Of half the size of the marks on the front. */
+    /** Half the size of the marks on the front. */
     private static final class SmallCross extends Marker {
 
         @Override
@@ -120,7 +120,10 @@ final class TradeoffPlot {
         return chart;
     }
 
-    /** Of the first rung on the front, the last with steps, and the last: above or below, if no other name is there. */
+    /**
+     * Labels the first rung on the front, the last with steps, and the last: above or below, unless another name is
+     * there.
+     */
     private static void names(XYChart chart, List<TradeoffRow> front, List<double[]> taken) {
         for (int k = 0; k < front.size(); k++) {
             boolean last = k + 1 == front.size();

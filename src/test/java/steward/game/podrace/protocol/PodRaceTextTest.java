@@ -133,10 +133,21 @@ class PodRaceTextTest {
         assertEquals(expected, answer(line + "\n1 2 3"));
     }
 
+    /** Two blanks behind Y: the thrust is left out, and full. */
+    @ParameterizedTest
+    @CsvSource(ignoreLeadingAndTrailingWhitespace = false, value = {"1 2  hello,hello", "1 2  on my way 3,on my way 3",
+        "1 2 \t go,go", "-10 20   x,x"})
+    void aMessageWithoutThrustStandsBehindTwoBlanks(String line, String message) {
+        assertNull(answer(line + "\n7 7 7"));
+        assertEquals(FULL, race.thrust(0));
+        assertEquals(message, codec.message(0));
+    }
+
     @Test
-    void theSecondLineIsNamedAndNothingIsCommandedThen() {
+    void theSecondLineIsNamedAndTheFirstCounts() {
         assertEquals("line 2 of 2: found \"x\", expected X Y and a thrust, SHIELD or BOOST", answer("1 2 3\nx"));
-        assertEquals(PodRace.NO_COMMAND, race.thrust(0));
+        assertEquals(3, race.thrust(0));
+        assertEquals(PodRace.NO_COMMAND, race.thrust(1));
         assertEquals("line 2 of 2: X: found \"" + "y".repeat(40) + "...\", expected a finite number",
             answer("1 2 3\n" + "y".repeat(5000) + " 2 3"));
     }

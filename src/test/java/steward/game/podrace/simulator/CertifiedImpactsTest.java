@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestReporter;
 import steward.numerics.SplitMix64;
 import steward.physics.Arithmetic;
 import steward.physics.Bodies;
@@ -26,7 +27,7 @@ class CertifiedImpactsTest {
 
     private final SplitMix64 random = new SplitMix64(17);
     private final TurnLog log = new TurnLog();
-    private final PodPaths paths = new PodPaths(log, PodTurn.CHECKPOINT_RADIUS);
+    private final PodPaths paths = new PodPaths(4, log, PodTurn.CHECKPOINT_RADIUS);
     private final CertifiedImpacts certified = new CertifiedImpacts(PODS, paths);
     private final EventAdvance game =
         new EventAdvance(new PhysicsParts(ImpactLaw.OFFICIAL_POD_RACE, Arithmetic.OFFICIAL));
@@ -37,7 +38,7 @@ class CertifiedImpactsTest {
     private final double[] mass = new double[PODS];
 
     @Test
-    void whatIsSureIsWhatTheGameGives() {
+    void whatIsSureIsWhatTheGameGives(TestReporter report) {
         int sure = 0;
         int impacts = 0;
         int trials = 60_000;
@@ -75,7 +76,7 @@ class CertifiedImpactsTest {
             }
             assertEquals(touched, certified.touched(), () -> "who was touched in trial " + number);
         }
-        System.out.println(sure + " of " + trials + " turns are sure, with " + impacts + " impacts");
+        report.publishEntry(sure + " of " + trials + " turns are sure, with " + impacts + " impacts");
         assertTrue(sure > trials / 5 && sure < trials && impacts > trials / 5, sure + " sure, " + impacts);
     }
 

@@ -5,6 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.math.BigDecimal;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestReporter;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.game.podrace.Headings;
 import steward.game.podrace.PodRaceSettings;
 import steward.numerics.SplitMix64;
@@ -16,6 +19,7 @@ import steward.physics.event.OfficialAdvance;
  * a certified speed and place are from the game's, and that whoever is set aside stays out of reach. What was seen is
  * printed.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class ErrorBoundsTest {
 
     private static final long SEED = Long.getLong("steward.seed", 41);
@@ -31,7 +35,7 @@ class ErrorBoundsTest {
 
     /** Chains of 40 turns, to one side and to both, from the largest angles that have a vector and from targets. */
     @Test
-    void vectorsAreKnownAsWellAsIsSaid() {
+    void vectorsAreKnownAsWellAsIsSaid(TestReporter report) {
         double worst = 0;
         double worstSpeed = 0;
         int longest = 0;
@@ -51,7 +55,7 @@ class ErrorBoundsTest {
                 }
             }
         }
-        System.out.println("seed " + SEED + ": vectors are off by at most " + Double.toHexString(worst)
+        report.publishEntry("seed " + SEED + ": vectors are off by at most " + Double.toHexString(worst)
             + ", speeds and places by " + Double.toHexString(worstSpeed));
         assertEquals(40, longest, "the longest chain");
         assertTrue(worst > 0 && worst < Headings.VECTOR_ERROR, () -> "vectors");
@@ -107,7 +111,7 @@ class ErrorBoundsTest {
 
     /** The angle that the game sees to a target, and the true one between its heading and the target. */
     @Test
-    void bothWaysToSeeATurnAgreeAsIsSaid() {
+    void bothWaysToSeeATurnAgreeAsIsSaid(TestReporter report) {
         double worst = 0;
         for (int trial = 0; trial < 2_000; trial++) {
             double angle = (random.nextDouble() - 0.5) * 2 * (trial % 2 == 0 ? 525 : 4);
@@ -125,7 +129,7 @@ class ErrorBoundsTest {
                 h[0].multiply(y).subtract(h[1].multiply(x)).divide(length, ManyDigits.DIGITS)};
             worst = Math.max(worst, ManyDigits.apart(truth, ManyDigits.direction(shortest)));
         }
-        System.out.println("seed " + SEED + ": the angles seen differ by at most " + Double.toHexString(worst));
+        report.publishEntry("seed " + SEED + ": the angles seen differ by at most " + Double.toHexString(worst));
         assertTrue(worst > 0 && worst < ANGLE_ERROR, () -> "angles");
     }
 
@@ -153,7 +157,7 @@ class ErrorBoundsTest {
 
     /** A place flown in 250 legs is that flown at once, but for less than what {@link PodTurn} allows. */
     @Test
-    void legsAreAsNearToTheWholeWayAsIsSaid() {
+    void legsAreAsNearToTheWholeWayAsIsSaid(TestReporter report) {
         double worst = 0;
         for (int trial = 0; trial < 20_000; trial++) {
             double start = (random.nextDouble() - 0.5) * 2 * PodTurn.SMALL;
@@ -169,7 +173,7 @@ class ErrorBoundsTest {
             worst = Math.max(worst, new BigDecimal(start).add(new BigDecimal(speed)).subtract(new BigDecimal(place))
                 .abs().doubleValue());
         }
-        System.out.println("seed " + SEED + ": places in 251 legs are off by at most " + Double.toHexString(worst));
+        report.publishEntry("seed " + SEED + ": places in 251 legs are off by at most " + Double.toHexString(worst));
         assertTrue(worst > 0 && worst < SPEED_ERROR, () -> "places");
     }
 

@@ -10,10 +10,13 @@ import java.lang.reflect.Field;
 import java.util.Set;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestReporter;
+import org.junit.jupiter.api.parallel.Isolated;
 import steward.game.podrace.PodState;
 import steward.numerics.SplitMix64;
 
 /** A batch against the simulator, game by game, bit for bit, on random states of every sort; and with threads. */
+@Isolated("counts what other threads allocate")
 class PodRaceBatchTest {
 
     private static final int GAMES = 300;
@@ -27,8 +30,8 @@ class PodRaceBatchTest {
     private final PodRaceBatch.Commands commands = new PodRaceBatch.Commands(GAMES);
 
     @Test
-    void everyGameIsThatOfASimulator() {
-        System.out.println("seed " + SEED + ", " + ROUNDS * 4L * GAMES + " turns in batches");
+    void everyGameIsThatOfASimulator(TestReporter report) {
+        report.publishEntry("seed " + SEED + ", " + ROUNDS * 4L * GAMES + " turns in batches");
         PodRaceSimulator found = new PodRaceSimulator(map);
         for (int round = 0; round < ROUNDS; round++) {
             fill(round % 2 == 0);

@@ -5,6 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestReporter;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.bench.textbook.TextbookPodRace;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodState;
@@ -19,6 +22,7 @@ import steward.physics.event.EventAdvance;
  * number is 100,000, or what {@code -Psteward.turns=10000000} says, the seed is printed, and {@code -Psteward.seed}
  * sets another: {@code gradle test --tests '*PodRaceSimulatorTest' -Psteward.turns=10000000}.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class PodRaceSimulatorTest {
 
     private static final long TURNS = Long.getLong("steward.turns", 100_000);
@@ -36,8 +40,8 @@ class PodRaceSimulatorTest {
     }
 
     @Test
-    void everyBitIsThatOfThePlainKernelAndOfTheTextbook() {
-        System.out.println("seed " + SEED + ", " + TURNS + " turns");
+    void everyBitIsThatOfThePlainKernelAndOfTheTextbook(TestReporter report) {
+        report.publishEntry("seed " + SEED + ", " + TURNS + " turns");
         double[][] map = null;
         PodRaceSimulator fast = null;
         long impacts = 0;
@@ -52,7 +56,7 @@ class PodRaceSimulatorTest {
             }
             PodRace plain = plain(map);
             PodRace shipped = setup.create(map);
-            TextbookPodRace textbook = new TextbookPodRace(map, 4, 3);
+            TextbookPodRace textbook = new TextbookPodRace(map, 4);
             fast.setRecorded(game % 2 == 0);
             random.state();
             random.put(fast);
@@ -92,7 +96,7 @@ class PodRaceSimulatorTest {
                 }
             }
         }
-        System.out.println(impacts + " impacts, at most " + most + " in a turn, " + passes + " checkpoints passed, "
+        report.publishEntry(impacts + " impacts, at most " + most + " in a turn, " + passes + " checkpoints passed, "
             + limited + " turns at the limit of impacts");
         assertTrue(impacts > TURNS / 10 && passes > TURNS / 200, "too little happened");
     }

@@ -5,7 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
 import java.util.function.Supplier;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestReporter;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.game.podrace.PodRace;
@@ -20,6 +24,7 @@ import steward.scene.SceneText;
  * The simulator against the plain kernel on {@link EdgeTurns}, for one player up to as many as fit: every number and
  * every impact, bit for bit. 2,500 turns each, or what the system property {@code steward.turns} says.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class PodTurnEdgesTest {
 
     private static final long TURNS = Long.getLong("steward.turns", 2_500);
@@ -39,8 +44,9 @@ class PodTurnEdgesTest {
     }
 
     @ParameterizedTest
+    @Tag("slow")
     @CsvSource({"2, 2", "1, 1", "2, 1", "1, 2", "3, 2", "5, 2", "8, 1"})
-    void everyBitIsThatOfThePlainKernel(int players, int podsPerPlayer) {
+    void everyBitIsThatOfThePlainKernel(int players, int podsPerPlayer, TestReporter report) {
         int pods = players * podsPerPlayer;
         PodRaceType.PodRaceSetup setup = setup(players, podsPerPlayer);
         PodRaceSimulator fast = new PodRaceSimulator(MAP, players, podsPerPlayer, 3);
@@ -75,7 +81,7 @@ class PodTurnEdgesTest {
                 }
             }
         }
-        System.out.println("seed " + SEED + ", " + pods + " pods: " + TURNS + " turns at edges, " + impacts
+        report.publishEntry("seed " + SEED + ", " + pods + " pods: " + TURNS + " turns at edges, " + impacts
             + " impacts, " + limited + " turns at the limit of impacts");
         assertTrue(pods == 1 || impacts > TURNS / 10, "too little happened");
     }

@@ -60,7 +60,7 @@ class PodTurnTest {
         double[][] directions = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {3, 4}, {-4, 3}, {5, -12},
             {-8, -15}, {7, 24}, {20, 21}};
         PodRaceSimulator fast = new PodRaceSimulator(MAP);
-        TextbookPodRace textbook = new TextbookPodRace(MAP, 4, 3);
+        TextbookPodRace textbook = new TextbookPodRace(MAP, 4);
         PodCommands commands = new PodCommands(4);
         int cases = 0;
         for (double[] direction : directions) {
@@ -88,7 +88,7 @@ class PodTurnTest {
     @Test
     void whoIsNotTouchedIsFlownInLegsToo() {
         PodRaceSimulator fast = new PodRaceSimulator(MAP);
-        TextbookPodRace textbook = new TextbookPodRace(MAP, 4, 3);
+        TextbookPodRace textbook = new TextbookPodRace(MAP, 4);
         PodCommands commands = new PodCommands(4);
         SplitMix64 random = new SplitMix64(13);
         for (int trial = 0; trial < 20_000; trial++) {
@@ -134,7 +134,7 @@ class PodTurnTest {
     @Test
     void boundariesOfTurningAreTheGames() {
         PodRaceSimulator fast = new PodRaceSimulator(MAP);
-        TextbookPodRace textbook = new TextbookPodRace(MAP, 4, 3);
+        TextbookPodRace textbook = new TextbookPodRace(MAP, 4);
         PodCommands commands = new PodCommands(4);
         SplitMix64 random = new SplitMix64(9);
         for (int exponent = 1; exponent <= 16; exponent++) {
@@ -156,7 +156,7 @@ class PodTurnTest {
     @Test
     void longChainsOfTurnsKeepEveryBit() {
         PodRaceSimulator fast = new PodRaceSimulator(MAP);
-        TextbookPodRace textbook = new TextbookPodRace(MAP, 4, 3);
+        TextbookPodRace textbook = new TextbookPodRace(MAP, 4);
         PodCommands commands = new PodCommands(4);
         for (int pod = 0; pod < 4; pod++) {
             put(fast, textbook, pod, 20000 * pod, 0, 0, 0, pod == 3 ? 511 : 0.1 * pod);

@@ -191,6 +191,7 @@ final class RandomTurns {
             pod.vy = vy[k];
             pod.heading = heading[k];
             pod.shieldTimer = timer[k];
+            pod.mass = timer[k] == 4 ? 10 : 1;
             pod.boostLeft = boost[k];
             pod.passed = passed[k];
         }

@@ -5,11 +5,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.game.podrace.protocol.PodAnswer;
 import steward.numerics.SplitMix64;
 
 /** One reader for all answers of a match says of each what a new reader says, whatever came before. */
+@Execution(ExecutionMode.CONCURRENT)
 class RepeatedAnswersTest {
 
     private static final List<String> LINES = List.of(
@@ -65,6 +69,7 @@ class RepeatedAnswersTest {
      * must say the same, to the bit, of good lines and of lines in which something is out of place.
      */
     @Test
+    @Tag("slow")
     void plainLinesAreReadAsByTheParser() {
         SplitMix64 random = new SplitMix64(6);
         int good = 0;
