@@ -6,7 +6,7 @@ import steward.Internal;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.JsonNumbers;
-import steward.match.LineBuffer;
+import steward.bot.LineBuffer;
 import steward.match.MatchResult;
 import steward.match.Turn;
 import steward.numerics.StateHash;

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import steward.game.JsonNumbers;
+import steward.text.TextFormat;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;
@@ -24,12 +25,8 @@ public record Difference(int turn, String field, String recorded, String found) 
 
     @Override
     public String toString() {
-        return (turn == 0 ? "start" : "turn " + turn) + ", " + field + ": recorded " + shorten(recorded)
-            + ", re-simulated " + shorten(found);
-    }
-
-    private static String shorten(String text) {
-        return text.length() <= SHOWN ? text : text.substring(0, SHOWN) + "...";
+        return (turn == 0 ? "start" : "turn " + turn) + ", " + field + ": recorded "
+            + TextFormat.beginning(recorded, SHOWN) + ", re-simulated " + TextFormat.beginning(found, SHOWN);
     }
 
     /**

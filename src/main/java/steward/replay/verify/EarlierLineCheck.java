@@ -1,7 +1,7 @@
 package steward.replay.verify;
 
 import java.util.Arrays;
-import steward.match.LineBuffer;
+import steward.bot.LineBuffer;
 import steward.game.Game;
 import steward.game.JsonNumbers;
 import steward.replay.InputHash;
