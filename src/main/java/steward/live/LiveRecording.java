@@ -20,7 +20,7 @@ public final class LiveRecording extends OutputStream {
     /** What {@link #line} gives when no line has come in time. */
     static final byte[] NOT_YET = {};
 
-    /** How the last line of a match that was brought to its end begins: a signature comes in one piece with a result. */
+    /** How the last line of a match that came to its end begins; a signature comes in one piece with a result. */
     private static final byte[] RESULT = "{\"type\":\"result\"".getBytes(StandardCharsets.UTF_8);
     private static final byte[] SIGNATURE = "{\"type\":\"signature\"".getBytes(StandardCharsets.UTF_8);
 

@@ -8,7 +8,8 @@ import java.util.TreeMap;
 /**
  * Collects data that bots report on stderr, as rating tools know it: {@code [TDATA] key = value} about the match,
  * {@code [PDATA] key = value} about the player (the last value counts), {@code [PDATA+] key = value} summed up.
- * Anything else is passed over, and so is what is more than {@value #MOST} characters in all. A line that has come in part only, when a turn ends, is read with the next.
+ * Anything else is passed over, and so is what is more than {@value #MOST} characters in all. A line that has come in
+ * part only, when a turn ends, is read with the next.
  */
 final class DataLines {
 

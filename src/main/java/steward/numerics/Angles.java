@@ -11,7 +11,7 @@ import java.util.stream.Collectors;
 public enum Angles {
     /** Each the double that is nearest to the true value. */
     CORRECTLY_ROUNDED("correctly-rounded"),
-    /** Those of {@link StrictMath}, which is specified by fdlibm 5.3; what replays of formats 1 and 2 were made with. */
+    /** Those of {@link StrictMath}, specified by fdlibm 5.3; what replays of formats 1 and 2 were made with. */
     FDLIBM("fdlibm");
 
     /** What matches are played with. */
