@@ -90,7 +90,7 @@ public class ProcessTest {
             match.destroyForcibly();
         }
         Cli verified = Cli.run("replay", file.toString(), "--verify");
-        assertEquals("verified: 1 turn\n", verified.out());
+        assertEquals("verified up to the cut: states of 1 of 1 turn\n", verified.out());
         long pid = Long.parseLong(Files.readString(pids).strip());
         while (isRunning(pid) && System.nanoTime() < end) {
             Thread.sleep(20);

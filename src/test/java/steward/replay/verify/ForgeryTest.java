@@ -72,7 +72,12 @@ class ForgeryTest {
         assertEquals(Recorded.whole(LAST), plain.verify());
         assertTrue(signed.verify().verified());
         assertTrue(signed.verify().signature().isBy(KEY.publicKey()));
-        fillTable();
+        results();
+        rows();
+        signatures();
+        turns();
+        spellingOfTurns();
+        headers();
     }
 
     private static Recorded play(SigningKey key, long seed) {
@@ -124,8 +129,7 @@ class ForgeryTest {
         put(name, verdict, verdict == PASSES ? WRONG_SIGNATURE : verdict, result(regex, with));
     }
 
-    private static void fillTable() {
-        // The result.
+    private static void results() {
         forgeResult("result: another winner", DIFFERS, "\"rank\":0", "\"rank\":1");
         forgeResult("result: another score", DIFFERS, "\"score\":-?[0-9]+", "\"score\":9");
         forgeResult("result: another ending", DIFFERS, "\"ending\":\"[^\"]*\"", "\"ending\":\"finished after 3 laps\"");
@@ -147,13 +151,16 @@ class ForgeryTest {
         forgeResult("result: another spelling of a number", DIFFERS, "\"score\":-1", "\"score\":-1.0");
         forgeResult("result: an escaped letter", DIFFERS, "\"name\":\"P0\"", "\"name\":\"\\\\\\\\u00500\"");
         forgeResult("result: no hash", REFUSED, ",\"resultHash\":\"[0-9a-f]*\"", "");
+    }
+
+    /** What stands where. */
+    private static void rows() {
         arrange("a second result", REFUSED, lines -> insert(lines, LAST + 2, lines.get(LAST + 1)));
         arrange("a result in the middle", REFUSED, lines -> insert(lines, 5, lines.get(LAST + 1)));
         arrange("a result in the middle, nothing behind", DIFFERS, lines -> result(lines.subList(0, 7), lines));
         arrange("a turn behind the result", REFUSED, lines -> insert(lines, LAST + 2, lines.get(LAST)));
         arrange("something behind the end", REFUSED, lines -> insert(lines, lines.size(), "{}"));
         arrange("no result", CUT, lines -> lines.subList(0, LAST + 1));
-        // The turns as a row.
         arrange("a turn removed", DIFFERS, lines -> without(lines, 6));
         arrange("the first turn removed", DIFFERS, lines -> without(lines, 1));
         arrange("the last turn removed", DIFFERS, lines -> without(lines, LAST));
@@ -169,7 +176,9 @@ class ForgeryTest {
         arrange("a turn of another match", DIFFERS, lines -> with(lines, 6, play(null, 4).lines().get(6)));
         arrange("another match behind the header", DIFFERS, lines -> behind(lines.get(0), play(null, 4).lines()));
         put("another match altogether", PASSES, UNSIGNED, forge -> forge.arrange(lines -> play(null, 4).lines()));
-        // The signature.
+    }
+
+    private static void signatures() {
         put("the signature taken away", PASSES, CUT, forge -> forge.arrange(lines -> lines.subList(0, LAST + 2)));
         put("another signer altogether", PASSES, ANOTHER_SIGNER,
             forge -> forge.arrange(lines -> play(SigningKey.generate(), 3).lines()));
@@ -192,7 +201,9 @@ class ForgeryTest {
         put("blanks in the signature", REFUSED, WRONG_SIGNATURE, forge -> forge.arrange(lines ->
             insert(new ArrayList<>(lines.subList(0, LAST + 2)), LAST + 2,
                 play(KEY, 3).lines().get(LAST + 2).replaceFirst("}$", " }"))));
-        // What a turn holds.
+    }
+
+    private static void turns() {
         forge("turn: another place", DIFFERS, 6, "\"x\":([0-9])(?=[0-9.]*,\"y\":[0-9.]*,\"vx\")", "\"x\":1$1");
         forge("turn: another speed", DIFFERS, 6, "\"vx\":-?[0-9]+", "\"vx\":77");
         forge("turn: another heading in its last digit", DIFFERS, 6, "(\"heading\":-?[0-9.]*)[0-4]\\b", "$17");
@@ -208,6 +219,9 @@ class ForgeryTest {
         forge("turn: a fault taken away", DIFFERS, 5, "\"faults\":\\[[^\\]]*\\],", "");
         forge("turn: another fault, the result not", DIFFERS, 5, "\"not JSON", "\"too late");
         forge("turn: a fault added", DIFFERS, 6, ",\"outcome\"", ",\"faults\":[\"late\",null,null],\"outcome\"");
+    }
+
+    private static void spellingOfTurns() {
         forge("turn: no outcome", REFUSED, 6, "\"outcome\":\\{.*\\},(?=\"(messages|turnHash)\")", "");
         forge("turn: an empty outcome", DIFFERS, 6, "\"outcome\":\\{.*\\},(?=\"(messages|turnHash)\")",
             "\"outcome\":{},");
@@ -233,7 +247,9 @@ class ForgeryTest {
         put("turn: no times", PASSES, PASSES, forge -> forge.replace(6, ",\"times\":.*", "}"));
         put("turn: a name twice in times", REFUSED, REFUSED, forge -> forge.replace(6, "\"times\":\\{",
             "\"times\":{\"answerNanos\":[],"));
-        // The header.
+    }
+
+    private static void headers() {
         forge("header: imported", DIFFERS, 0, ",\"scene\":", ",\"imported\":true,\"scene\":");
         forge("header: imported, behind the hash", REFUSED, 0, "\\}$", ",\"imported\":true}");
         put("header: imported, all outcomes emptied", DIFFERS, DIFFERS, forge -> {
