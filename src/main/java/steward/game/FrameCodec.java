@@ -39,6 +39,10 @@ public interface FrameCodec {
         return false;
     }
 
+    /** Takes back what commands were read for a player since the last turn. */
+    default void clearCommand(int player) {
+    }
+
     /** As {@link #readCommand}, of what a faulty answer has given before its fault. */
     default String readPartialCommand(JsonParser in, int player) {
         return "found a command of a player who failed, expected null";

@@ -84,6 +84,7 @@ final class Conversation {
         boolean gone = ending != Player.Ending.ANSWERED;
         boolean none = recorded.faults()[player] != null || replaced && !recorded.hasCommand(player);
         byte[] then = none ? NONE : recordedCommand(recorded);
+        again.codec().clearCommand(player);
         String fault = gone ? answer.fault() : read();
         List<Difference> differences = List.of();
         if (fault == null && then.length > 0) {

@@ -142,6 +142,7 @@ public final class Resimulation {
         if (fault == null) {
             return token == JsonToken.VALUE_NULL ? "null" : codec.readCommand(in, player);
         }
+        codec.clearCommand(player);
         return token == JsonToken.VALUE_NULL ? null : codec.readPartialCommand(in, player);
     }
 

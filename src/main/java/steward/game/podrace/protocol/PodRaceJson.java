@@ -122,6 +122,14 @@ final class PodRaceJson implements FrameCodec {
     }
 
     @Override
+    public void clearCommand(int player) {
+        int first = player * race.settings().podsPerPlayer();
+        for (int k = 0; k < race.settings().podsPerPlayer(); k++) {
+            race.command(first + k, 0, 0, PodRace.NO_COMMAND);
+        }
+    }
+
+    @Override
     public String readPartialCommand(JsonParser in, int player) {
         String wrong = answer.readFirstPods(in);
         if (wrong == null) {
