@@ -3,11 +3,13 @@ package steward.bench.textbook;
 import java.awt.geom.Line2D;
 import java.util.ArrayList;
 import java.util.List;
+import steward.numerics.SineCosine;
 
 /**
- * The textbook baseline: the official turn of the pod race as a contestant writes it from the rules: pod objects,
- * {@link StrictMath}, every pair's quadratic each time. It shares no code with the engine, so that the engine can be
- * measured and checked against it. Without elimination and without the bound on impacts.
+ * The textbook baseline: the official turn of the pod race as a contestant writes it from the rules: pod objects, the
+ * arc tangent of {@link StrictMath}, every pair's quadratic each time. It shares no code with the engine but
+ * {@link SineCosine}, the correctly rounded sine and cosine of the game's rules, which has tests of its own; so the
+ * engine can be measured and checked against it. Without elimination and without the bound on impacts.
  *
  * <p>Units: u, turns, radians, pod masses.
  */
@@ -69,6 +71,7 @@ public final class TextbookPodRace {
 
     private final double[][] checkpoints;
     private final Pod[] pods;
+    private final SineCosine direction = new SineCosine();
 
     /** @param checkpoints {@code [n][x, y]} */
     public TextbookPodRace(double[][] checkpoints, int pods) {
@@ -110,7 +113,7 @@ public final class TextbookPodRace {
         return (value < 0 ? Math.ceil(value) : Math.floor(value)) + 0.0;
     }
 
-    private static void command(Pod pod, double targetX, double targetY, int command) {
+    private void command(Pod pod, double targetX, double targetY, int command) {
         boolean shield = command == SHIELD;
         pod.shieldTimer = shield ? 4 : Math.max(0, pod.shieldTimer - 1);
         pod.mass = command == NO_COMMAND ? pod.mass : shield ? 10 : 1;
@@ -131,8 +134,9 @@ public final class TextbookPodRace {
             pod.heading = wanted;
         }
         if (pod.shieldTimer == 0) {
-            double dx = StrictMath.cos(pod.heading);
-            double dy = StrictMath.sin(pod.heading);
+            direction.turn(pod.heading);
+            double dx = direction.cos();
+            double dy = direction.sin();
             double length = Math.sqrt(dx * dx + dy * dy);
             pod.vx += dx / length * thrust;
             pod.vy += dy / length * thrust;
