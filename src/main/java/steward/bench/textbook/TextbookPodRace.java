@@ -87,7 +87,10 @@ public final class TextbookPodRace {
         return pods[k];
     }
 
-    /** Plays one turn with a target and a thrust per pod, {@link #SHIELD}, {@link #BOOST} or {@link #NO_COMMAND}. */
+    /**
+     * Plays one turn with a target and a thrust per pod, {@link #SHIELD}, {@link #BOOST} or {@link #NO_COMMAND}. Where
+     * y is NaN, x is not a target but the degrees by which the pod turns; without a heading it then does nothing.
+     */
     public void play(double[] targetX, double[] targetY, int[] thrust) {
         for (int k = 0; k < pods.length; k++) {
             pods[k].path = 0;
@@ -125,13 +128,14 @@ public final class TextbookPodRace {
         if (command == NO_COMMAND || targetX == pod.x && targetY == pod.y) {
             return;
         }
-        double wanted = StrictMath.atan2(targetY - pod.y, targetX - pod.x);
-        double delta = (wanted - pod.heading) % (2 * Math.PI);
-        double r = 2 * delta % (2 * Math.PI) - delta;
-        if (Math.abs(r) >= MAXIMUM_TURN) {
-            pod.heading += MAXIMUM_TURN * Math.signum(r);
+        if (Double.isNaN(targetY)) {
+            if (Double.isNaN(pod.heading)) {
+                return;
+            }
+            double turn = Math.abs(targetX) >= 18 ? MAXIMUM_TURN * Math.signum(targetX) : Math.toRadians(targetX);
+            pod.heading = turn == 0 ? pod.heading : pod.heading + turn;
         } else {
-            pod.heading = wanted;
+            steer(pod, targetX, targetY);
         }
         if (pod.shieldTimer == 0) {
             direction.turn(pod.heading);
@@ -140,6 +144,17 @@ public final class TextbookPodRace {
             double length = Math.sqrt(dx * dx + dy * dy);
             pod.vx += dx / length * thrust;
             pod.vy += dy / length * thrust;
+        }
+    }
+
+    private static void steer(Pod pod, double targetX, double targetY) {
+        double wanted = StrictMath.atan2(targetY - pod.y, targetX - pod.x);
+        double delta = (wanted - pod.heading) % (2 * Math.PI);
+        double r = 2 * delta % (2 * Math.PI) - delta;
+        if (Math.abs(r) >= MAXIMUM_TURN) {
+            pod.heading += MAXIMUM_TURN * Math.signum(r);
+        } else {
+            pod.heading = wanted;
         }
     }
 
