@@ -20,10 +20,14 @@ import steward.numerics.SplitMix64;
  * thrusts, {@code ./gradlew jmh -Pbench=PodPlayout}. One operation is one turn of four pods, with its commands; a state
  * is copied every eight turns.
  *
- * <p>{@code target25}: by a target 25 degrees aside, out of reach; {@code target18}: by a target 18 degrees aside, which
- * may or may not be reached: only the exact heading tells; {@code turn18}: by {@link PodCommands#turn}. All three play
- * the same games, {@code target18} up to a rounding. {@code c1}: without the optimizing compiler, as a bot runs that is
+ * <p>{@code target25}: by a target 25 degrees aside, out of reach; {@code target18}: by one 18 degrees aside, where
+ * only the exact heading tells whether it is reached; {@code turn18}: by {@link PodCommands#turn}. All three play the
+ * same games, {@code target18} up to a rounding. {@code c1}: without the optimizing compiler, as a bot runs that is
  * started with {@code -XX:TieredStopAtLevel=1}.
+ *
+ * <p>On a machine with other work, compare the shortest times, p0.00 of
+ * {@code ./gradlew jmh -Pbench='PodPlayout -bm sample -f 1'}: of many invocations of 2,048 turns
+ * some are never interrupted.
  */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)
