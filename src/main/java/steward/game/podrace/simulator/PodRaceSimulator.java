@@ -6,6 +6,7 @@ import steward.game.podrace.Headings;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodRaceSettings;
 import steward.game.podrace.StartPlaces;
+import steward.numerics.SineCosine;
 import steward.physics.TurnLog;
 import steward.physics.event.OfficialAdvance;
 
@@ -52,6 +53,7 @@ public final class PodRaceSimulator {
     private final int checkpoints;
     private final PodTurn turn;
     private final double[] state;
+    private final SineCosine aim = new SineCosine();
     private final int[] counts;
 
     /**
@@ -292,23 +294,28 @@ public final class PodRaceSimulator {
      * @throws IllegalArgumentException if the degrees are NaN
      */
     public long targetX(int pod, double degrees) {
-        return Math.round(x(pod) + far(pod, degrees, 0));
+        aim(pod, degrees);
+        return Math.round(x(pod) + (isUnset(pod) ? 0 : FAR * aim.cos()));
     }
 
     /** The y coordinate of the target, see {@link #targetX(int, double)}. */
     public long targetY(int pod, double degrees) {
-        return Math.round(y(pod) + far(pod, degrees, -Math.PI / 2));
+        aim(pod, degrees);
+        return Math.round(y(pod) + (isUnset(pod) ? 0 : FAR * aim.sin()));
     }
 
-    /** The cosine of the direction that is to be steered at, ahead by some radians, times the distance. */
-    private double far(int pod, double degrees, double ahead) {
+    private boolean isUnset(int pod) {
+        return Headings.isUnset(state, PodTurn.NUMBERS * pod + PodTurn.HEADING);
+    }
+
+    /** Computes the direction in which the target is. */
+    private void aim(int pod, double degrees) {
         if (Double.isNaN(degrees)) {
             throw wrong(pod, "turn by NaN degrees, expected a number");
         }
-        double heading = heading(pod);
         boolean full = Math.abs(degrees) >= PodCommands.GREATEST_TURN;
         double aside = full ? Math.copySign(Math.PI / 2, degrees) : Math.toRadians(degrees);
-        return Double.isNaN(heading) ? 0 : FAR * Math.cos(heading % (2 * Math.PI) + aside + ahead);
+        aim.turn(heading(pod) % (2 * Math.PI) + aside);
     }
 
     /** 4 after the turn the shield was raised, counting down to 0. */
