@@ -23,9 +23,11 @@ import steward.game.podrace.simulator.PodRaceSimulator;
  * <p>(Java would also compile the file itself at each start, but that takes most of the second that a first answer
  * has.)
  *
- * <p>Each turn it tries, for each of its pods, five steering angles with and without thrust and the shield, held for
- * two turns and then followed by a simple driver; all other pods are predicted with that driver. The best first move is
- * played. 16 sequences of 8 turns for each pod, always the same for the same input: no clock, no randomness.
+ * <p>Each turn it tries, for each of its pods, three turns (as far as possible to either side, or none) with much and
+ * little thrust and the shield, held for two turns and then followed by a simple driver; all other pods are predicted
+ * with that driver. The best first move is played. 10 sequences of 8 turns for each pod, always the same for the same
+ * input: no clock, no randomness. The turns are commands by angle, which cost a search least; what is answered is a
+ * target that makes the race turn the pod just so.
  */
 public final class SimulatorBot {
 
@@ -33,10 +35,9 @@ public final class SimulatorBot {
     private static final int OWN = 2;
     private static final int TURNS = 8;
     private static final int HELD_TURNS = 2;
-    private static final double[] DEGREES = {-18, -9, 0, 9, 18};
+    private static final double[] DEGREES = {-PodCommands.GREATEST_TURN, 0, PodCommands.GREATEST_TURN};
     private static final int[] THRUSTS = {200, 80, PodCommands.SHIELD};
     private static final double CHECKPOINT_WORTH = 50_000;
-    private static final double FAR = 10_000;
 
     private final PodRaceSimulator now;
     private final PodRaceSimulator trial;
@@ -96,7 +97,10 @@ public final class SimulatorBot {
         for (int pod = 0; pod < OWN; pod++) {
             boolean shield = best.thrust(pod) == PodCommands.SHIELD;
             timer[pod] = shield ? 4 : Math.max(0, timer[pod] - 1);
-            answer.append(Math.round(best.targetX(pod))).append(' ').append(Math.round(best.targetY(pod))).append(' ')
+            double degrees = best.degrees(pod);
+            boolean byTarget = Double.isNaN(degrees);
+            answer.append(byTarget ? Math.round(best.targetX(pod)) : now.targetX(pod, degrees)).append(' ')
+                .append(byTarget ? Math.round(best.targetY(pod)) : now.targetY(pod, degrees)).append(' ')
                 .append(shield ? "SHIELD" : Integer.toString(best.thrust(pod))).append('\n');
         }
         return answer.toString();
@@ -131,23 +135,13 @@ public final class SimulatorBot {
                 continue;                             // no heading yet; or a shield that would only be renewed
             }
             for (double degrees : DEGREES) {
-                double x = now.x(pod) + FAR * turned(pod, degrees, true);
-                double y = now.y(pod) + FAR * turned(pod, degrees, false);
                 double worth = worthOf(pod, degrees, thrust);
                 if (worth > most) {
                     most = worth;
-                    best.set(pod, x, y, thrust);
+                    best.turn(pod, degrees, thrust);
                 }
             }
         }
-    }
-
-    private double turned(int pod, double degrees, boolean wantX) {
-        double cos = Math.cos(Math.toRadians(degrees));
-        double sin = Math.sin(Math.toRadians(degrees));
-        double x = now.directionX(pod);
-        double y = now.directionY(pod);
-        return wantX ? x * cos - y * sin : x * sin + y * cos;
     }
 
     /** Plays a sequence: a move held for some turns (or, with NaN, none), then the driver. */
@@ -158,8 +152,7 @@ public final class SimulatorBot {
                 drive(trial, each, commands);
             }
             if (!Double.isNaN(degrees) && ahead < HELD_TURNS) {
-                commands.set(pod, now.x(pod) + FAR * turned(pod, degrees, true),
-                    now.y(pod) + FAR * turned(pod, degrees, false), thrust);
+                commands.turn(pod, degrees, thrust);
             }
             trial.play(commands);
         }

@@ -3,11 +3,13 @@ package steward.bench.textbook;
 import java.awt.geom.Line2D;
 import java.util.ArrayList;
 import java.util.List;
+import steward.numerics.SineCosine;
 
 /**
- * The textbook baseline: the official turn of the pod race as a contestant writes it from the rules: pod objects,
- * {@link StrictMath}, every pair's quadratic each time. It shares no code with the engine, so that the engine can be
- * measured and checked against it. Without elimination and without the bound on impacts.
+ * The textbook baseline: the official turn of the pod race as a contestant writes it from the rules: pod objects, the
+ * arc tangent of {@link StrictMath}, every pair's quadratic each time. It shares no code with the engine but
+ * {@link SineCosine}, the correctly rounded sine and cosine of the game's rules, which has tests of its own; so the
+ * engine can be measured and checked against it. Without elimination and without the bound on impacts.
  *
  * <p>Units: u, turns, radians, pod masses.
  */
@@ -69,6 +71,7 @@ public final class TextbookPodRace {
 
     private final double[][] checkpoints;
     private final Pod[] pods;
+    private final SineCosine direction = new SineCosine();
 
     /** @param checkpoints {@code [n][x, y]} */
     public TextbookPodRace(double[][] checkpoints, int pods) {
@@ -84,7 +87,10 @@ public final class TextbookPodRace {
         return pods[k];
     }
 
-    /** Plays one turn with a target and a thrust per pod, {@link #SHIELD}, {@link #BOOST} or {@link #NO_COMMAND}. */
+    /**
+     * Plays one turn with a target and a thrust per pod, {@link #SHIELD}, {@link #BOOST} or {@link #NO_COMMAND}. Where
+     * y is NaN, x is not a target but the degrees by which the pod turns; without a heading it then does nothing.
+     */
     public void play(double[] targetX, double[] targetY, int[] thrust) {
         for (int k = 0; k < pods.length; k++) {
             pods[k].path = 0;
@@ -110,7 +116,7 @@ public final class TextbookPodRace {
         return (value < 0 ? Math.ceil(value) : Math.floor(value)) + 0.0;
     }
 
-    private static void command(Pod pod, double targetX, double targetY, int command) {
+    private void command(Pod pod, double targetX, double targetY, int command) {
         boolean shield = command == SHIELD;
         pod.shieldTimer = shield ? 4 : Math.max(0, pod.shieldTimer - 1);
         pod.mass = command == NO_COMMAND ? pod.mass : shield ? 10 : 1;
@@ -122,6 +128,26 @@ public final class TextbookPodRace {
         if (command == NO_COMMAND || targetX == pod.x && targetY == pod.y) {
             return;
         }
+        if (Double.isNaN(targetY)) {
+            if (Double.isNaN(pod.heading)) {
+                return;
+            }
+            double turn = Math.abs(targetX) >= 18 ? MAXIMUM_TURN * Math.signum(targetX) : Math.toRadians(targetX);
+            pod.heading = turn == 0 ? pod.heading : pod.heading + turn;
+        } else {
+            steer(pod, targetX, targetY);
+        }
+        if (pod.shieldTimer == 0) {
+            direction.turn(pod.heading);
+            double dx = direction.cos();
+            double dy = direction.sin();
+            double length = Math.sqrt(dx * dx + dy * dy);
+            pod.vx += dx / length * thrust;
+            pod.vy += dy / length * thrust;
+        }
+    }
+
+    private static void steer(Pod pod, double targetX, double targetY) {
         double wanted = StrictMath.atan2(targetY - pod.y, targetX - pod.x);
         double delta = (wanted - pod.heading) % (2 * Math.PI);
         double r = 2 * delta % (2 * Math.PI) - delta;
@@ -129,13 +155,6 @@ public final class TextbookPodRace {
             pod.heading += MAXIMUM_TURN * Math.signum(r);
         } else {
             pod.heading = wanted;
-        }
-        if (pod.shieldTimer == 0) {
-            double dx = StrictMath.cos(pod.heading);
-            double dy = StrictMath.sin(pod.heading);
-            double length = Math.sqrt(dx * dx + dy * dy);
-            pod.vx += dx / length * thrust;
-            pod.vy += dy / length * thrust;
         }
     }
 

@@ -1,4 +1,4 @@
-/** Plain textbook implementations as a baseline; they share no code with the engine. */
+/** Plain textbook implementations as a baseline; they share no code with the engine but sine and cosine. */
 @Internal
 package steward.bench.textbook;
 

@@ -93,7 +93,7 @@ public class PodKernelBenchmark {
         }
     }
 
-    /** {@link TextbookPodRace}: StrictMath, objects. */
+    /** {@link TextbookPodRace}: objects, every angle computed. */
     @Benchmark
     @OperationsPerInvocation(STATES)
     public double textbook() {

@@ -6,8 +6,11 @@ import steward.game.podrace.PodRaceSettings;
 
 /**
  * One command per pod, for a {@link PodRaceSimulator}; reused from turn to turn. A command stays until another is set.
- * A pod steers towards its target, as in a bot's answer; if the target is its own position, it neither turns nor
- * thrusts.
+ * A pod steers towards its target, as in a bot's answer ({@link #set}), or turns by an angle ({@link #turn}). If the
+ * target is its own position, it neither turns nor thrusts.
+ *
+ * <p>A search that turns its pods as far as they can should use {@link #turn}: a target just 18 degrees aside leaves it
+ * to the last digits whether the pod reaches that direction, and the exact heading has to be computed each time.
  */
 public final class PodCommands {
 
@@ -23,7 +26,12 @@ public final class PodCommands {
     /** The greatest thrust. A race takes 0..200 from a bot. */
     public static final int GREATEST_THRUST = PodRaceSettings.BOOST_THRUST;
 
+    /** The greatest turn to either side, in degrees. */
+    public static final double GREATEST_TURN = 18;
+
+    /** The x coordinate of the target; or, of a command by angle, the degrees. */
     final double[] targetX;
+    /** The y coordinate of the target; or, of a command by angle, NaN. */
     final double[] targetY;
     final int[] thrust;
 
@@ -59,11 +67,52 @@ public final class PodCommands {
         thrust[pod] = podThrust;
     }
 
+    /**
+     * Turns a pod relative to its present heading. From 18 degrees on the heading moves by the double pi / 10, which is
+     * what every target does that is farther aside. Below, it becomes heading + {@code Math.toRadians(degrees)}, one
+     * addition of doubles: a target in just that direction gives the same up to the rounding of its arc tangent, and
+     * of whole turns. 0 leaves the heading as it is. A pod whose heading is unset neither turns nor thrusts, as if its
+     * target were its own position: set a target for its first turn.
+     *
+     * <p>{@link PodRaceSimulator#targetX(int, double)} finds a target that makes a real race do the same.
+     *
+     * <p>Turns by 18, 0 and -18 degrees need no angle, those between need its sine and cosine.
+     *
+     * @param degrees   positive from the x axis to the y axis: clockwise as seen on a screen; more than 18 to either
+     *                  side count as 18
+     * @param podThrust as for {@link #set}
+     * @throws IllegalArgumentException  if the degrees are NaN or the thrust is out of range
+     * @throws IndexOutOfBoundsException if there is no such pod
+     */
+    public void turn(int pod, double degrees, int podThrust) {
+        checkTurn(pod, degrees, podThrust);
+        targetX[pod] = limited(degrees);
+        targetY[pod] = Double.NaN;
+        thrust[pod] = podThrust;
+    }
+
+    /** The degrees that a pod turns at most when told to turn by these. */
+    static double limited(double degrees) {
+        return Math.max(-GREATEST_TURN, Math.min(GREATEST_TURN, degrees));
+    }
+
+    /** Throws if a command by angle is out of range. */
+    static void checkTurn(int pod, double degrees, int thrust) {
+        if (Double.isNaN(degrees)) {
+            throw new IllegalArgumentException("pod " + pod + ": turn by NaN degrees, expected a number");
+        }
+        checkThrust(pod, thrust);
+    }
+
     /** Throws if a command is out of range. */
     static void check(int pod, double x, double y, int thrust) {
         if (!(Math.abs(x) <= Double.MAX_VALUE && Math.abs(y) <= Double.MAX_VALUE)) {
             throw new IllegalArgumentException("pod " + pod + ": target " + x + " " + y + ", expected finite numbers");
         }
+        checkThrust(pod, thrust);
+    }
+
+    private static void checkThrust(int pod, int thrust) {
         if (thrust < BOOST || thrust > GREATEST_THRUST) {
             throw new IllegalArgumentException("pod " + pod + ": thrust " + thrust + ", expected 0.." + GREATEST_THRUST
                 + ", SHIELD, BOOST or NO_COMMAND");
@@ -96,12 +145,17 @@ public final class PodCommands {
         System.arraycopy(other.thrust, 0, thrust, 0, thrust.length);
     }
 
-    /** The x coordinate of a pod's target, in u. */
+    /** The x coordinate of a pod's target, in u; NaN of a command by angle. */
     public double targetX(int pod) {
-        return targetX[pod];
+        return Double.isNaN(targetY[pod]) ? Double.NaN : targetX[pod];
     }
 
-    /** The y coordinate of a pod's target, in u. */
+    /** The degrees of a command by angle, -18..18; NaN of a command by target. */
+    public double degrees(int pod) {
+        return Double.isNaN(targetY[pod]) ? targetX[pod] : Double.NaN;
+    }
+
+    /** The y coordinate of a pod's target, in u; NaN of a command by angle. */
     public double targetY(int pod) {
         return targetY[pod];
     }

@@ -64,6 +64,24 @@ public final class PodRaceBatch {
             targetY[at] = podTargetY;
             thrust[at] = podThrust;
         }
+
+        /**
+         * As {@link PodCommands#turn}.
+         *
+         * @param game index of the game, from 0
+         * @param pod  index of the pod, 0..3
+         * @throws IllegalArgumentException  if the degrees are NaN or the thrust is out of range
+         * @throws IndexOutOfBoundsException if there is no such game or pod
+         */
+        public void turn(int game, int pod, double degrees, int podThrust) {
+            Objects.checkIndex(game, thrust.length / PODS);
+            Objects.checkIndex(pod, PODS);
+            PodCommands.checkTurn(pod, degrees, podThrust);
+            int at = PODS * game + pod;
+            targetX[at] = PodCommands.limited(degrees);
+            targetY[at] = Double.NaN;
+            thrust[at] = podThrust;
+        }
     }
 
     /**

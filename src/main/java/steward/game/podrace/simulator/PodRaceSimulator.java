@@ -6,6 +6,7 @@ import steward.game.podrace.Headings;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodRaceSettings;
 import steward.game.podrace.StartPlaces;
+import steward.numerics.SineCosine;
 import steward.physics.TurnLog;
 import steward.physics.event.OfficialAdvance;
 
@@ -40,6 +41,9 @@ public final class PodRaceSimulator {
     /** The greatest coordinate (u) and speed (u per turn) that can be set, in magnitude. */
     public static final double GREATEST = 0x1p200;
 
+    /** The distance of the targets that stand for a command by angle, in u. */
+    private static final double FAR = 100_000_000;
+
     private static final int LAPS = 3;
     private static final int MOST_LAPS = 1000;
     private static final int MOST_PASSED = 1_000_000;
@@ -49,6 +53,7 @@ public final class PodRaceSimulator {
     private final int checkpoints;
     private final PodTurn turn;
     private final double[] state;
+    private final SineCosine aim = new SineCosine();
     private final int[] counts;
 
     /**
@@ -272,6 +277,45 @@ public final class PodRaceSimulator {
     /** The y component of the direction in which a pod heads, see {@link #directionX}. */
     public double directionY(int pod) {
         return state[PodTurn.NUMBERS * pod + PodTurn.HEADING + 1];
+    }
+
+    /**
+     * The x coordinate of a target that makes a pod of a real race, in this state, turn as
+     * {@link PodCommands#turn(int, double, int)} does. For 18 degrees and more to either side, the target is 90 degrees
+     * aside and the turn is the same to the last bit. For less, it is 100,000,000 u away in the direction wanted; as it
+     * is rounded to whole numbers, of at most nine digits on a map of the usual size, the direction is off by less than
+     * 1e-8 radians, and the next positions differ in a few pod-turns of a million. The own position while the heading
+     * is unset. Not for search: computes an angle.
+     *
+     * @param pod     whose position is below 2^50 u and whose heading is below 1e12 radians; a heading from 1e16 on
+     *                changes by more than a turn between two doubles, and no target is aside
+     * @param degrees as for {@link PodCommands#turn}
+     * @return in u
+     * @throws IllegalArgumentException if the degrees are NaN
+     */
+    public long targetX(int pod, double degrees) {
+        aim(pod, degrees);
+        return Math.round(x(pod) + (isUnset(pod) ? 0 : FAR * aim.cos()));
+    }
+
+    /** The y coordinate of the target, see {@link #targetX(int, double)}. */
+    public long targetY(int pod, double degrees) {
+        aim(pod, degrees);
+        return Math.round(y(pod) + (isUnset(pod) ? 0 : FAR * aim.sin()));
+    }
+
+    private boolean isUnset(int pod) {
+        return Headings.isUnset(state, PodTurn.NUMBERS * pod + PodTurn.HEADING);
+    }
+
+    /** Computes the direction in which the target is. */
+    private void aim(int pod, double degrees) {
+        if (Double.isNaN(degrees)) {
+            throw wrong(pod, "turn by NaN degrees, expected a number");
+        }
+        boolean full = Math.abs(degrees) >= PodCommands.GREATEST_TURN;
+        double aside = full ? Math.copySign(Math.PI / 2, degrees) : Math.toRadians(degrees);
+        aim.turn(heading(pod) % (2 * Math.PI) + aside);
     }
 
     /** 4 after the turn the shield was raised, counting down to 0. */

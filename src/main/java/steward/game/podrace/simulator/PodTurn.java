@@ -19,7 +19,8 @@ import steward.physics.event.OfficialAdvance;
  * the four bounds on position and speed; iterating over the set bits of the pods that glide; writing the base of a
  * heading to one of two places instead of taking one of two values (slower: later loads wait for the address); steering
  * and gliding in one loop. A more precise filter of pairs would gain nothing: the pairs that it keeps nearly always
- * meet. One file of almost 500 lines, because all of it works on the same arrays.
+ * meet. One file of a little over 500 lines, because all of it works on the same
+ * arrays.
  */
 final class PodTurn {
 
@@ -137,6 +138,9 @@ final class PodTurn {
      *
      * @param states   {@link #NUMBERS} per pod, altered
      * @param numbers  {@link #COUNTS} per pod, then the turns left per player, altered
+     * @param targetX  of a command by target; or the degrees of a command by angle
+     * @param targetY  of a command by target; NaN for a command by angle: then no target can be steered to by vectors,
+     *                 so that commands by target are not delayed by a question
      * @param first    index of the command of the first pod
      */
     void play(double[] states, int[] numbers, double[] targetX, double[] targetY, int[] thrust, int first) {
@@ -171,7 +175,9 @@ final class PodTurn {
             int command = thrusts[first + pod];
             if (command >= 0 && Math.abs(x) < SMALL && Math.abs(y) < SMALL && Math.abs(vx) < SMALL
                 && Math.abs(vy) < SMALL
-                && Headings.turnQuickly(from, at + HEADING, targetX[first + pod] - x, targetY[first + pod] - y)) {
+                && (Headings.turnQuickly(from, at + HEADING, targetX[first + pod] - x, targetY[first + pod] - y)
+                || Double.isNaN(targetY[first + pod])
+                && Headings.turnByQuickly(from, at + HEADING, targetX[first + pod]))) {
                 int timer = Math.max(0, (count[COUNTS * pod + TIMER] & TIMER_BITS) - 1);
                 count[COUNTS * pod + TIMER] = timer;
                 to[out + X] = x;
@@ -203,15 +209,27 @@ final class PodTurn {
         System.arraycopy(state, at + X, speed, to + X, POWER);
         speed[to + MASS] = heavy ? SHIELD_MASS : 1;
         speed[to + POWER] = 0;
-        double dx = targetX - state[at + X];
-        double dy = targetY - state[at + Y];
-        if (command != PodCommands.NO_COMMAND && (dx != 0 || dy != 0)) {
-            headings.turnTo(state, at + HEADING, dx, dy);
+        if (command != PodCommands.NO_COMMAND && turnExactly(at, targetX, targetY)) {
             if (timer == 0 && thrust != 0) {
                 speed[to + POWER] = thrust;
                 pushExactly(pod);
             }
         }
+    }
+
+    /** @return whether there is a direction to steer to */
+    private boolean turnExactly(int at, double targetX, double targetY) {
+        if (Double.isNaN(targetY)) {
+            headings.turnBy(state, at + HEADING, targetX);
+            return !Headings.isUnset(state, at + HEADING);
+        }
+        double dx = targetX - state[at + X];
+        double dy = targetY - state[at + Y];
+        if (dx == 0 && dy == 0) {
+            return false;
+        }
+        headings.turnTo(state, at + HEADING, dx, dy);
+        return true;
     }
 
     /** Applies shield or boost. @return the thrust */

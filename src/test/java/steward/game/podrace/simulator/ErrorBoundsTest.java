@@ -10,6 +10,7 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.game.podrace.Headings;
 import steward.game.podrace.PodRaceSettings;
+import steward.numerics.SineCosine;
 import steward.numerics.SplitMix64;
 import steward.physics.event.OfficialAdvance;
 
@@ -75,8 +76,12 @@ class ErrorBoundsTest {
         }
     }
 
-    /** Asks for a target well beyond 18 degrees. */
+    /** Asks for a turn by 18 degrees, or for a target well beyond. */
     private void turnAside(int side) {
+        if (random.nextInt(2) == 0) {
+            headings.turnBy(heading, 0, 18 * side);
+            return;
+        }
         double hx = heading[Headings.X];
         double hy = heading[Headings.Y];
         headings.turnTo(heading, 0, 1000 * (hx - 2 * side * hy), 1000 * (hy + 2 * side * hx));
@@ -84,8 +89,10 @@ class ErrorBoundsTest {
 
     /** As the game computes it. */
     private static double[] game(double angle) {
-        double cos = StrictMath.cos(angle);
-        double sin = StrictMath.sin(angle);
+        SineCosine direction = new SineCosine();
+        direction.turn(angle);
+        double cos = direction.cos();
+        double sin = direction.sin();
         double length = Math.sqrt(cos * cos + sin * sin);
         return new double[] {cos / length, sin / length};
     }

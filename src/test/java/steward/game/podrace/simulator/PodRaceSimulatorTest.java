@@ -18,9 +18,9 @@ import steward.physics.event.EventAdvance;
 
 /**
  * The simulator against the plain kernel (the event loop of every scene, all pairs each time) and against the textbook
- * (StrictMath, no shared code): every number of every state, and every impact, bit for bit. Turns are random; their
- * number is 100,000, or what {@code -Psteward.turns=10000000} says, the seed is printed, and {@code -Psteward.seed}
- * sets another: {@code gradle test --tests '*PodRaceSimulatorTest' -Psteward.turns=10000000}.
+ * (no shared code but sine and cosine): every number of every state, and every impact, bit for bit. Turns are random;
+ * their number is 100,000, or what {@code -Psteward.turns=10000000} says, the seed is printed, and
+ * {@code -Psteward.seed} sets another: {@code gradle test --tests '*PodRaceSimulatorTest' -Psteward.turns=10000000}.
  */
 @Execution(ExecutionMode.CONCURRENT)
 class PodRaceSimulatorTest {
