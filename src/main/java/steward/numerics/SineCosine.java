@@ -68,13 +68,14 @@ public final class SineCosine {
      *     second is below 2^-32.9 and off by 2^-84. The polynomial for the third, which is below 2^-29.9, is the best
      *     of its kind and off by 2^-71.8, its roundings by 8.8 u 2^-29.98 < 2^-79.8. The sums are rounded by
      *     2^-83 and 2^-80. In all, without the 2^-71.8, below 2^-78.7.
-     * (4) rest = (S2 cos r + C2 sin r) + (S1 cos2 + C1 sin2), where S2, C2 are at most 2^-27 and rounded by at most
-     *     2^-81. What is rounded at that size makes three times 2^-81 and twice 2^-80: below 2^-78.1. The product with
-     *     sin2, the last two sums, and the sum of rest and ERROR are rounded by at most 2^-75 each.
+     * (4) rest = (S2 cos1 + C2 sin1) + (S cos2 + C sin2), where S2 and C2, at most 2^-27, are rounded by at most 2^-81.
+     *     What is rounded at that size (S2 and its product, their sum, S and C as doubles and the product with cos2)
+     *     makes twice 2^-81, twice 2^-80 and 2^-80.8: below 2^-78.1. C as a double is off by 2^-54, times sin2 2^-75.6.
+     *     The product with sin2, the last two sums, and the sum of rest and ERROR are rounded by at most 2^-75 each.
      *
-     * The sum of all, 2^-79.6 + 2^-77.0 + 2^-71.7 + 2^-71.8 + 2^-78.7 + 2^-78.1 + 5 2^-75, is below 2^-70.3. Rounding
-     * is monotonic: if head and rest with ERROR added and with ERROR taken away are rounded to the same double, this is
-     * also the one nearest to the true value, which lies between.
+     * The sum of all, 2^-79.6 + 2^-77.0 + 2^-71.7 + 2^-71.8 + 2^-78.7 + 2^-78.1 + 2^-75.6 + 5 2^-75, is below 2^-70.3.
+     * Rounding is monotonic: if head and rest with ERROR added and with ERROR taken away are rounded to the same
+     * double, this is also the one nearest to the true value, which lies between.
      */
 
     /** More than the error of a head and rest: see above. */
@@ -136,15 +137,15 @@ public final class SineCosine {
         double sin2 = r2 + sineTail;
         double cos1 = 1 + TO_GRID - half - TO_GRID;
         double cos2 = 1 - cos1 - half + (cosineTail - 0.5 * (r2 * (r1 + r)));
-        double sinR = r + sineTail;
-        double cosR = cos1 + cos2;
         int at = SineTable.NUMBERS * (direction & LAST_DIRECTION);
         double s1 = TABLE[at];
         double s2 = TABLE[at + 1];
         double c1 = TABLE[at + 2];
         double c2 = TABLE[at + 3];
-        decide(angle, s1 * cos1 + c1 * r1, s2 * cosR + c2 * sinR + (s1 * cos2 + c1 * sin2),
-            c1 * cos1 - s1 * r1, c2 * cosR - s2 * sinR + (c1 * cos2 - s1 * sin2));
+        double s = s1 + s2;
+        double c = c1 + c2;
+        decide(angle, s1 * cos1 + c1 * r1, s2 * cos1 + c2 * r1 + (s * cos2 + c * sin2),
+            c1 * cos1 - s1 * r1, c2 * cos1 - s2 * r1 + (c * cos2 - s * sin2));
     }
 
     /** Takes the rounded sums of heads and rests, if rests greater and less by the error make the same. */

@@ -121,7 +121,8 @@ final class WideFraction {
         int zeros = leadingZeros();
         long digits = high << zeros | middle >>> 1 >>> 63 - zeros;
         long rounded = (digits >>> Long.SIZE - PRECISION) + (digits >>> Long.SIZE - PRECISION - 1 & 1);
-        return Math.scalb((double) rounded, -PRECISION - zeros);
+        // The leading digit adds 1 to the exponent, and so does another if all others were rounded up.
+        return Double.longBitsToDouble(((long) Double.MAX_EXPONENT - 2 - zeros << PRECISION - 1) + rounded);
     }
 
     /** The upper 64 bits of the product of two words without sign. */
