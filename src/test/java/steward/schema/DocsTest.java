@@ -15,7 +15,7 @@ import steward.replay.ReplayHeader;
 
 /**
  * README and manual agree with the program: every call that they show can be understood, every option, link and file
- * that they name exists. Nothing is run here.
+ * that they name exists. Nothing is run here; see {@link DocsCommandsTest}.
  */
 class DocsTest {
 

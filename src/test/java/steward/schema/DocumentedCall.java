@@ -115,7 +115,8 @@ final class DocumentedCall {
     }
 
     private static String benchmarkProblem(String pattern) {
-        boolean known = classes("src/jmh/java").stream().anyMatch(name -> Pattern.compile(pattern).matcher(name).find());
+        Pattern wanted = Pattern.compile(pattern);
+        boolean known = classes("src/jmh/java").stream().anyMatch(name -> wanted.matcher(name).find());
         return known ? null : "no benchmark " + pattern;
     }
 

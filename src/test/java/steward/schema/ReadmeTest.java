@@ -51,7 +51,8 @@ class ReadmeTest {
 
     @Test
     void theSceneCanBePlayed() throws IOException {
-        assertEquals("walled-race", TestScenes.TYPES.open(block("docs/scenes.md", "json", 0), "scenes.md").scene().name());
+        assertEquals("walled-race",
+            TestScenes.TYPES.open(block("docs/scenes.md", "json", 0), "scenes.md").scene().name());
     }
 
     @Test

@@ -10,7 +10,8 @@ import java.util.regex.Pattern;
  */
 final class ShellLine {
 
-    private static final Pattern OURS = Pattern.compile("(?s).*(?:^|[\\s\"'(])(?:steward|\\./gradlew)(?:\\s.*|[\"')]*$)");
+    private static final Pattern OURS =
+        Pattern.compile("(?s).*(?:^|[\\s\"'(])(?:steward|\\./gradlew)(?:\\s.*|[\"')]*$)");
     private static final Pattern ASSIGNMENT = Pattern.compile("[A-Za-z_]\\w*=.*");
 
     private final String text;
