@@ -83,7 +83,7 @@ public final class Main {
         return status;
     }
 
-    /** The program with only the called command, or with all of them if none is called or there is none of that name. */
+    /** The program with only the called command, or with all of them if there is none of that name. */
     public static CommandLine program(Streams streams, String called) {
         CommandLine program = new CommandLine(new Main());
         dress(program);
