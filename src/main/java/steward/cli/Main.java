@@ -95,8 +95,8 @@ public final class Main {
         return status;
     }
 
-    /** The program with only the called command, or with all of them if none is called. */
-    private static CommandLine program(Streams streams, String called) {
+    /** The program with only the called command, or with all of them if there is none of that name. */
+    public static CommandLine program(Streams streams, String called) {
         CommandLine program = new CommandLine(new Main());
         dress(program);
         boolean one = called != null && !called.equals(CompletionCommand.NAME) && COMMANDS.contains(called);
