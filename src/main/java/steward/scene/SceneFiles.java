@@ -11,6 +11,7 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import steward.scene.json.JsonLimits;
 import steward.scene.json.SceneException;
 import steward.scene.json.Wording;
 
@@ -32,7 +33,7 @@ public final class SceneFiles {
 
     /**
      * @param pathOrName a path to a file; otherwise the name of a shipped scene, with or without {@code .json}
-     * @throws SceneException if there is no such scene, or it cannot be read as UTF-8
+     * @throws SceneException if there is no such scene, it is too long, or cannot be read as UTF-8
      */
     public static SceneText load(String pathOrName) {
         boolean folder = false;
@@ -40,7 +41,7 @@ public final class SceneFiles {
             Path path = Path.of(pathOrName);
             folder = Files.isDirectory(path) && !pathOrName.isEmpty();
             if (Files.exists(path) && !Files.isDirectory(path)) {
-                return new SceneText(decode(Files.readAllBytes(path), pathOrName), pathOrName,
+                return new SceneText(decode(bytes(path, pathOrName), pathOrName), pathOrName,
                     Optional.of(AccuracyFigures.beside(path)));
             }
         } catch (InvalidPathException e) {
@@ -59,6 +60,18 @@ public final class SceneFiles {
         throw new SceneException((pathOrName.isEmpty() ? "\"\"" : pathOrName) + ": found "
             + (folder ? "a folder" : "no such file") + ", expected a scene file"
             + (shipped.isEmpty() ? "" : " or " + Wording.choice(name, shipped)));
+    }
+
+    /** Reads at most one byte beyond the limit: the size of a pipe is not known before. */
+    private static byte[] bytes(Path path, String source) throws IOException {
+        try (InputStream in = Files.newInputStream(path)) {
+            byte[] bytes = in.readNBytes(JsonLimits.BYTES + 1);
+            if (bytes.length > JsonLimits.BYTES) {
+                throw new SceneException(source + ": found a file of more than " + JsonLimits.BYTES
+                    + " bytes, expected a scene of at most " + JsonLimits.BYTES);
+            }
+            return bytes;
+        }
     }
 
     private static SceneText loadShipped(String name) {
