@@ -74,6 +74,19 @@ public final class SceneFiles {
         }
     }
 
+    /**
+     * A shipped scene, also where a file has its name.
+     *
+     * @throws SceneException if there is none of this name
+     */
+    public static SceneText shipped(String name) {
+        if (!shipped().contains(name)) {
+            throw new SceneException((name.isEmpty() ? "\"\"" : name) + ": found no scene of this name, expected "
+                + Wording.choice(name, shipped()));
+        }
+        return loadShipped(name);
+    }
+
     private static SceneText loadShipped(String name) {
         String source = resource(name).substring(1);
         try (InputStream in = SceneFiles.class.getResourceAsStream(resource(name))) {

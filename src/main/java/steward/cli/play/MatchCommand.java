@@ -13,6 +13,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import steward.cli.shared.AccuracyOption;
+import steward.cli.shared.Games;
 import steward.cli.shared.ShippedScenes;
 import steward.cli.shared.Streams;
 import steward.cli.shared.Verbosity;
@@ -115,7 +116,7 @@ public final class MatchCommand implements Callable<Integer> {
         double factor = noDeadline ? Double.POSITIVE_INFINITY : timeFactor == null ? 1 : timeFactor;
         check(noDeadline || factor > 0 && factor < Double.POSITIVE_INFINITY,
             "--time-factor: found " + factor + ", expected a number above 0");
-        Contest contest = Contest.of(accuracy.open(scene), bots, usual.get(), factor);
+        Contest contest = Contest.of(Games.warn(accuracy.open(scene), streams), bots, usual.get(), factor);
         long first = seed != null ? seed : new SplittableRandom().nextLong(DRAWN_SEEDS);
         Path path = out == null ? null : OutputFiles.path(out);
         Verbosity report = json ? Verbosity.JSON : quiet ? Verbosity.LINE : Verbosity.FULL;

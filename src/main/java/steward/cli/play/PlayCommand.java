@@ -11,6 +11,7 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import steward.cli.shared.AccuracyOption;
 import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Games;
 import steward.cli.shared.ShippedScenes;
 import steward.cli.shared.Streams;
 import steward.cli.shared.TimeLimitOptions;
@@ -74,7 +75,7 @@ public final class PlayCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws InterruptedException {
-        GameSetup setup = accuracy.open(scene);
+        GameSetup setup = Games.warn(accuracy.open(scene), streams);
         int players = setup.scene().players();
         if (bots.size() != players) {
             throw new InputException("found " + TextFormat.count(bots.size(), "bot") + ", expected "
