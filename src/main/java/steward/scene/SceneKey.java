@@ -13,7 +13,8 @@ import steward.scene.json.JsonValue.JsonText;
 
 /**
  * A key of everything in a scene that decides what happens in its games: all except its name, the time limits, its
- * accuracy and the name of its JSON Schema. Neither the order of fields nor the notation of numbers matters (1, 1.0, 1e0).
+ * accuracy and the name of its JSON Schema. Neither the order of fields nor the notation of numbers matters (1, 1.0,
+ * 1e0).
  */
 @Internal
 public final class SceneKey {

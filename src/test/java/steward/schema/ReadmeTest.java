@@ -19,6 +19,7 @@ import steward.bot.InProcessPlayer;
 import steward.bot.process.BotProcess;
 import steward.bots.Racer;
 import steward.cli.Main;
+import steward.game.GameSetup;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
 import steward.match.Referee;
@@ -50,7 +51,9 @@ class ReadmeTest {
 
     @Test
     void itsSceneCanBePlayed() throws IOException {
-        assertEquals("walled-race", TestScenes.TYPES.open(block("json", 2), "README.md").scene().name());
+        GameSetup setup = TestScenes.TYPES.open(block("json", 2), "README.md");
+        assertEquals("walled-race", setup.scene().name());
+        assertEquals(List.of(), setup.check());
     }
 
     @Test

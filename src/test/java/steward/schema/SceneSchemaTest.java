@@ -30,7 +30,7 @@ import tools.jackson.databind.node.ObjectNode;
 class SceneSchemaTest {
 
     private static final Schema SCHEMA = Schemas.open("scene");
-    private static final int MUTATIONS = 3000;
+    private static final int MUTATIONS = 2000;
 
     /** Every block and every kind of wall, with all their fields. */
     private static final String ALL = """

@@ -26,7 +26,7 @@ public final class SceneCommand implements Callable<Integer> {
     private final Streams streams;
 
     @Parameters(index = "0", arity = "0..1", paramLabel = "NAME", completionCandidates = ShippedScenes.class,
-        description = "Which one.")
+        description = "One of ${COMPLETION-CANDIDATES}.")
     private String name;
 
     @Option(names = "--schema", description = "Prints the JSON Schema (2020-12) of scenes instead.")

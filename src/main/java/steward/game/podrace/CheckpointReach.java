@@ -86,7 +86,11 @@ final class CheckpointReach {
         if (gb < 0 && ga - gb * cosine >= 0) {
             return -gb;
         }
-        return sine == 0 ? 0 : Math.hypot((gb * a.insideY() - ga * b.insideY()) / sine,
-            (ga * b.insideX() - gb * a.insideX()) / sine);
+        if (sine == 0) {
+            return 0;
+        }
+        double moveX = (gb * a.insideY() - ga * b.insideY()) / sine;
+        double moveY = (ga * b.insideX() - gb * a.insideX()) / sine;
+        return Math.sqrt(moveX * moveX + moveY * moveY);
     }
 }

@@ -19,9 +19,9 @@ record StartOverlap(int map, int first, double[][] drawn, int pod, Obstacle obst
 
     /*
      * Jitter moves checkpoint 0 by at most j = jitter * sqrt(2), and the vector d to checkpoint 1 by at most 2j. If 2j
-     * is less than its length, d turns by at most asin(2j / |d|) = a, and a place at the side s moves along a chord of
-     * at most 2 |s| sin(a / 2). Gaps change by no more than places move. So a nominal gap above j + that chord is never
-     * closed, and a pod with less is looked at for each of the extreme draws.
+     * is less than its length, d turns by at most a with sin a = 2j / |d|, and a place at the side s moves along a
+     * chord of at most 2 |s| sin(a / 2) = |s| sqrt(2 - 2 cos a). Gaps change by no more than places move. So a nominal
+     * gap above j + that chord is never closed, and a pod with less is looked at for each of the extreme draws.
      */
 
     /**
@@ -61,7 +61,9 @@ record StartOverlap(int map, int first, double[][] drawn, int pod, Obstacle obst
             this.ends = ends;
             pods = settings.pods();
             jitter = settings.jitter();
-            length = Math.hypot(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]);
+            double dx = ends[1][0] - ends[0][0];
+            double dy = ends[1][1] - ends[0][1];
+            length = Math.sqrt(dx * dx + dy * dy);
         }
 
         StartOverlap find(List<Obstacle> obstacles) {
@@ -107,7 +109,8 @@ record StartOverlap(int map, int first, double[][] drawn, int pod, Obstacle obst
         private double slack(int place) {
             double move = jitter * Math.sqrt(2);
             double side = Math.abs(StartPlaces.side(podAt(place), pods));
-            double turn = 2 * move < length ? 2 * Math.sin(Math.asin(2 * move / length) / 2) : 2;
+            double sine = 2 * move / length;
+            double turn = sine < 1 ? Math.sqrt(2 - 2 * Math.sqrt(1 - sine * sine)) : 2;
             return move + (jitter == 0 ? 0 : side * turn);
         }
 

@@ -90,8 +90,8 @@ class ExplainCommandTest {
             walled.replace("\"perPlayer\": 2", "\"perPlayer\": 8"));
         Cli refused = Cli.run("explain", impossible.toString());
         assertEquals(ExitStatus.UNUSABLE, refused.status());
-        assertTrue(refused.err().startsWith("steward: " + impossible + ":22:26: race.maps[0].checkpoints[0]: found pod "),
-            refused.err());
+        assertTrue(refused.err().startsWith("steward: " + impossible
+            + ":22:26: race.maps[0].checkpoints[0]: found pod "), refused.err());
     }
 
     /** Every part has a price, but for the broad phase, which would take work away. */

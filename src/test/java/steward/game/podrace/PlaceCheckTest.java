@@ -88,7 +88,7 @@ class PlaceCheckTest {
             "\"x\": 9000, \"y\": 8000, \"radius\": 9", "\"x\": 4000, \"y\": 3501, \"radius\": 100");
     }
 
-    /** Sixteen pods stand up to 7500 u from the checkpoint, in a field of 9000: and checkpoint 0 is at 1300: pod 14 is at -6200. */
+    /** Sixteen pods stand up to 7500 u from the checkpoint at 1300, in a field of 9000: pod 14 is at -6200. */
     @Test
     void fourPlayersWithFourPodsAreTooManyForABox() {
         refused("7:1: race.maps[0].checkpoints[0]: found pod 14 at its start 6600.0 u deep in the top wall, "

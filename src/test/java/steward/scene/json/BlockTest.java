@@ -149,7 +149,8 @@ class BlockTest {
     @Test
     void whatIsFoundIsShownShort() {
         Block block = block("{ 'a': '" + "x".repeat(100) + "', 'b': 'tab\\there', 'c': [ 1 ], 'd': {} }");
-        refused("a: found the text \"" + "x".repeat(60) + "...\", expected a number above 0", () -> block.positive("a"));
+        refused("a: found the text \"" + "x".repeat(60) + "...\", expected a number above 0",
+            () -> block.positive("a"));
         refused("b: found the text \"tab?here\", expected a number above 0", () -> block.positive("b"));
         refused("c: found an array, expected a number above 0", () -> block.positive("c"));
         refused("d: found an object, expected a number above 0", () -> block.positive("d"));
