@@ -14,6 +14,7 @@ import steward.cli.play.DemoCommand;
 import steward.cli.play.MatchCommand;
 import steward.cli.play.PlayCommand;
 import steward.cli.play.RefereeCommand;
+import steward.cli.play.SceneCommand;
 import steward.cli.play.SimulateCommand;
 import steward.cli.replay.FeedCommand;
 import steward.cli.replay.ImportCommand;
@@ -39,8 +40,8 @@ public final class Main {
 
     private static final int WIDTH = 100;
 
-    private static final List<String> COMMANDS = List.of("match", "replay", "feed", "explain", "demo", "simulate",
-        "import", "key", "referee", "play", "stability", "tradeoff", "bench", CompletionCommand.NAME);
+    private static final List<String> COMMANDS = List.of("match", "replay", "feed", "scene", "explain", "demo",
+        "simulate", "import", "key", "referee", "play", "stability", "tradeoff", "bench", CompletionCommand.NAME);
 
     private Main() {
     }
@@ -121,6 +122,7 @@ public final class Main {
             case "match" -> new MatchCommand(streams);
             case "replay" -> new ReplayCommand(streams);
             case "feed" -> new FeedCommand(streams);
+            case "scene" -> new SceneCommand(streams);
             case "explain" -> new ExplainCommand(streams);
             case "demo" -> new DemoCommand(streams);
             case "simulate" -> new SimulateCommand(streams);

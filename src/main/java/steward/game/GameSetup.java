@@ -1,5 +1,6 @@
 package steward.game;
 
+import java.util.List;
 import java.util.Optional;
 import steward.scene.Plan;
 import steward.scene.Scene;
@@ -12,6 +13,17 @@ public interface GameSetup {
 
     /** The parts that the scene requires, and those left out. */
     Plan plan();
+
+    /**
+     * Looks at the places of the scene against each other, over every start that can be drawn. Not part of reading a
+     * scene, so that a replay of any game that was played can be verified; done where a person names a scene.
+     *
+     * @return warnings, each located as an error would be: what can be played, but hardly as it was meant
+     * @throws steward.scene.json.SceneException if a game that can be drawn cannot begin
+     */
+    default List<String> check() {
+        return List.of();
+    }
 
     /** A game before its first turn. All random draws follow from the seed. */
     Game create(long seed);

@@ -11,6 +11,7 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import steward.scene.json.JsonLimits;
 import steward.scene.json.SceneException;
 import steward.scene.json.Wording;
 
@@ -22,7 +23,6 @@ public final class SceneFiles {
 
     private static final String SUFFIX = ".json";
     /** A million characters are tens of thousands of bumpers; and a replay holds its scene in one line. */
-    private static final int MOST_BYTES = 1 << 20;
 
     private SceneFiles() {
     }
@@ -34,7 +34,7 @@ public final class SceneFiles {
 
     /**
      * @param pathOrName a path to a file; otherwise the name of a shipped scene, with or without {@code .json}
-     * @throws SceneException if there is no such scene, or it cannot be read as UTF-8
+     * @throws SceneException if there is no such scene, it is too long, or cannot be read as UTF-8
      */
     public static SceneText load(String pathOrName) {
         boolean folder = false;
@@ -42,7 +42,7 @@ public final class SceneFiles {
             Path path = Path.of(pathOrName);
             folder = Files.isDirectory(path) && !pathOrName.isEmpty();
             if (Files.exists(path) && !Files.isDirectory(path)) {
-                return new SceneText(decode(read(path, pathOrName), pathOrName), pathOrName,
+                return new SceneText(decode(bytes(path, pathOrName), pathOrName), pathOrName,
                     Optional.of(AccuracyFigures.beside(path)));
             }
         } catch (InvalidPathException e) {
@@ -63,15 +63,29 @@ public final class SceneFiles {
             + (shipped.isEmpty() ? "" : " or " + Wording.choice(name, shipped)));
     }
 
-    private static byte[] read(Path path, String source) throws IOException {
+    /** Reads at most one byte beyond the limit: the size of a pipe is not known before. */
+    private static byte[] bytes(Path path, String source) throws IOException {
         try (InputStream in = Files.newInputStream(path)) {
-            byte[] bytes = in.readNBytes(MOST_BYTES + 1);
-            if (bytes.length > MOST_BYTES) {
-                throw new SceneException(source + ": found a file of more than " + MOST_BYTES
-                    + " bytes, expected a scene, which is shorter");
+            byte[] bytes = in.readNBytes(JsonLimits.BYTES + 1);
+            if (bytes.length > JsonLimits.BYTES) {
+                throw new SceneException(source + ": found a file of more than " + JsonLimits.BYTES
+                    + " bytes, expected a scene of at most " + JsonLimits.BYTES);
             }
             return bytes;
         }
+    }
+
+    /**
+     * A shipped scene, also where a file has its name.
+     *
+     * @throws SceneException if there is none of this name
+     */
+    public static SceneText shipped(String name) {
+        if (!shipped().contains(name)) {
+            throw new SceneException((name.isEmpty() ? "\"\"" : name) + ": found no scene of this name, expected "
+                + Wording.choice(name, shipped()));
+        }
+        return loadShipped(name);
     }
 
     private static SceneText loadShipped(String name) {

@@ -12,13 +12,14 @@ import steward.scene.json.JsonValue.JsonObject;
 import steward.scene.json.JsonValue.JsonText;
 
 /**
- * A key of everything in a scene that decides what happens in its games: all except its name, the time limits and its
- * accuracy. Neither the order of fields nor the notation of numbers matters (1, 1.0, 1e0).
+ * A key of everything in a scene that decides what happens in its games: all except its name, the time limits, its
+ * accuracy and the name of its JSON Schema. Neither the order of fields nor the notation of numbers matters (1, 1.0,
+ * 1e0).
  */
 @Internal
 public final class SceneKey {
 
-    private static final List<String> LEFT_OUT = List.of("name", "time", "accuracy");
+    private static final List<String> LEFT_OUT = List.of(SceneReader.SCHEMA, "name", "time", "accuracy");
 
     private SceneKey() {
     }

@@ -19,6 +19,12 @@ public final class SceneReader {
     /** An hour. */
     private static final int MOST_MS = 3_600_000;
 
+    /** A turn with as many takes seconds; the default bound of a thousand bodies is near it. */
+    private static final int MOST_IMPACTS = 1_000_000;
+
+    /** Names the JSON Schema for editors; stands at the top of a file and means nothing here. */
+    static final String SCHEMA = "$schema";
+
     private SceneReader() {
     }
 
@@ -41,6 +47,9 @@ public final class SceneReader {
      */
     public static Scene read(SceneText text, Accuracy instead) {
         Block root = new Block(text.source(), "", JsonTree.read(text.text(), text.source(), "a scene"));
+        if (root.contains(SCHEMA)) {
+            root.text(SCHEMA);
+        }
         String name = root.text("name");
         if (name.isBlank() || name.chars().anyMatch(Character::isISOControl)) {
             throw root.error("name", root.shown("name"), "a name without control characters");
@@ -74,7 +83,7 @@ public final class SceneReader {
         ScanOrder order = block.choice("scanOrder",
             Map.of("ascending", ScanOrder.ASCENDING, "descending", ScanOrder.DESCENDING), ScanOrder.ASCENDING);
         double pushOut = block.number("pushOut", 0, Block.MAXIMUM, Double.NaN);
-        int maximumImpacts = block.integer("maximumImpactsPerTurn", 1, Integer.MAX_VALUE, 0);
+        int maximumImpacts = block.integer("maximumImpactsPerTurn", 1, MOST_IMPACTS, 0);
         if (minimumImpulse == 0 && !react && (atWalls || !Double.isNaN(deadZone))) {
             throw block.error(atWalls ? "minimumImpulseAtWalls" : "deadZone", "no minimumImpulse to go with it",
                 "a minimumImpulse above 0");

@@ -27,7 +27,7 @@ class MainTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"match", "replay", "feed", "explain", "demo", "simulate", "import", "stability",
+    @ValueSource(strings = {"match", "replay", "feed", "scene", "explain", "demo", "simulate", "import", "stability",
         "completion"})
     void everyCommandHasHelpWithAnExampleAndAVersion(String command) {
         Cli help = Cli.run(command, "--help");

@@ -34,6 +34,10 @@ class SceneErrorsTest {
         """;
 
     private static final String FIELDS = """
+        "radius": 3
+        "radius": "400"
+        6:46: field.bumpers[0].radius: found the text "400", expected a number above 0
+
         "name": "walls"
         "name": 7
         1:11: name: found 7, expected a text
@@ -56,7 +60,7 @@ class SceneErrorsTest {
 
         "players": 2
         "players": "2"
-        1:46: players: found "2", expected a whole number 1..16
+        1:46: players: found the text "2", expected a whole number 1..16
 
         "players": 2
         "players": null
@@ -64,11 +68,11 @@ class SceneErrorsTest {
 
         "width": 16000
         "width": 0
-        2:23: field.width: found 0, expected above 0
+        2:23: field.width: found 0, expected a number above 0
 
         "width": 16000
         "width": 1e999
-        2:23: field.width: found 1e999, expected above 0
+        2:23: field.width: found 1e999, expected a number above 0
 
         "width": 16000
         "width": 1e13
@@ -80,11 +84,11 @@ class SceneErrorsTest {
 
         "width": 16000
         "width": []
-        2:23: field.width: found an empty array, expected above 0
+        2:23: field.width: found an empty array, expected a number above 0
 
         "height": 9000
         "heigth": 9000
-        2:12: field.height: found nothing, expected above 0; the nearest field here is "heigth" in line 2
+        2:12: field.height: found nothing, expected a number above 0; the nearest field here is "heigth" in line 2
 
         "drag": 0.15
         "drag": -0.5
@@ -102,7 +106,7 @@ class SceneErrorsTest {
     private static final String FIELD_BLOCK = """
         "radius": 3
         "radius": -3
-        6:46: field.bumpers[0].radius: found -3, expected above 0
+        6:46: field.bumpers[0].radius: found -3, expected a number above 0
 
         "restitution": 0.5
         "restitution": 1.5
@@ -110,7 +114,7 @@ class SceneErrorsTest {
 
         "radius": 9
         "radius": true
-        5:61: field.walls[2].radius: found true, expected above 0
+        5:61: field.walls[2].radius: found true, expected a number above 0
 
         "type": "arena"
         "type": "arna"
@@ -130,7 +134,7 @@ class SceneErrorsTest {
 
         "ax": 0
         "ax": "left"
-        3:43: field.walls[0].ax: found "left", expected a number -1e12..1e12
+        3:43: field.walls[0].ax: found the text "left", expected a number -1e12..1e12
 
         "bumpers": [ {
         "bumpers": [ 4, {
@@ -167,8 +171,12 @@ class SceneErrorsTest {
         8:41: impacts.minimumImpulseAtWalls: found "yes", expected true or false
 
         PerTurn": 50
+        PerTurn": 1000001
+        8:72: impacts.maximumImpactsPerTurn: found 1000001, expected a whole number 1..1000000
+
+        PerTurn": 50
         PerTurn": 0
-        8:72: impacts.maximumImpactsPerTurn: found 0, expected a whole number 1..2147483647
+        8:72: impacts.maximumImpactsPerTurn: found 0, expected a whole number 1..1000000
         """;
 
     private static final String MOTION = """
@@ -299,12 +307,16 @@ class SceneErrorsTest {
     /** Such an error is located behind what is too much. */
     @Test
     void theParserKeepsItsBounds() {
-        assertEquals("s.json:1:502: found malformed JSON (Document nesting depth (501) exceeds the maximum allowed "
-            + "(500)), expected a scene in JSON",
-            assertThrows(SceneException.class, () -> read("[".repeat(1000))).getMessage());
         assertEquals("s.json:1:2001: found malformed JSON (Number value length (2000) exceeds the maximum allowed "
             + "(1000)), expected a scene in JSON",
             assertThrows(SceneException.class, () -> read("1".repeat(2000))).getMessage());
+    }
+
+    @Test
+    void theNameOfASchemaIsATextForEditors() {
+        read(GOOD.replace("{ \"name\"", "{ \"$schema\": \"scene.json\", \"name\""));
+        assertEquals("s.json:1:14: $schema: found 7, expected a text", assertThrows(SceneException.class,
+            () -> read(GOOD.replace("{ \"name\"", "{ \"$schema\": 7, \"name\""))).getMessage());
     }
 
     private static void read(String text) {

@@ -133,6 +133,15 @@ class SceneFilesTest {
     }
 
     @Test
+    void aFileEndsAtFourMebibytes() throws IOException {
+        Path file = Files.writeString(temp.resolve("long.json"), " ".repeat(4 << 20));
+        assertEquals(4 << 20, SceneFiles.load(file.toString()).text().length());
+        Files.writeString(file, " ".repeat((4 << 20) + 1));
+        assertEquals(file + ": found a file of more than 4194304 bytes, expected a scene of at most 4194304",
+            refused(file.toString()));
+    }
+
+    @Test
     void aByteOrderMarkIsNotPartOfTheText() throws IOException {
         Path file = Files.writeString(temp.resolve("marked.json"), "\ufeff{}");
         assertEquals(new SceneText("{}", file.toString(), Optional.of(temp.resolve("marked.accuracy.json"))),

@@ -18,6 +18,7 @@ import steward.bot.InProcessPlayer;
 import steward.bot.process.BotProcess;
 import steward.bots.BundledBotMatches;
 import steward.bots.Racer;
+import steward.game.GameSetup;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
 import steward.match.Referee;
@@ -51,8 +52,9 @@ class ReadmeTest {
 
     @Test
     void theSceneCanBePlayed() throws IOException {
-        assertEquals("walled-race",
-            TestScenes.TYPES.open(block("docs/scenes.md", "json", 0), "scenes.md").scene().name());
+        GameSetup setup = TestScenes.TYPES.open(block("docs/scenes.md", "json", 0), "scenes.md");
+        assertEquals("walled-race", setup.scene().name());
+        assertEquals(List.of(), setup.check());
     }
 
     @Test

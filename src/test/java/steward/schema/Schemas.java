@@ -14,7 +14,7 @@ import java.util.List;
 /** The JSON Schemas that come with the program. */
 final class Schemas {
 
-    static final List<String> POD_RACE = List.of("setup", "turn", "end", "answer", "replay");
+    static final List<String> POD_RACE = List.of("setup", "turn", "end", "answer", "replay", "scene");
 
     private Schemas() {
     }

@@ -48,7 +48,7 @@ final class CalibrateOptions {
         List<Path> files = new ArrayList<>();
         for (String scene : scenes) {
             // On any rung: the scene may demand an accuracy whose rung only this calibration can determine.
-            GameSetup setup = Games.open(scene, Calibration.PLAYED_ON);
+            GameSetup setup = Games.warn(Games.open(scene, Calibration.PLAYED_ON), streams);
             Path file = file(scene, out);
             if (files.contains(file.toAbsolutePath().normalize())) {
                 throw new InputException("--calibrate: found two scenes for " + file + ", expected one");

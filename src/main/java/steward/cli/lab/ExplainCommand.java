@@ -24,7 +24,8 @@ import steward.text.TextFormat;
 /** {@code steward explain}: what a scene contains, and which parts of the engine it needs. */
 @Command(name = "explain", description = "Prints what a scene says, which parts of the engine it needs and why, and "
     + "what each adds to the time of a turn.",
-    footer = {"", "Example:", "  steward explain walled-race"})
+    footer = {"", "Examples:", "  steward explain walled-race",
+        "  steward explain my-scene.json --json --no-prices"})
 public final class ExplainCommand implements Callable<Integer> {
 
     private static final int WIDTH = 100;
@@ -41,6 +42,9 @@ public final class ExplainCommand implements Callable<Integer> {
     @Option(names = "--no-prices", description = "Do not measure what the parts cost, which takes two seconds.")
     private boolean noPrices;
 
+    @Option(names = "--json", description = "Prints one JSON object instead: parts, accuracy, warnings.")
+    private boolean json;
+
     public ExplainCommand(Streams streams) {
         this.streams = streams;
     }
@@ -48,8 +52,13 @@ public final class ExplainCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         GameSetup setup = accuracy.open(scene);
-        PrintStream out = streams.out();
         PriceList prices = noPrices ? null : PriceList.measure(streams, setup);
+        if (json) {
+            ExplainJson.print(streams, setup, prices);
+            return ExitStatus.DONE;
+        }
+        PrintStream out = streams.out();
+        warnings(out, setup.check());
         out.println("Parts of the engine that " + setup.scene().name() + " needs, and those left out:");
         out.println();
         boolean colours = streams.outTerminal() && Ansi.AUTO.enabled();
@@ -67,6 +76,15 @@ public final class ExplainCommand implements Callable<Integer> {
         out.println();
         settings(out, setup.scene());
         return ExitStatus.DONE;
+    }
+
+    private static void warnings(PrintStream out, List<String> warnings) {
+        for (String warning : warnings) {
+            out.println(TextFormat.wrap("Warning: " + TextFormat.plain(warning), " ", WIDTH, "  "));
+        }
+        if (!warnings.isEmpty()) {
+            out.println();
+        }
     }
 
     private static void settings(PrintStream out, Scene read) {

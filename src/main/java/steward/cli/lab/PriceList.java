@@ -64,6 +64,12 @@ final class PriceList {
         return price == null ? "" : part.in() ? text(price) + " ns" : "(" + text(price) + " ns)";
     }
 
+    /** The price of a part in nanoseconds a turn, {@code NaN} if it has none. */
+    double nanos(Part part) {
+        Price price = byPart.get(part.name());
+        return price == null ? Double.NaN : price.nanos();
+    }
+
     /** A number, or a text that it is below the measurable difference. */
     private static String text(Price price) {
         double least = Math.max(1, price.error());

@@ -12,6 +12,7 @@ import steward.cli.options.ProtocolWord;
 import steward.cli.options.SceneOptions;
 import steward.cli.options.SeedOption;
 import steward.cli.options.TimeLimitOptions;
+import steward.cli.shared.Games;
 import steward.cli.shared.Streams;
 import steward.cli.shared.Verbosity;
 import steward.contest.Contest;
@@ -100,7 +101,7 @@ public final class MatchCommand implements Callable<Integer> {
         check.that(sign == null || out != null || show.isAny(), "--sign: expected --out with it");
         String problem = show.problem(many.isAny());
         check.that(problem == null, problem);
-        Contest contest = Contest.of(scene.open(), bots, ProtocolWord.parse(protocol), factor);
+        Contest contest = Contest.of(Games.warn(scene.open(), streams), bots, ProtocolWord.parse(protocol), factor);
         contest = sign == null ? contest : contest.signedWith(SigningKey.read(OutputFiles.path(sign)));
         long first = seed.orDrawn();
         Path path = out == null ? null : OutputFiles.path(out);

@@ -11,6 +11,7 @@ import steward.cli.options.SceneOptions;
 import steward.cli.options.SeedOption;
 import steward.cli.options.TimeLimitOptions;
 import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Games;
 import steward.cli.shared.Streams;
 import steward.codingame.LeagueAttributes;
 import steward.codingame.LeagueJson;
@@ -64,7 +65,7 @@ public final class PlayCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws InterruptedException {
-        GameSetup setup = scene.open();
+        GameSetup setup = Games.warn(scene.open(), streams);
         int players = setup.scene().players();
         if (bots.size() != players) {
             throw new InputException("found " + TextFormat.count(bots.size(), "bot") + ", expected "

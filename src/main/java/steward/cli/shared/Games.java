@@ -19,13 +19,21 @@ public final class Games {
         return new GameTypes(List.of(new PodRaceType()));
     }
 
-    /** Opens a scene by its path or shipped name. */
+    /** Opens a scene by its path or shipped name. A scene whose games cannot begin is refused. */
     public static GameSetup open(String scene) {
         return open(scene, null);
     }
 
     /** @param accuracy the rung to use, or {@code null} for the scene's own */
     public static GameSetup open(String scene, Accuracy accuracy) {
-        return types().open(SceneReader.read(SceneFiles.load(scene), accuracy));
+        GameSetup setup = types().open(SceneReader.read(SceneFiles.load(scene), accuracy));
+        setup.check();
+        return setup;
+    }
+
+    /** Prints what is odd about a scene; once per call of the program. */
+    public static GameSetup warn(GameSetup setup, Streams streams) {
+        setup.check().forEach(streams::warn);
+        return setup;
     }
 }

@@ -5,7 +5,7 @@ public final class StartPlaces {
 
     /** Distance of the inner start places from checkpoint 0, in u, and of each further pair from the last. */
     private static final double START_OFFSET = 500;
-    private static final double START_SPACING = 1000;
+    static final double START_SPACING = 1000;
 
     private StartPlaces() {
     }
@@ -20,11 +20,16 @@ public final class StartPlaces {
         double length = Math.sqrt(dx * dx + dy * dy);
         double[][] places = new double[pods][];
         for (int pod = 0; pod < pods; pod++) {
-            double offset = START_OFFSET + START_SPACING * (pod / 2);
-            double side = (pod % 2 == 0 ? -offset : offset) + (pods % 2) * START_OFFSET;
+            double side = side(pod, pods);
             places[pod] = new double[] {Math.floor(checkpoints[0][0] - side * dy / length + 0.5),
                 Math.floor(checkpoints[0][1] + side * dx / length + 0.5)};
         }
         return places;
+    }
+
+    /** The offset of one pod of so many, in u; negative to one side of checkpoint 0. */
+    static double side(int pod, int pods) {
+        double offset = START_OFFSET + START_SPACING * (pod / 2);
+        return (pod % 2 == 0 ? -offset : offset) + (pods % 2) * START_OFFSET;
     }
 }

@@ -29,6 +29,8 @@ public final class Block {
     /** The largest length, mass, speed or impulse that a scene may state; see {@link #positive}. */
     public static final double MAXIMUM = 1e12;
 
+    private static final String ABOVE_0 = "a number above 0";
+
     private final String source;
     private final String path;
     private final JsonObject object;
@@ -88,7 +90,7 @@ public final class Block {
 
     /** A number above 0, neither so small nor so large that arithmetic with it could end in infinity: 1e-12..1e12. */
     public double positive(String name) {
-        return sized(name, finite(name, "above 0"), "above 0");
+        return sized(name, finite(name, ABOVE_0), ABOVE_0);
     }
 
     private double sized(String name, double value, String expected) {
@@ -106,7 +108,7 @@ public final class Block {
         if (ask(name) instanceof JsonText text && text.text().equals("infinite")) {
             return Double.POSITIVE_INFINITY;
         }
-        String expected = "above 0 or \"infinite\"";
+        String expected = ABOVE_0 + " or \"infinite\"";
         return sized(name, finite(name, expected), expected);
     }
 
@@ -290,6 +292,9 @@ public final class Block {
             if (Double.isFinite(value)) {
                 return value;
             }
+        }
+        if (ask(name) instanceof JsonText text) {
+            throw error(name, "the text " + text.shown(), expected);
         }
         throw unexpected(name, expected);
     }

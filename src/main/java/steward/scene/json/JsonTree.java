@@ -20,7 +20,7 @@ import tools.jackson.core.ObjectWriteContext;
 import tools.jackson.core.json.JsonFactory;
 import tools.jackson.core.json.JsonWriteFeature;
 
-/** Reads a JSON text to values with their positions, and writes them. */
+/** Reads a JSON text to values with their positions, within {@link JsonLimits}, and writes them. */
 @Internal
 public final class JsonTree {
 
@@ -30,18 +30,21 @@ public final class JsonTree {
     private final String source;
     private final String what;
     private final JsonParser json;
+    private final JsonLimits limits;
+    private int depth;
 
     private JsonTree(String source, String what, JsonParser json) {
         this.source = source;
         this.what = what;
         this.json = json;
+        limits = new JsonLimits(source);
     }
 
     /**
      * @param text   one JSON object
      * @param source names the text in errors
      * @param what   says in errors what the text should be, as in {@code a scene}
-     * @throws SceneException if it is not JSON, not one object, or an object has a field twice
+     * @throws SceneException if it is not JSON, not one object, beyond a limit, or an object has a field twice
      */
     public static JsonObject read(String text, String source, String what) {
         try (JsonParser json = JSON.createParser(ObjectReadContext.empty(), text)) {
@@ -89,21 +92,31 @@ public final class JsonTree {
     /** The value that begins at the current token. */
     private JsonValue value(String path) {
         SourcePosition place = place();
+        limits.value(place, path);
         return switch (json.currentToken()) {
             case START_OBJECT -> object(place, path);
             case START_ARRAY -> array(place, path);
-            case VALUE_STRING -> new JsonValue.JsonText(place, json.getString());
+            case VALUE_STRING -> text(place, path);
             case VALUE_NUMBER_INT, VALUE_NUMBER_FLOAT -> new JsonNumber(place, json.getString());
             default -> new JsonLiteral(place, json.getString());
         };
     }
 
+    private JsonValue.JsonText text(SourcePosition place, String path) {
+        String text = json.getString();
+        limits.text(text, place, path);
+        return new JsonValue.JsonText(place, text);
+    }
+
     private JsonObject object(SourcePosition place, String path) {
+        limits.depth(++depth, place, path);
         Map<String, Entry> entries = new LinkedHashMap<>();
         while (json.nextToken() != JsonToken.END_OBJECT) {
             String name = json.currentName();
             SourcePosition namePlace = place();
+            limits.name(name, namePlace, path);
             String fieldPath = path.isEmpty() ? name : path + "." + name;
+            limits.fields(entries.size() + 1, namePlace, fieldPath);
             if (entries.containsKey(name)) {
                 throw SceneException.at(source, namePlace, fieldPath, "found the field a second time, expected it once "
                     + "(the first is in line " + entries.get(name).place().line() + ")");
@@ -111,14 +124,18 @@ public final class JsonTree {
             json.nextToken();
             entries.put(name, new Entry(namePlace, value(fieldPath)));
         }
+        depth--;
         return new JsonObject(place, entries);
     }
 
     private JsonArray array(SourcePosition place, String path) {
+        limits.depth(++depth, place, path);
         List<JsonValue> values = new ArrayList<>();
         while (json.nextToken() != JsonToken.END_ARRAY) {
+            limits.elements(values.size() + 1, place(), path);
             values.add(value(path + "[" + values.size() + "]"));
         }
+        depth--;
         return new JsonArray(place, values);
     }
 

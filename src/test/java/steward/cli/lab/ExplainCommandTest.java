@@ -4,10 +4,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.cli.Cli;
@@ -16,6 +20,8 @@ import steward.cli.shared.Games;
 import steward.cli.shared.Streams;
 import steward.game.GameSetup;
 import steward.scene.Part;
+import steward.scene.SceneFiles;
+import tools.jackson.databind.JsonNode;
 
 /** {@code steward explain}: the parts of a scene and their prices. */
 class ExplainCommandTest {
@@ -47,6 +53,45 @@ class ExplainCommandTest {
             in   pair impacts       bodies meet, scanOrder descending
             out  walls              no field
             """), cli.out());
+    }
+
+    @Test
+    void forProgramsItIsOneObject() {
+        JsonNode explained = Cli.run("explain", "duel", "--json", "--no-prices").json();
+        assertEquals("duel pod-race 2", explained.get("scene").stringValue() + " "
+            + explained.get("game").stringValue() + " " + explained.get("players").intValue());
+        assertEquals(14, explained.get("parts").size());
+        assertEquals("{\"name\":\"walls\",\"in\":false,\"why\":\"no field\",\"when\":\"physics\"}",
+            explained.get("parts").get(1).toString());
+        assertEquals("{\"rung\":\"event/official\",\"stated\":true,\"why\":\"as the scene says\"}",
+            explained.get("accuracy").toString());
+        assertEquals("[]", explained.get("warnings").toString());
+    }
+
+    @Test
+    void anImpossibleSceneIsRefusedAndAnOddOneWarnedOf(@TempDir Path folder) throws IOException {
+        String walled = SceneFiles.load("walled-race").text();
+        Path odd = Files.writeString(folder.resolve("odd.json"),
+            walled.replace("{ \"x\": 13580, \"y\": 7600 }", "{ \"x\": 16580, \"y\": 7600 }"));
+        String warning = odd + ":23:26: race.maps[0].checkpoints[3]: found a checkpoint that no pod can reach at some "
+            + "jitter: what counts is behind or under the right wall, expected a place nearer than 600 u to where pods "
+            + "can be";
+        Cli cli = Cli.run("explain", odd.toString(), "--json", "--no-prices");
+        assertEquals("", cli.err());
+        assertEquals(warning, cli.json().get("warnings").get(0).stringValue());
+        String text = Cli.run("explain", odd.toString(), "--no-prices").out();
+        assertTrue(text.startsWith("Warning: ") && text.replaceAll("\\s+", " ").contains(warning), text);
+        Cli match = Cli.run("match", "--scene", odd.toString(), "--bot", "builtin:racer", "--bot", "builtin:racer",
+            "--no-deadline", "--quiet");
+        assertTrue(match.err().startsWith("steward: warning: " + warning + "\n"), match.err());
+        assertEquals(match.err().indexOf("warning"), match.err().lastIndexOf("warning"));
+
+        Path impossible = Files.writeString(folder.resolve("impossible.json"),
+            walled.replace("\"perPlayer\": 2", "\"perPlayer\": 8"));
+        Cli refused = Cli.run("explain", impossible.toString());
+        assertEquals(ExitStatus.UNUSABLE, refused.status());
+        assertTrue(refused.err().startsWith("steward: " + impossible
+            + ":22:26: race.maps[0].checkpoints[0]: found pod "), refused.err());
     }
 
     /** Every part has a price, but for the broad phase, which would take work away. */

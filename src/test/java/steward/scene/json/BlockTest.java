@@ -56,20 +56,20 @@ class BlockTest {
         Block block = block("{ 'a': -9e99 }");
         refused("a: found -9e99, expected a number -1.5..1e-5", () -> block.number("a", -1.5, 1e-5));
         refused("a: found -9e99, expected a number of at least 0", () -> block.number("a", 0, INFINITE));
-        refused("a: found -9e99, expected above 0", () -> block.positive("a"));
-        refused("a: found -9e99, expected above 0 or \"infinite\"", () -> block.mass("a"));
+        refused("a: found -9e99, expected a number above 0", () -> block.positive("a"));
+        refused("a: found -9e99, expected a number above 0 or \"infinite\"", () -> block.mass("a"));
         refused("b: found nothing, expected a number of at most 3", () -> block.number("b", -INFINITE, 3));
         refused("b: found nothing, expected a finite number", () -> block.number("b", -INFINITE, INFINITE));
     }
 
     @Test
     void aNumberTooSmallToTellFromZeroIsNotAboveIt() {
-        refused("a: found 1e-999, expected above 0", () -> block("{ 'a': 1e-999 }").positive("a"));
+        refused("a: found 1e-999, expected a number above 0", () -> block("{ 'a': 1e-999 }").positive("a"));
     }
 
     @Test
     void massesAreNoOtherTexts() {
-        refused("a: found \"infinity\", expected above 0 or \"infinite\"",
+        refused("a: found the text \"infinity\", expected a number above 0 or \"infinite\"",
             () -> block("{ 'a': 'infinity' }").mass("a"));
     }
 
@@ -103,7 +103,7 @@ class BlockTest {
         Block nested = block("{ 'maps': [ { 'points': [ { 'x': 1 }, { 'x': 'two' } ] } ] }");
         Block point = nested.blocks("maps").get(0).blocks("points").get(1);
         assertEquals("maps[0].points[1]", point.path());
-        refused("maps[0].points[1].x: found \"two\", expected above 0", () -> point.positive("x"));
+        refused("maps[0].points[1].x: found the text \"two\", expected a number above 0", () -> point.positive("x"));
     }
 
     @Test
@@ -149,10 +149,11 @@ class BlockTest {
     @Test
     void whatIsFoundIsShownShort() {
         Block block = block("{ 'a': '" + "x".repeat(100) + "', 'b': 'tab\\there', 'c': [ 1 ], 'd': {} }");
-        refused("a: found \"" + "x".repeat(60) + "...\", expected above 0", () -> block.positive("a"));
-        refused("b: found \"tab?here\", expected above 0", () -> block.positive("b"));
-        refused("c: found an array, expected above 0", () -> block.positive("c"));
-        refused("d: found an object, expected above 0", () -> block.positive("d"));
+        refused("a: found the text \"" + "x".repeat(60) + "...\", expected a number above 0",
+            () -> block.positive("a"));
+        refused("b: found the text \"tab?here\", expected a number above 0", () -> block.positive("b"));
+        refused("c: found an array, expected a number above 0", () -> block.positive("c"));
+        refused("d: found an object, expected a number above 0", () -> block.positive("d"));
     }
 
     private static void refused(String message, Executable reading) {

@@ -7,6 +7,7 @@ import steward.game.Game;
 import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.TextCodec;
+import steward.game.podrace.PlaceCheck;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodRaceSettings;
 import steward.physics.Arena;
@@ -58,6 +59,11 @@ public final class PodRaceType implements GameType {
      * @param plan     the parts that the scene requires
      */
     public record PodRaceSetup(Scene scene, PodRaceSettings settings, Plan plan) implements GameSetup {
+
+        @Override
+        public List<String> check() {
+            return PlaceCheck.of(scene, settings);
+        }
 
         @Override
         public PodRace create(long seed) {

@@ -1,0 +1,76 @@
+package steward.cli.play;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import steward.cli.options.ShippedScenes;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Games;
+import steward.cli.shared.Streams;
+import steward.game.GameType;
+import steward.scene.SceneFiles;
+import steward.text.TextFormat;
+
+/** {@code steward scene}: the scenes that come with the program, to read and to copy. */
+@Command(name = "scene", description = "Prints a scene that comes with the program; without a name, all names.",
+    footer = {"", "Examples:", "  steward scene", "  steward scene walled-race > my-scene.json",
+        "  steward scene --schema > scene.schema.json"})
+public final class SceneCommand implements Callable<Integer> {
+
+    private final Streams streams;
+
+    @Parameters(index = "0", arity = "0..1", paramLabel = "NAME", completionCandidates = ShippedScenes.class,
+        description = "One of ${COMPLETION-CANDIDATES}.")
+    private String name;
+
+    @Option(names = "--schema", description = "Prints the JSON Schema (2020-12) of scenes instead.")
+    private boolean schema;
+
+    public SceneCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() {
+        if (schema) {
+            String game = name == null ? Games.types().types().get(0).id()
+                : Games.types().open(SceneFiles.shipped(name).text(), name).scene().gameId();
+            streams.out().print(schema(game));
+        } else if (name != null) {
+            streams.out().print(SceneFiles.shipped(name).text());
+        } else {
+            List<String> names = SceneFiles.shipped();
+            int width = names.stream().mapToInt(String::length).max().orElse(0);
+            for (String each : names) {
+                streams.out().println(TextFormat.left(each, width) + "  " + about(each));
+            }
+        }
+        return ExitStatus.DONE;
+    }
+
+    /** What a shipped scene is, in one line; the README says the same. */
+    static String about(String scene) {
+        return switch (scene) {
+            case "mad-pod-racing" -> "the official rules and maps, two players with two pods";
+            case "mad-pod-racing-silver" -> "the same with one pod each and a thrust of at most 100";
+            case "walled-race" -> "the race between walls that bounce, with immovable bumpers";
+            case "duel" -> "one pod each on a small map: over in seconds, good for trying things";
+            default -> throw new IllegalArgumentException(scene);
+        };
+    }
+
+    /** Every {@link GameType} of the program has one among its resources. */
+    private static String schema(String game) {
+        try (InputStream in = SceneCommand.class.getResourceAsStream("/steward/schemas/" + game + "/scene.json")) {
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+        } catch (IOException problem) {
+            throw new UncheckedIOException(problem);
+        }
+    }
+}

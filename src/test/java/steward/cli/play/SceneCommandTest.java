@@ -1,0 +1,58 @@
+package steward.cli.play;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import steward.cli.Cli;
+import steward.cli.shared.ExitStatus;
+import steward.scene.SceneFiles;
+
+/** {@code steward scene}: shipped scenes and the JSON Schema, as they are in the program. */
+class SceneCommandTest {
+
+    @Test
+    void itListsWhatTheReadmeLists() throws IOException {
+        String readme = Files.readString(Path.of("README.md"));
+        List<String> lines = Cli.run("scene").out().lines().toList();
+        assertEquals(SceneFiles.shipped().size(), lines.size());
+        for (String line : lines) {
+            String[] parts = line.split(" {2,}", 2);
+            assertTrue(SceneFiles.shipped().contains(parts[0]), line);
+            assertTrue(readme.contains("| `" + parts[0] + "` | " + parts[1] + " |\n"), line);
+            assertTrue(line.length() <= 100, line);
+        }
+    }
+
+    @Test
+    void itPrintsASceneByteForByte() throws IOException {
+        for (String name : SceneFiles.shipped()) {
+            Cli cli = Cli.run("scene", name);
+            assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+            assertEquals(Files.readString(Path.of("config/scenes", name + ".json")), cli.out());
+        }
+    }
+
+    @Test
+    void itPrintsTheSchema() throws IOException {
+        String schema = Files.readString(Path.of("src/main/resources/steward/schemas/pod-race/scene.json"));
+        assertEquals(schema, Cli.run("scene", "--schema").out());
+        assertEquals(schema, Cli.run("scene", "duel", "--schema").out());
+    }
+
+    @Test
+    void aMisspeltNameSuggestsTheNearest() {
+        for (String[] call : new String[][] {{"scene", "duell"}, {"scene", "duell", "--schema"}}) {
+            Cli cli = Cli.run(call);
+            assertEquals(ExitStatus.UNUSABLE, cli.status());
+            assertEquals("steward: duell: found no scene of this name, expected one of \"duel\", "
+                + "\"mad-pod-racing-silver\", \"mad-pod-racing\", \"walled-race\"; did you mean \"duel\"?\n",
+                cli.err());
+            assertEquals("", cli.out());
+        }
+    }
+}
