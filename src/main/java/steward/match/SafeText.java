@@ -2,6 +2,7 @@ package steward.match;
 
 import java.nio.charset.StandardCharsets;
 import steward.Internal;
+import steward.text.TextFormat;
 
 /** Makes texts from players safe to print on a terminal and to store in a replay. */
 @Internal
@@ -16,15 +17,20 @@ public final class SafeText {
     private SafeText() {
     }
 
-    /** The beginning of a line, with control characters replaced by question marks. */
+    /** The beginning of a line, with question marks for characters that steer a terminal or reorder the text. */
     public static String line(byte[] bytes, int length) {
-        String line = new String(bytes, 0, Math.min(length, BYTES_PER_CHARACTER * MOST), StandardCharsets.UTF_8)
-            .replaceAll("\\p{Cntrl}", "?");
+        String line = printable(new String(bytes, 0, Math.min(length, BYTES_PER_CHARACTER * MOST), StandardCharsets.UTF_8));
         if (line.length() <= MOST) {
             return line;
         }
         int end = Character.isHighSurrogate(line.charAt(MOST - 1)) ? MOST - 1 : MOST;
         return line.substring(0, end) + "...";
+    }
+
+    private static String printable(String line) {
+        StringBuilder text = new StringBuilder(line.length());
+        line.chars().forEach(c -> text.append(TextFormat.isUnsafe((char) c) ? '?' : (char) c));
+        return text.toString();
     }
 
     /**
