@@ -11,7 +11,8 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import steward.cli.shared.ExitStatus;
 import steward.scene.SceneFiles;
 
@@ -27,15 +28,8 @@ class MainTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"match", "replay", "feed", "explain", "demo", "simulate", "import", "stability",
-        "completion"})
-    void everyCommandHasHelpWithAnExampleAndAVersion(String command) {
-        Cli help = Cli.run(command, "--help");
-        assertEquals(ExitStatus.DONE, help.status());
-        assertTrue(help.out().contains("Usage: steward " + command), help.out());
-        int example = help.out().indexOf("\nExample");
-        assertTrue(example > 0 && help.out().indexOf("steward " + command, example) > 0, help.out());
-        assertTrue(help.out().lines().allMatch(line -> line.length() <= 100), help.out());
+    @MethodSource("steward.cli.Main#commands")
+    void everyCommandIsListedAndHasAVersion(String command) {
         assertEquals(ExitStatus.DONE, Cli.run(command, "--version").status());
         assertTrue(Cli.run("--help").out().contains("  " + command + " "));
     }
@@ -63,10 +57,28 @@ class MainTest {
 
     @Test
     void misspeltWordsSuggestTheNearest() {
-        assertTrue(Cli.run("mach").err().contains("steward match"));
+        assertTrue(Cli.run("mach").err().contains("did you mean 'match'?"));
+        assertEquals("steward: unknown command 'mtach'; did you mean 'match'?\nTry 'steward --help'.\n",
+            Cli.run("mtach").err());
+        assertEquals("steward: unknown option '--bto'; did you mean '--bot'?\nTry 'steward match --help'.\n",
+            Cli.run("match", "--bto", "x").err());
+        assertEquals("steward: 'verify': found more than steward replay takes; did you mean '--verify'?\n"
+            + "Try 'steward replay --help'.\n", Cli.run("replay", "x", "verify").err());
         assertTrue(Cli.run("replay", "x", "--verfy").err().contains("--verify"));
         assertEquals(ExitStatus.UNUSABLE, Cli.run("mach").status());
         assertEquals(ExitStatus.UNUSABLE, Cli.run("replay", "x", "--verfy").status());
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = ';', value = {"match --bot sh --bot sh --out=; --out: found an empty text, expected FILE",
+        "match --scene=; --scene: found an empty text, expected FILE|NAME",
+        "replay x --view=; --view: found an empty text, expected HTML",
+        "bench --out=; --out: found an empty text, expected DIR",
+        "import x --out=; --out: found an empty text, expected REPLAY"})
+    void anEmptyValueIsRefused(String call, String message) {
+        Cli cli = Cli.run(call.split(" "));
+        assertEquals(ExitStatus.UNUSABLE, cli.status());
+        assertTrue(cli.err().startsWith("steward: " + message + "\n"), cli.err());
     }
 
     @Test

@@ -40,7 +40,7 @@ public final class DemoCommand implements Callable<Integer> {
         description = "Where the replay goes; replaced if it exists (default: ${DEFAULT-VALUE}).")
     private String out;
 
-    @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "Default: ${DEFAULT-VALUE}.")
+    @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "Draws the race by this number (default: ${DEFAULT-VALUE}).")
     private long seed;
 
     @Mixin

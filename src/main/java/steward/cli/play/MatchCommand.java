@@ -70,28 +70,28 @@ public final class MatchCommand implements Callable<Integer> {
     private Long seed;
 
     @Option(names = "--out", paramLabel = "FILE",
-        description = "Write the replay to this file; with --games or --swap, one for each game into this folder.")
+        description = "Writes the replay to this file; with --games or --swap, one for each game into this folder.")
     private String out;
 
-    @Option(names = "--overwrite", description = "Replace replays and pages that exist.")
+    @Option(names = "--overwrite", description = "Replaces replays and pages that exist.")
     private boolean overwrite;
 
     @Mixin
     private final DisplayOptions show = new DisplayOptions();
 
-    @Option(names = "--quiet", description = "Print only the line of the result.")
+    @Option(names = "--quiet", description = "Prints only the line of the result.")
     private boolean quiet;
 
-    @Option(names = "--json", description = "Print one JSON object and nothing else.")
+    @Option(names = "--json", description = "Prints one JSON object and nothing else.")
     private boolean json;
 
-    @Option(names = "--strict", description = "Exit with status 1 if a bot fails.")
+    @Option(names = "--strict", description = "Exits with status 1 if a bot fails.")
     private boolean strict;
 
-    @Option(names = "--time-factor", paramLabel = "X", description = "Multiply the scene's time limits.")
+    @Option(names = "--time-factor", paramLabel = "X", description = "Multiplies the scene's time limits.")
     private Double timeFactor;
 
-    @Option(names = "--no-deadline", description = "Wait for answers without end.")
+    @Option(names = "--no-deadline", description = "Waits for answers without end.")
     private boolean noDeadline;
 
     @Mixin

@@ -166,7 +166,7 @@ final class TurnTable {
         if (result == null) {
             out.println("no result after " + TextFormat.count(turns, "turn"));
         } else {
-            MatchText.print(out, scene(), replay.header().seed(), result);
+            MatchText.print(out, streams.outColour(), scene(), replay.header().seed(), result, List.of());
         }
         out.println(TextFormat.count(impacts, "impact") + " in all");
     }

@@ -10,7 +10,7 @@ import steward.scene.Accuracy;
 public final class AccuracyOption {
 
     @Option(names = "--accuracy", paramLabel = "RUNG", converter = Rung.class,
-        description = "Compute the scene on this rung in place of its own: step/1 to step/1024, the cheapest first, or "
+        description = "Computes the scene on this rung in place of its own: step/1 to step/1024, the cheapest first, or "
             + "official, double, compensated, exact (event/exact is the same). A replay holds it.")
     private Accuracy accuracy;
 

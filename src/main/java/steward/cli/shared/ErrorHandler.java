@@ -1,7 +1,5 @@
 package steward.cli.shared;
 
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.io.UncheckedIOException;
 import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
@@ -27,10 +25,7 @@ public final class ErrorHandler implements IParameterExceptionHandler, IExecutio
     @Override
     public int handleParseException(ParameterException problem, String[] arguments) {
         CommandLine command = problem.getCommandLine();
-        say(problem.getMessage());
-        StringWriter suggestions = new StringWriter();
-        UnmatchedArgumentException.printSuggestions(problem, new PrintWriter(suggestions, true));
-        streams.err().print(suggestions);
+        say(problem instanceof UnmatchedArgumentException unknown ? UnknownWord.message(unknown) : problem.getMessage());
         streams.err().println("Try '" + command.getCommandSpec().qualifiedName() + " --help'.");
         return ExitStatus.UNUSABLE;
     }
@@ -57,6 +52,6 @@ public final class ErrorHandler implements IParameterExceptionHandler, IExecutio
     }
 
     private void say(String message) {
-        streams.err().println("steward: " + TextFormat.plain(message));
+        streams.err().println(streams.errColour().bad("steward:") + " " + TextFormat.plain(message));
     }
 }

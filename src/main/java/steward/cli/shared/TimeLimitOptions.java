@@ -7,10 +7,10 @@ import picocli.CommandLine.ParameterException;
 /** The options that change a scene's time limits. */
 public final class TimeLimitOptions {
 
-    @Option(names = "--time-factor", paramLabel = "X", description = "Multiply the scene's time limits.")
+    @Option(names = "--time-factor", paramLabel = "X", description = "Multiplies the scene's time limits.")
     private Double timeFactor;
 
-    @Option(names = "--no-deadline", description = "Wait for answers without end.")
+    @Option(names = "--no-deadline", description = "Waits for answers without end.")
     private boolean noDeadline;
 
     /** By what the limits are multiplied; {@code POSITIVE_INFINITY} for none. */

@@ -104,7 +104,7 @@ class ImportCommandTest {
         assertEquals("verified: 33 turns\n", replay("--verify").out());
         String table = replay().out();
         assertTrue(table.contains("player 1 failed: no answer in the recording"), table);
-        assertTrue(table.contains("player 0 wins: all others are out, 33 turns"), table);
+        assertTrue(table.contains("player 0 wins: the other player is out, 33 turns"), table);
         for (int turn : List.of(1, 5, 10, SKETCHED)) {
             assertTrue(replay("--turn", Integer.toString(turn)).out().startsWith("turn " + turn + "\n"));
         }
