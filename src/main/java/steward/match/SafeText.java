@@ -19,12 +19,8 @@ public final class SafeText {
 
     /** The beginning of a line, with question marks for characters that steer a terminal or reorder the text. */
     public static String line(byte[] bytes, int length) {
-        String line = printable(new String(bytes, 0, Math.min(length, BYTES_PER_CHARACTER * MOST), StandardCharsets.UTF_8));
-        if (line.length() <= MOST) {
-            return line;
-        }
-        int end = Character.isHighSurrogate(line.charAt(MOST - 1)) ? MOST - 1 : MOST;
-        return line.substring(0, end) + "...";
+        String line = new String(bytes, 0, Math.min(length, BYTES_PER_CHARACTER * MOST), StandardCharsets.UTF_8);
+        return TextFormat.beginning(printable(line), MOST);
     }
 
     private static String printable(String line) {

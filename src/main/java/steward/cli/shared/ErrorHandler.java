@@ -26,6 +26,10 @@ public final class ErrorHandler implements IParameterExceptionHandler, IExecutio
     public int handleParseException(ParameterException problem, String[] arguments) {
         CommandLine command = problem.getCommandLine();
         say(problem instanceof UnmatchedArgumentException unknown ? UnknownWord.message(unknown) : problem.getMessage());
+        return pointToHelp(command);
+    }
+
+    private int pointToHelp(CommandLine command) {
         streams.err().println("Try '" + command.getCommandSpec().qualifiedName() + " --help'.");
         return ExitStatus.UNUSABLE;
     }
@@ -33,6 +37,10 @@ public final class ErrorHandler implements IParameterExceptionHandler, IExecutio
     @Override
     public int handleExecutionException(Exception problem, CommandLine command, ParseResult parsed) {
         streams.out().flush();
+        if (problem instanceof CallException) {
+            say(problem.getMessage());
+            return pointToHelp(command);
+        }
         if (problem instanceof InputException || problem instanceof SceneException
             || problem instanceof ReplayException || problem instanceof UncheckedIOException) {
             say(problem.getMessage());
