@@ -17,7 +17,7 @@ class HelpTest {
 
     /** Options that are said to do something use the third person ("Writes"); these begin the others. */
     private static final Set<String> OTHER_BEGINNINGS = Set.of("The", "A", "Which", "Where", "What", "How", "Up", "Only",
-        "With", "Few", "Instead:", "seed=N:", "In", "On", "Also", "Player");
+        "With", "Few", "Instead:", "seed=N:", "In", "On", "Also", "Player", "Accepted");
 
     static List<String> commands() {
         return Main.commands();
@@ -43,15 +43,23 @@ class HelpTest {
     @MethodSource("commands")
     void optionsAreDescribedInTheThirdPerson(String command) {
         List<String> wrong = new ArrayList<>();
-        for (OptionSpec option : Main.specOf(command).options()) {
+        for (OptionSpec option : Main.specOf(command).options().stream().filter(each -> !each.hidden()).toList()) {
             String first = String.join(" ", option.description()).split(" ")[0].replaceAll("[,.]$", "");
-            if (!first.endsWith("s") && !OTHER_BEGINNINGS.contains(first)) {
+            if (!first.isEmpty() && !first.endsWith("s") && !OTHER_BEGINNINGS.contains(first)) {
                 wrong.add(option.longestName() + ": " + first);
             }
         }
         assertEquals(List.of(), wrong);
         String about = String.join(" ", Main.specOf(command).usageMessage().description());
-        assertTrue(about.split(" ")[0].endsWith("s"), about);
+        assertTrue(about.split("[ ,]")[0].endsWith("s"), about);
+    }
+
+    @ParameterizedTest
+    @MethodSource("commands")
+    void footersAreNotBrokenInTheMiddleOfALine(String command) {
+        for (String line : Main.specOf(command).usageMessage().footer()) {
+            assertTrue(line.replace("%%", "%").length() <= 80, line);
+        }
     }
 
     @Test

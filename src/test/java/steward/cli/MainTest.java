@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -94,7 +95,10 @@ class MainTest {
         assertEquals(ExitStatus.DONE, cli.status());
         Path script = Files.writeString(folder.resolve("completion"), cli.out());
         assertEquals(0, new ProcessBuilder("/bin/bash", "-n", script.toString()).inheritIO().start().waitFor());
-        assertTrue(cli.out().contains("--no-deadline") && cli.out().contains("mad-pod-racing"), cli.out());
+        for (String word : List.of("--no-deadline", "mad-pod-racing", "builtin:veteran", "codingame", "compensated",
+            "crowd of 1000, 10%", "crowds", "dense-box", "failed", "python")) {
+            assertTrue(cli.out().contains(word), word);
+        }
     }
 
     @Test

@@ -25,6 +25,10 @@ import steward.text.TextFormat;
 /** {@code steward replay}: looks at a recorded match, or plays it again and compares. */
 @Command(name = "replay", description = "Prints a recorded match turn by turn, or plays it again and compares.",
     footer = {"", "A file that was cut off is read up to the cut.",
+        "", "--json: scene, game, seed, turns, impacts, ending, winner, players, warning;",
+        "with --turn: turn, commands, faults, messages, stderr, outcome as recorded",
+        "(angles in radians); with --impacts: turns (turn, impacts); with --verify: verified,",
+        "turns, difference (turn, field, recorded, found) or null, warning.",
         "", "Examples:",
         "  steward replay match.jsonl --from 10 --to 20",
         "  steward replay match.jsonl --turn 57",
@@ -78,6 +82,10 @@ public final class ReplayCommand implements Callable<Integer> {
     @Option(names = "--quiet", description = "Prints only the summary; with --verify, only a difference.")
     private boolean quiet;
 
+    @Option(names = "--json", description = "Prints one JSON object instead: the summary, a turn, impacts or the "
+        + "verification; see below.")
+    private boolean json;
+
     public ReplayCommand(Streams streams) {
         this.streams = streams;
     }
@@ -96,6 +104,10 @@ public final class ReplayCommand implements Callable<Integer> {
             }
             if (replay.header() == null) {
                 streams.warn(replay.warning());
+                return ExitStatus.DONE;
+            }
+            if (json) {
+                printJson(replay);
                 return ExitStatus.DONE;
             }
             if (frames) {
@@ -137,6 +149,8 @@ public final class ReplayCommand implements Callable<Integer> {
             + "with them");
         check.that(!overwrite || view != null, "--overwrite: expected --view with it");
         check.that(!quiet || !frames && !impacts && turn == null, "--quiet is for the summary and --verify");
+        check.that(!json || !frames && !quiet && !open && view == null && (impacts || from == null && to == null),
+            "--json is for the summary, --turn, --impacts and --verify");
     }
 
     /** Opens a replay. */
@@ -182,17 +196,33 @@ public final class ReplayCommand implements Callable<Integer> {
         return ExitStatus.DONE;
     }
 
+    private void printJson(ReplayReader replay) {
+        ReplayJson object = new ReplayJson(streams, replay);
+        if (impacts) {
+            object.impacts(turn != null ? turn : from != null ? from : 0,
+                turn != null ? turn : to != null ? to : Integer.MAX_VALUE);
+        } else if (turn != null) {
+            object.turn(turn);
+        } else {
+            object.summary();
+        }
+    }
+
     private int verify(ReplayReader replay) {
         Verification verification = Verification.of(replay, Games.types());
+        if (json) {
+            new ReplayJson(streams, replay).verification(verification);
+            return verification.verified() ? ExitStatus.DONE : ExitStatus.FAILED;
+        }
         if (verification.warning() != null) {
             streams.warn(verification.warning());
         }
         if (!verification.verified()) {
-            streams.out().println("differs: " + TextFormat.plain(verification.difference().toString()));
+            streams.out().println(streams.outColour().bad("differs:") + " " + TextFormat.plain(verification.difference().toString()));
             return ExitStatus.FAILED;
         }
         if (!quiet) {
-            streams.out().println("verified: " + TextFormat.count(verification.turns(), "turn"));
+            streams.out().println(streams.outColour().good("verified:") + " " + TextFormat.count(verification.turns(), "turn"));
         }
         return ExitStatus.DONE;
     }
