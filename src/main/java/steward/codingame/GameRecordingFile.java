@@ -88,7 +88,7 @@ final class GameRecordingFile {
             return frames.isArray() ? "an array \"frames\" without any" : "\"frames\" that is no array";
         }
         if (!result.isObject()) {
-            return "no frames: " + (result.isArray() ? "the file is an array" : "the file is " + JsonProblem.kind(result.asToken()));
+            return "no frames: " + "the file is " + JsonProblem.kind(result.asToken());
         }
         return "no frames" + (result.isEmpty() ? "" : result.propertyNames().stream().limit(MOST_NAMES)
             .collect(Collectors.joining(", ", ": the object has ", "")));

@@ -132,7 +132,8 @@ public final class JsonLine {
             in.nextToken();
             for (JsonToken token = in.nextToken(); token != JsonToken.END_ARRAY; token = in.nextToken()) {
                 if (token != JsonToken.VALUE_STRING && token != JsonToken.VALUE_NULL) {
-                    throw new ReplayException(where + ": " + name + "[" + texts.size() + "]: found " + JsonProblem.kind(token)
+                    throw new ReplayException(where + ": " + name + "[" + texts.size() + "]: found "
+                        + JsonProblem.kind(token)
                         + ", expected a string or null");
                 }
                 texts.add(token == JsonToken.VALUE_NULL ? null : in.getString());
@@ -161,7 +162,8 @@ public final class JsonLine {
                 texts.add(text);
             }
             if (in.currentToken() != JsonToken.END_ARRAY) {
-                throw new ReplayException(where + ": " + name + "[" + texts.size() + "]: found " + JsonProblem.kind(in.currentToken())
+                throw new ReplayException(where + ": " + name + "[" + texts.size() + "]: found "
+                    + JsonProblem.kind(in.currentToken())
                     + ", expected an object");
             }
         }

@@ -16,8 +16,8 @@ import steward.cli.shared.ExitStatus;
 class HelpTest {
 
     /** Options that are said to do something use the third person ("Writes"); these begin the others. */
-    private static final Set<String> OTHER_BEGINNINGS = Set.of("The", "A", "Which", "Where", "What", "How", "Up", "Only",
-        "With", "Few", "Instead:", "seed=N:", "In", "On", "Also", "Player", "Accepted");
+    private static final Set<String> OTHER_BEGINNINGS = Set.of("The", "A", "Which", "Where", "What", "How", "Up",
+        "Only", "With", "Few", "Instead:", "seed=N:", "In", "On", "Also", "Player", "Accepted");
 
     static List<String> commands() {
         return Main.commands();

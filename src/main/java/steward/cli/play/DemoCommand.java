@@ -43,7 +43,8 @@ public final class DemoCommand implements Callable<Integer> {
             + "Steward's own sources build/demo.jsonl).")
     private String out;
 
-    @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "Draws the race by this number (default: ${DEFAULT-VALUE}).")
+    @Option(names = "--seed", paramLabel = "N", defaultValue = "1",
+        description = "Draws the race by this number (default: ${DEFAULT-VALUE}).")
     private long seed;
 
     @Mixin
@@ -60,7 +61,8 @@ public final class DemoCommand implements Callable<Integer> {
         makeFolder(file);
         streams.out().println("steward match --scene " + SCENE + " --bot " + BOTS.get(0) + " --bot " + BOTS.get(1)
             + " --seed " + seed + accuracy.words() + " \\");
-        streams.out().println("    --time-factor " + TIME_FACTOR + " --out " + CommandLine.quote(List.of(file.toString()))
+        streams.out().println("    --time-factor " + TIME_FACTOR + " --out "
+            + CommandLine.quote(List.of(file.toString()))
             + " --overwrite");
         streams.out().println();
         streams.out().flush();
@@ -72,7 +74,8 @@ public final class DemoCommand implements Callable<Integer> {
                 streams.out().println(streams.outColour().bad("differs:") + " " + verification.difference());
                 return ExitStatus.FAILED;
             }
-            streams.out().println(streams.outColour().good("verified:") + " " + TextFormat.count(verification.turns(), "turn")
+            streams.out().println(streams.outColour().good("verified:") + " "
+                + TextFormat.count(verification.turns(), "turn")
                 + " played again, every one the same to the last bit");
         }
         streams.out().println();

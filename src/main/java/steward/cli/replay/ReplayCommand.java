@@ -27,8 +27,8 @@ import steward.text.TextFormat;
     footer = {"", "A file that was cut off is read up to the cut.",
         "", "--json: scene, game, seed, turns, impacts, ending, winner, players, warning;",
         "with --turn: turn, commands, faults, messages, stderr, outcome as recorded",
-        "(angles in radians); with --impacts: turns (turn, impacts); with --verify: verified,",
-        "turns, difference (turn, field, recorded, found) or null, warning.",
+        "(angles in radians); with --impacts: turns (turn, impacts); with --verify:",
+        "verified, turns, difference (turn, field, recorded, found) or null, warning.",
         "", "Examples:",
         "  steward replay match.jsonl --from 10 --to 20",
         "  steward replay match.jsonl --turn 57",
@@ -218,11 +218,13 @@ public final class ReplayCommand implements Callable<Integer> {
             streams.warn(verification.warning());
         }
         if (!verification.verified()) {
-            streams.out().println(streams.outColour().bad("differs:") + " " + TextFormat.plain(verification.difference().toString()));
+            streams.out().println(streams.outColour().bad("differs:") + " "
+                + TextFormat.plain(verification.difference().toString()));
             return ExitStatus.FAILED;
         }
         if (!quiet) {
-            streams.out().println(streams.outColour().good("verified:") + " " + TextFormat.count(verification.turns(), "turn"));
+            streams.out().println(streams.outColour().good("verified:") + " "
+                + TextFormat.count(verification.turns(), "turn"));
         }
         return ExitStatus.DONE;
     }

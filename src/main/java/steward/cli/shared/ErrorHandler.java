@@ -25,7 +25,8 @@ public final class ErrorHandler implements IParameterExceptionHandler, IExecutio
     @Override
     public int handleParseException(ParameterException problem, String[] arguments) {
         CommandLine command = problem.getCommandLine();
-        say(problem instanceof UnmatchedArgumentException unknown ? UnknownWord.message(unknown) : problem.getMessage());
+        say(problem instanceof UnmatchedArgumentException unknown ? UnknownWord.message(unknown)
+            : problem.getMessage());
         return pointToHelp(command);
     }
 

@@ -15,8 +15,9 @@ public final class JsonProblem {
     private static final String VALUE = "expected a value: a text in double quotes, a number, an object, an array, "
         + "true, false or null";
     private static final String NUMBER = "found a number that is not finite, expected digits";
-    private static final String ESCAPE = "expected one of \\\\\" \\\\\\\\ \\\\/ \\\\b \\\\f \\\\n \\\\r \\\\t or \\\\u with "
-        + "four hexadecimal digits";
+    private static final String ESCAPE = "expected one of \\\\\" \\\\\\\\ \\\\/ \\\\b \\\\f \\\\n \\\\r \\\\t or "
+        + "\\\\u with four hexadecimal digits";
+    private static final String BYTES = "found bytes that are not UTF-8, expected UTF-8";
     /** A character that the parser quotes, and its code. */
     private static final String CHARACTER = "Unexpected character \\((.+?) \\(code \\d+[^)]*\\)\\)";
 
@@ -57,8 +58,8 @@ public final class JsonProblem {
             + "expected a closing double quote, or an escape such as \\\\n"),
         Translation.of("Illegal character", "found a control character, expected JSON"),
         Translation.of("Unrecognized character escape ('.*')", "found $1 after \\\\, " + ESCAPE),
-        Translation.of("Invalid UTF-", "found bytes that are not UTF-8, expected UTF-8"),
-        Translation.of("Invalid UTF|Unsupported UCS|Invalid character", "found bytes that are not UTF-8, expected UTF-8"),
+        Translation.of("Invalid UTF-", BYTES),
+        Translation.of("Invalid UTF|Unsupported UCS|Invalid character", BYTES),
         Translation.of("Document nesting depth \\((\\d+)\\).*?\\((\\d+)",
             "found objects and arrays $1 deep, expected at most $2"),
         Translation.of("Number value length \\((\\d+)\\).*?\\((\\d+)",

@@ -69,7 +69,8 @@ class MatchCommandTest {
     @Test
     void aSeedIsDrawnAndPrinted() {
         Cli cli = duel("--quiet");
-        assertTrue(cli.out().matches("near wins: the other player is out, 50 turns \\(duel, seed \\d+\\)\n"), cli.out());
+        assertTrue(cli.out().matches("near wins: the other player is out, 50 turns \\(duel, seed \\d+\\)\n"),
+            cli.out());
     }
 
     @Test

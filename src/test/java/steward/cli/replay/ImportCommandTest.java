@@ -178,11 +178,11 @@ class ImportCommandTest {
         refused("--out", "import", file);
         refused("--out", "import", file, "--out");
         refused("FILE", "import", "--out", replay.toString());
-        refused("Unmatched argument", "import", file, file, "--out", replay.toString());
+        refused("found more than steward import takes", "import", file, file, "--out", replay.toString());
         refused("found the recording itself", "import", file, "--out", file, "--overwrite");
         refused("there is no folder", "import", file, "--out", folder + "/no/game.jsonl");
-        refused("Unknown option", "import", file, "--out", replay.toString(), "--seed");
-        refused("Unmatched argument", "simulate", "tests.txt");
+        refused("unknown option", "import", file, "--out", replay.toString(), "--seed");
+        refused("found more than steward simulate takes", "simulate", "tests.txt");
         assertFalse(Files.exists(replay));
     }
 }

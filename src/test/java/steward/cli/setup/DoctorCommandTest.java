@@ -41,7 +41,8 @@ class DoctorCommandTest {
 
     @Test
     void aTrialTellsWhatAProgramSays() throws InterruptedException {
-        assertEquals(new ProgramTrial(3, "hello"), ProgramTrial.of(List.of("sh", "-c", "echo; echo hello; exit 3"), 9000));
+        assertEquals(new ProgramTrial(3, "hello"),
+            ProgramTrial.of(List.of("sh", "-c", "echo; echo hello; exit 3"), 9000));
         assertEquals(-1, ProgramTrial.of(List.of("sh", "-c", "sleep 9"), 50).status());
         assertFalse(ProgramTrial.of(List.of("no-such-program"), 9000).works());
     }

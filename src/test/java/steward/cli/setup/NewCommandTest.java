@@ -78,7 +78,8 @@ class NewCommandTest {
 
     @Test
     void anUnknownLanguageNamesTheNearest() {
-        assertEquals("steward: LANGUAGE: found 'pyhton', expected one of python, java, cpp, js; did you mean 'python'?\n",
+        assertEquals("steward: LANGUAGE: found 'pyhton', expected one of python, java, cpp, js; did you mean "
+            + "'python'?\n",
             Cli.run("new", "pyhton", folder.toString()).err());
     }
 

@@ -21,12 +21,16 @@ class JsonProblemTest {
 
     private static final JsonFactory FACTORY = new JsonFactory();
     private static final List<String> FOREIGN = List.of("Source", "Feature", "FEATURE", "(code", "token", "marker",
-        "VALUE_", "START_", "start-object", "Object", "Array", "Constraints", "Unexpected", "Invalid", "what is not JSON");
+        "VALUE_", "START_", "start-object", "Object", "Array", "Constraints", "Unexpected", "Invalid",
+        "what is not JSON");
 
     static Stream<byte[]> broken() {
-        Stream<String> texts = Stream.of("{", "[1,2", "{\"a\":", "{\"a", "{\"a\":\"b", "{\"a\":\"\\", "{\"a\":\"\\u12", "tru",
-            "{\"a\": }", "{\"a\":1 \"b\":2}", "[1 2]", "{\"a\" 1}", "{\"a\":1,}", "[1,]", "[,]", "{,}", "{a:1}", "{'a':1}",
-            "{/*c*/}", "{\"a\":1 // c\n}", "{#c\n}", "{\"a\":01}", "{\"a\":-01}", "{\"a\":+1}", "{\"a\":.5}", "{\"a\":1.}",
+        Stream<String> texts = Stream.of("{", "[1,2", "{\"a\":", "{\"a", "{\"a\":\"b", "{\"a\":\"\\", "{\"a\":\"\\u12",
+            "tru",
+            "{\"a\": }", "{\"a\":1 \"b\":2}", "[1 2]", "{\"a\" 1}", "{\"a\":1,}", "[1,]", "[,]", "{,}", "{a:1}",
+            "{'a':1}",
+            "{/*c*/}", "{\"a\":1 // c\n}", "{#c\n}", "{\"a\":01}", "{\"a\":-01}", "{\"a\":+1}", "{\"a\":.5}",
+            "{\"a\":1.}",
             "{\"a\":1e}", "{\"a\":-}", "{\"a\":-x}", "{\"a\":1x}", "{\"a\":NaN}", "{\"a\":INF}", "{\"a\":-Infinity}",
             "{\"a\":nul}", "xyz", "ä", "]", "{\"a\":1]", "[1}", "{}}", "{\"a\":\"b\tc\"}", "{\"a\":\"b\nc\"}",
             "{\"a\":\"\\q\"}", "{\"a\":\"\\u12\"}", "\u0001", "\uFEFF\uFEFF{}", "[".repeat(600), "9".repeat(1200),
@@ -40,7 +44,8 @@ class JsonProblemTest {
     @ParameterizedTest
     @MethodSource("broken")
     void aProblemIsSaidInOurWords(byte[] json) {
-        ours(assertThrows(JacksonException.class, () -> readAll(FACTORY.createParser(ObjectReadContext.empty(), json))));
+        ours(assertThrows(JacksonException.class,
+            () -> readAll(FACTORY.createParser(ObjectReadContext.empty(), json))));
         String text = new String(json, StandardCharsets.UTF_8);
         try (JsonParser parser = FACTORY.createParser(ObjectReadContext.empty(), text)) {
             readAll(parser);
@@ -71,7 +76,8 @@ class JsonProblemTest {
         [1}          | found '}', expected ']'
         {"a":+1}     | found a number with a plus sign, expected one without
         {"a":1.}     | found '}' after a decimal point, expected a digit
-        {"a":"\\q"}  | found 'q' after \\, expected one of \\" \\\\ \\/ \\b \\f \\n \\r \\t or \\u with four hexadecimal digits
+        {"a":"\\q"}  | found 'q' after \\, expected one of \\" \\\\ \\/ \\b \\f \\n \\r \\t or \\u with \
+        four hexadecimal digits
         {"a":/**/1}  | found '/', perhaps a comment; JSON has none
         """)
     void theWordsSayWhatWasExpected(String json, String message) {
