@@ -20,6 +20,9 @@ import steward.cli.replay.FeedCommand;
 import steward.cli.replay.ImportCommand;
 import steward.cli.replay.KeyCommand;
 import steward.cli.replay.ReplayCommand;
+import steward.cli.setup.DoctorCommand;
+import steward.cli.setup.NewCommand;
+import steward.cli.shared.EmptyValues;
 import steward.cli.shared.ErrorHandler;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.NumberConverter;
@@ -31,6 +34,7 @@ import steward.cli.shared.Streams;
     description = "Referees matches between bot programs in games with exact physics.",
     footer = {"", "Examples:",
         "  steward demo",
+        "  steward new python mybot",
         "  steward match --bot builtin:veteran --bot 'python3 bot.py' --out match.jsonl",
         "  steward replay match.jsonl --verify"})
 public final class Main {
@@ -38,10 +42,14 @@ public final class Main {
     /** An option that passes a whole command line as one argument. */
     private static final String WHOLE = "--cli";
 
-    private static final int WIDTH = 100;
+    private static final int WIDTH = 80;
 
     private static final List<String> COMMANDS = List.of("match", "replay", "feed", "scene", "explain", "demo",
-        "simulate", "import", "key", "referee", "play", "stability", "tradeoff", "bench", CompletionCommand.NAME);
+        "simulate", "import", "key", "referee", "play", "stability", "tradeoff", "bench", "new", "doctor",
+        CompletionCommand.NAME, HelpCommand.NAME);
+
+    /** The commands that are about all commands. */
+    private static final List<String> TAKES_ALL = List.of(CompletionCommand.NAME, HelpCommand.NAME);
 
     private Main() {
     }
@@ -100,7 +108,7 @@ public final class Main {
     public static CommandLine program(Streams streams, String called) {
         CommandLine program = new CommandLine(new Main());
         dress(program);
-        boolean one = called != null && !called.equals(CompletionCommand.NAME) && COMMANDS.contains(called);
+        boolean one = called != null && !TAKES_ALL.contains(called) && COMMANDS.contains(called);
         for (String name : one ? List.of(called) : COMMANDS) {
             CommandLine line = new CommandLine(command(name, streams));
             dress(line);
@@ -112,9 +120,15 @@ public final class Main {
         program.setUsageHelpWidth(WIDTH);
         program.setOut(new PrintWriter(streams.out(), true, StandardCharsets.UTF_8));
         program.setErr(new PrintWriter(streams.err(), true, StandardCharsets.UTF_8));
+        program.setExecutionStrategy(new EmptyValues());
         program.setParameterExceptionHandler(problems);
         program.setExecutionExceptionHandler(problems);
         return program;
+    }
+
+    /** What the command line is made of for one command. */
+    static CommandSpec specOf(String command) {
+        return program(Streams.standard(), command).getSubcommands().get(command).getCommandSpec();
     }
 
     private static Object command(String name, Streams streams) {
@@ -133,13 +147,16 @@ public final class Main {
             case "stability" -> new StabilityCommand(streams);
             case "bench" -> new BenchCommand(streams);
             case "tradeoff" -> new TradeoffCommand(streams);
+            case "new" -> new NewCommand(streams);
+            case "doctor" -> new DoctorCommand(streams);
+            case HelpCommand.NAME -> new HelpCommand(streams);
             default -> new CompletionCommand(streams);
         };
     }
 
     private static void dress(CommandLine line) {
         CommandSpec spec = line.getCommandSpec();
-        spec.mixinStandardHelpOptions(true);
+        spec.addMixin("standardOptions", CommandSpec.forAnnotatedObject(new StandardOptions()));
         spec.versionProvider(new Version());
         spec.usageMessage().sortOptions(false);
     }

@@ -2,6 +2,7 @@ package steward.codingame;
 
 import java.util.stream.Collectors;
 import steward.replay.ReplayHeader;
+import steward.scene.json.JsonProblem;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.exc.UnexpectedEndOfInputException;
 import tools.jackson.databind.DeserializationFeature;
@@ -57,7 +58,7 @@ final class GameRecordingFile {
         } catch (JacksonException problem) {
             String lines = jsonLines(text);
             throw new IllegalArgumentException(source + (lines != null ? ": found " + lines + ", " + EXPECTED
-                : place(problem) + ": not JSON: " + problem.getOriginalMessage()));
+                : place(problem) + ": not JSON: " + JsonProblem.message(problem)));
         }
     }
 
@@ -87,7 +88,7 @@ final class GameRecordingFile {
             return frames.isArray() ? "an array \"frames\" without any" : "\"frames\" that is no array";
         }
         if (!result.isObject()) {
-            return "no frames: " + (result.isArray() ? "the file is an array" : "the file is " + result.getNodeType());
+            return "no frames: " + "the file is " + JsonProblem.kind(result.asToken());
         }
         return "no frames" + (result.isEmpty() ? "" : result.propertyNames().stream().limit(MOST_NAMES)
             .collect(Collectors.joining(", ", ": the object has ", "")));

@@ -20,6 +20,9 @@ public final class OutputFiles {
 
     /** A path as it was typed. */
     public static Path path(String typed) {
+        if (typed.isEmpty()) {
+            throw new InputException("'': found an empty file name, expected a file or folder");
+        }
         try {
             return Path.of(typed);
         } catch (InvalidPathException problem) {

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.TimeUnit;
+import steward.bot.command.ProgramFinder;
 
 /** The user's web browser, started through the system's own program for that. */
 public final class Browser {
@@ -19,6 +20,8 @@ public final class Browser {
 
     /** Variables of which one is set where there is a display. */
     private static final List<String> DISPLAYS = List.of("DISPLAY", "WAYLAND_DISPLAY", "BROWSER");
+
+    private static final String NO_DISPLAY = "there is no display to show it on";
 
     private final List<List<String>> openers;
 
@@ -41,6 +44,16 @@ public final class Browser {
             ? List.of(List.of("xdg-open")) : List.of());
     }
 
+    /** Why no page can be opened, or {@code null} if there is a program that may. */
+    public String missing() {
+        for (List<String> opener : openers) {
+            if (ProgramFinder.find(opener.get(0)) != null) {
+                return null;
+            }
+        }
+        return openers.isEmpty() ? NO_DISPLAY : "there is no " + openers.get(0).get(0);
+    }
+
     /**
      * Opens an address; does not wait for the browser to end.
      *
@@ -55,7 +68,7 @@ public final class Browser {
             }
             problems.add(problem);
         }
-        return problems.isEmpty() ? "there is no display to show it on" : String.join(", ", problems);
+        return problems.isEmpty() ? NO_DISPLAY : String.join(", ", problems);
     }
 
     private static String open(List<String> opener, URI address) throws InterruptedException {

@@ -17,10 +17,16 @@ public final class SafeText {
     private SafeText() {
     }
 
-    /** The beginning of a line, with control characters replaced by question marks. */
+    /** The beginning of a line, with question marks for characters that steer a terminal or reorder the text. */
     public static String line(byte[] bytes, int length) {
         String line = new String(bytes, 0, Math.min(length, BYTES_PER_CHARACTER * MOST), StandardCharsets.UTF_8);
-        return TextFormat.beginning(line.replaceAll("\\p{Cntrl}", "?"), MOST);
+        return TextFormat.beginning(printable(line), MOST);
+    }
+
+    private static String printable(String line) {
+        StringBuilder text = new StringBuilder(line.length());
+        line.chars().forEach(c -> text.append(TextFormat.isUnsafe((char) c) ? '?' : (char) c));
+        return text.toString();
     }
 
     /**

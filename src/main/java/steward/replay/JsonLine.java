@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import steward.Internal;
 import steward.game.JsonNumbers;
+import steward.scene.json.JsonProblem;
 import steward.text.TextFormat;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonParser;
@@ -136,7 +137,8 @@ public final class JsonLine {
             in.nextToken();
             for (JsonToken token = in.nextToken(); token != JsonToken.END_ARRAY; token = in.nextToken()) {
                 if (token != JsonToken.VALUE_STRING && token != JsonToken.VALUE_NULL) {
-                    throw new ReplayException(where + ": " + name + "[" + texts.size() + "]: found " + token
+                    throw new ReplayException(where + ": " + name + "[" + texts.size() + "]: found "
+                        + JsonProblem.kind(token)
                         + ", expected a string or null");
                 }
                 texts.add(token == JsonToken.VALUE_NULL ? null : in.getString());
@@ -165,7 +167,8 @@ public final class JsonLine {
                 texts.add(text);
             }
             if (in.currentToken() != JsonToken.END_ARRAY) {
-                throw new ReplayException(where + ": " + name + "[" + texts.size() + "]: found " + in.currentToken()
+                throw new ReplayException(where + ": " + name + "[" + texts.size() + "]: found "
+                    + JsonProblem.kind(in.currentToken())
                     + ", expected an object");
             }
         }

@@ -16,6 +16,7 @@ import java.util.List;
 import steward.match.Protocol;
 import steward.numerics.Angles;
 import steward.replay.sign.SignerKey;
+import steward.scene.json.JsonProblem;
 import tools.jackson.core.JacksonException;
 
 /**
@@ -301,7 +302,7 @@ public final class ReplayReader implements AutoCloseable {
         } catch (JacksonException problem) {
             if (lineEnded) {
                 String column = problem.getLocation() == null ? "" : ":" + problem.getLocation().getColumnNr();
-                throw new ReplayException(where() + column + ": not JSON: " + problem.getOriginalMessage());
+                throw new ReplayException(where() + column + ": not JSON: " + JsonProblem.message(problem));
             }
             warning = lineNumber == 1 ? source + ": cut off within the header: there is no turn to look at"
                 : source + ": cut off within the line after turn " + lastTurn;

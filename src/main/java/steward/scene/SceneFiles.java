@@ -22,7 +22,6 @@ public final class SceneFiles {
     static final List<String> SHIPPED = List.of("duel", "mad-pod-racing-silver", "mad-pod-racing", "walled-race");
 
     private static final String SUFFIX = ".json";
-    /** A million characters are tens of thousands of bumpers; and a replay holds its scene in one line. */
 
     private SceneFiles() {
     }

@@ -89,17 +89,26 @@ public final class TextFormat {
 
     /**
      * Text from a bot or a file made safe for a terminal: control characters other than line feed and tab become a
-     * question mark.
+     * question mark, and so do the characters of Unicode that reorder what is written.
      */
     public static String plain(String text) {
         StringBuilder plain = null;
         for (int k = 0; k < text.length(); k++) {
             char c = text.charAt(k);
-            if (Character.isISOControl(c) && c != '\n' && c != '\t') {
+            if (c != '\n' && c != '\t' && isUnsafe(c)) {
                 plain = plain == null ? new StringBuilder(text) : plain;
                 plain.setCharAt(k, '?');
             }
         }
         return plain == null ? text : plain.toString();
+    }
+
+    /**
+     * Whether a character steers a terminal or shows a text otherwise than it is written: C0 and C1 controls, and the
+     * marks, embeddings, overrides and isolates of the bidirectional algorithm (Unicode Standard Annex 9, section 2).
+     */
+    public static boolean isUnsafe(char c) {
+        return Character.isISOControl(c) || c == '\u061C' || c == '\u200E' || c == '\u200F'
+            || c >= '\u202A' && c <= '\u202E' || c >= '\u2066' && c <= '\u2069';
     }
 }

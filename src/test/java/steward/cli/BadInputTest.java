@@ -51,7 +51,7 @@ class BadInputTest {
             Arguments.of("found 'x', expected a whole number of 64 bits", "match --bot sh --bot sh --seed x"),
             Arguments.of("9223372036854775808", "match --bot sh --bot sh --seed 9223372036854775808"),
             Arguments.of("--overwrite: expected --out", "match --bot sh --bot sh --overwrite"),
-            Arguments.of("Unknown option: '--sead=1'", "match --bot sh --bot sh --sead=1"),
+            Arguments.of("unknown option '--sead'; did you mean '--seed'?", "match --bot sh --bot sh --sead=1"),
             Arguments.of("Missing required parameter: 'FILE'", "replay"),
             Arguments.of("found no such file, expected a replay", "replay nowhere.jsonl"),
             Arguments.of("found no such file, expected a replay", "replay nowhere.jsonl --verify"),

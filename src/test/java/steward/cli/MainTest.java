@@ -7,11 +7,13 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import steward.cli.shared.ExitStatus;
 import steward.scene.SceneFiles;
 
@@ -27,15 +29,8 @@ class MainTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"match", "replay", "feed", "scene", "explain", "demo", "simulate", "import", "stability",
-        "completion"})
-    void everyCommandHasHelpWithAnExampleAndAVersion(String command) {
-        Cli help = Cli.run(command, "--help");
-        assertEquals(ExitStatus.DONE, help.status());
-        assertTrue(help.out().contains("Usage: steward " + command), help.out());
-        int example = help.out().indexOf("\nExample");
-        assertTrue(example > 0 && help.out().indexOf("steward " + command, example) > 0, help.out());
-        assertTrue(help.out().lines().allMatch(line -> line.length() <= 100), help.out());
+    @MethodSource("steward.cli.Main#commands")
+    void everyCommandIsListedAndHasAVersion(String command) {
         assertEquals(ExitStatus.DONE, Cli.run(command, "--version").status());
         assertTrue(Cli.run("--help").out().contains("  " + command + " "));
     }
@@ -63,10 +58,28 @@ class MainTest {
 
     @Test
     void misspeltWordsSuggestTheNearest() {
-        assertTrue(Cli.run("mach").err().contains("steward match"));
+        assertTrue(Cli.run("mach").err().contains("did you mean 'match'?"));
+        assertEquals("steward: unknown command 'mtach'; did you mean 'match'?\nTry 'steward --help'.\n",
+            Cli.run("mtach").err());
+        assertEquals("steward: unknown option '--bto'; did you mean '--bot'?\nTry 'steward match --help'.\n",
+            Cli.run("match", "--bto", "x").err());
+        assertEquals("steward: 'verify': found more than steward replay takes; did you mean '--verify'?\n"
+            + "Try 'steward replay --help'.\n", Cli.run("replay", "x", "verify").err());
         assertTrue(Cli.run("replay", "x", "--verfy").err().contains("--verify"));
         assertEquals(ExitStatus.UNUSABLE, Cli.run("mach").status());
         assertEquals(ExitStatus.UNUSABLE, Cli.run("replay", "x", "--verfy").status());
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = ';', value = {"match --bot sh --bot sh --out=; --out: found an empty text, expected FILE",
+        "match --scene=; --scene: found an empty text, expected FILE|NAME",
+        "replay x --view=; --view: found an empty text, expected HTML",
+        "bench --out=; --out: found an empty text, expected DIR",
+        "import x --out=; --out: found an empty text, expected REPLAY"})
+    void anEmptyValueIsRefused(String call, String message) {
+        Cli cli = Cli.run(call.split(" "));
+        assertEquals(ExitStatus.UNUSABLE, cli.status());
+        assertTrue(cli.err().startsWith("steward: " + message + "\n"), cli.err());
     }
 
     @Test
@@ -82,7 +95,10 @@ class MainTest {
         assertEquals(ExitStatus.DONE, cli.status());
         Path script = Files.writeString(folder.resolve("completion"), cli.out());
         assertEquals(0, new ProcessBuilder("/bin/bash", "-n", script.toString()).inheritIO().start().waitFor());
-        assertTrue(cli.out().contains("--no-deadline") && cli.out().contains("mad-pod-racing"), cli.out());
+        for (String word : List.of("--no-deadline", "mad-pod-racing", "builtin:veteran", "codingame", "compensated",
+            "crowd of 1000, 10%", "crowds", "dense-box", "failed", "python")) {
+            assertTrue(cli.out().contains(word), word);
+        }
     }
 
     @Test

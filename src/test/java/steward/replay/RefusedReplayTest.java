@@ -58,7 +58,7 @@ class RefusedReplayTest {
         "\"timeFactor\":null | \"timeFactor\":\"x\" | timeFactor: found x, expected a number or null",
         "{\"name\":\"P1\", | {\"n\":\"P1\", | "
             + "players[1]: found nothing of the kind, expected an object with name and bot",
-        "\"players\":[{\"name\" | \"players\":[1,{\"name\" | players[0]: found VALUE_NUMBER_INT, expected an object",
+        "\"players\":[{\"name\" | \"players\":[1,{\"name\" | players[0]: found a number, expected an object",
         "\"protocol\":\"json\"}] | \"protocol\":\"JSON\"}] | "
             + "players[1].protocol: found JSON, expected json or codingame",
         ",{\"name\":\"P1\",\"bot\":\"P1\",\"protocol\":\"json\"} | `` | players: found 1, expected 2 as in the scene",
@@ -90,7 +90,7 @@ class RefusedReplayTest {
         "\"outcome\":{ | \"stderr\":[null,null],\"outcome\":{ | outcome: found behind stderr, expected before it",
         "\"turnHash\":\" | \"stderr\":\" | turnHash: found nothing, expected a string",
         "\"outcome\":{ | \"messages\":{ | outcome: found nothing, expected an object",
-        "\"outcome\" | \"faults\":[1,null],\"outcome\" | faults[0]: found VALUE_NUMBER_INT, expected a string or null",
+        "\"outcome\" | \"faults\":[1,null],\"outcome\" | faults[0]: found a number, expected a string or null",
         "\"outcome\" | \"faults\":[null],\"outcome\" | faults: found 1 entries, expected 2",
         "\"turn\":5 | \"turn\":5,\"turn\":5 | turn: found twice, expected once"})
     void damagedTurns(String from, String to, String message) {

@@ -174,8 +174,8 @@ class AccuracyFiguresTest {
         Path kept = calibrated();
         Files.writeString(kept, "{");
         String refusal = refusal(write(demand("1", "0.9")));
-        assertTrue(refusal.startsWith(kept + ":1:2: found malformed JSON ("), refusal);
-        assertTrue(refusal.endsWith("), expected the figures of a scene's accuracy in JSON"), refusal);
+        assertTrue(refusal.startsWith(kept + ":1:2: not JSON: "), refusal);
+        assertTrue(refusal.endsWith(", expected all of it"), refusal);
     }
 
     @Test

@@ -284,31 +284,31 @@ class SceneErrorsTest {
         assertEquals(message, assertThrows(SceneException.class, () -> read(text)).getMessage());
     }
 
-    /** The parser's own words and place, without its note about the source. */
+    /** The parser's place, in our words. */
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
-        { "a": 1, }  | 1:11 | Unexpected character ('}' (code 125)): was expecting double-quote to start property name
-        { "a": 1     | 1:9  | Unexpected end-of-input: expected close marker for Object
-        { "a": [     | 1:9  | Unexpected end-of-input: expected close marker for Array
-        { "a": 01 }  | 1:9  | Invalid numeric value: Leading zeroes not allowed
-        { "a": NaN } | 1:11 | Non-standard token 'NaN'
-        { 'a': 1 }   | 1:3  | Unexpected character (''' (code 39)): was expecting double-quote to start property name
-        { "a": "b }  | 1:12 | Unexpected end-of-input: was expecting closing quote for a string value
-        { "a": 1 } } | 1:12 | Unexpected close marker '}': no open Object to close
-        { "a": tru } | 1:8  | Unrecognized token 'tru': was expecting
+        { "a": 1, }  | 1:11 | found '}', expected the name of a field in double quotes
+        { "a": 1     | 1:9  | found the end of the text within the JSON, expected all of it
+        { "a": [     | 1:9  | found the end of the text within the JSON, expected all of it
+        { "a": 01 }  | 1:9  | found a number that begins with a zero too many, expected none
+        { "a": NaN } | 1:11 | found a number that is not finite, expected digits
+        { 'a': 1 }   | 1:3  | found ''', expected the name of a field in double quotes
+        { "a": "b }  | 1:12 | found the end of the text within the JSON, expected all of it
+        { "a": 1 } } | 1:12 | found '}', but nothing that it closes
+        { "a": tru } | 1:8  | found tru, expected a value: a text in double quotes, a number, an object
         """)
     void whatIsNotJsonIsSaidSo(String text, String place, String why) {
         String message = assertThrows(SceneException.class, () -> read(text)).getMessage();
-        assertTrue(message.startsWith("s.json:" + place + ": found malformed JSON (" + why), message);
-        assertTrue(message.endsWith("), expected a scene in JSON"), message);
+        assertTrue(message.startsWith("s.json:" + place + ": not JSON: " + why), message);
         assertFalse(message.contains("Source") || message.contains("Feature"), message);
     }
 
     /** Such an error is located behind what is too much. */
     @Test
     void theParserKeepsItsBounds() {
-        assertEquals("s.json:1:2001: found malformed JSON (Number value length (2000) exceeds the maximum allowed "
-            + "(1000)), expected a scene in JSON",
+        assertEquals("s.json:1:502: not JSON: found objects and arrays 501 deep, expected at most 500",
+            assertThrows(SceneException.class, () -> read("[".repeat(1000))).getMessage());
+        assertEquals("s.json:1:2001: not JSON: found a number of 2000 characters, expected at most 1000",
             assertThrows(SceneException.class, () -> read("1".repeat(2000))).getMessage());
     }
 

@@ -26,6 +26,15 @@ class TextFormatTest {
         assertEquals("ä", TextFormat.plain("ä"));
     }
 
+    /** The list is that of Unicode Standard Annex 9, table "Explicit formatting characters", and the C1 controls. */
+    @Test
+    void nothingThatABotWroteReordersOrHidesText() {
+        String reordering = "\u202A\u202B\u202C\u202D\u202E\u2066\u2067\u2068\u2069\u200E\u200F\u061C";
+        assertEquals("a" + "?".repeat(12) + "b", TextFormat.plain("a" + reordering + "b"));
+        assertEquals("??", TextFormat.plain("\u0085\u009B"));
+        assertEquals("\u05D0 \u0627 \u200D", TextFormat.plain("\u05D0 \u0627 \u200D"), "letters stay");
+    }
+
     @Test
     void linesBreakBetweenItems() {
         assertEquals("one, two,\n    three", TextFormat.wrap("one, two, three", ", ", 14, "    "));

@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.time.LocalDate;
 import java.time.ZoneOffset;
 import java.util.ArrayList;
+import java.util.Iterator;
 import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
@@ -31,12 +32,14 @@ import steward.text.TextFormat;
     footer = {"", "Ratios are between figures of one run and mean more than the figures.",
         "", "Examples:", "  steward bench --quick", "  steward bench --only crowds --bodies 100 --bodies 1000",
         "  steward bench --long --out results",
-        "", "Exit status: 0 done; 1 something could not be measured; 2 the call cannot be used; 130 Ctrl-C."})
+        "", "Exit status: 0 done; 1 something could not be measured; 2 the call cannot be",
+        "used; 130 Ctrl-C."})
 public final class BenchCommand implements Callable<Integer> {
 
     private static final List<Integer> BODIES = List.of(100, 1000, 10_000, 100_000);
     private static final List<Integer> QUICK_BODIES = List.of(100, 1000);
     private static final int MILLION = 1_000_000;
+    private static final int MOST_BODIES = 10 * MILLION;
 
     /** How long an interrupted run may take to report its results so far, in milliseconds. */
     private static final long PATIENCE_MS = 2000;
@@ -48,13 +51,14 @@ public final class BenchCommand implements Callable<Integer> {
     private volatile boolean interrupted;
     private volatile boolean any;
 
-    @Option(names = "--only", paramLabel = "NAME", description = "Only this part; can be repeated.")
+    @Option(names = "--only", paramLabel = "NAME", completionCandidates = Parts.class,
+        description = "Only this part; can be repeated.")
     private List<String> only = new ArrayList<>();
 
-    @Option(names = "--quick", description = "Rough figures, in less than a minute.")
+    @Option(names = "--quick", description = "Measures rough figures, in about a minute.")
     private boolean quick;
 
-    @Option(names = "--long", description = "For tables that are kept, and a million bodies.")
+    @Option(names = "--long", description = "Measures for tables that are kept, and a million bodies.")
     private boolean full;
 
     @Option(names = "--threads", paramLabel = "T",
@@ -74,6 +78,18 @@ public final class BenchCommand implements Callable<Integer> {
 
     @Mixin
     private final TableFolder tables = new TableFolder();
+
+    /** The names of the parts. */
+    static final class Parts implements Iterable<String> {
+
+        static final List<String> ALL = List.of("pods", "matches", "growth", "frames", "verify", "processes", "start",
+            "crowds");
+
+        @Override
+        public Iterator<String> iterator() {
+            return ALL.iterator();
+        }
+    }
 
     public BenchCommand(Streams streams) {
         this.streams = streams;
@@ -108,6 +124,7 @@ public final class BenchCommand implements Callable<Integer> {
     }
 
     private List<Section> sections() {
+        bodies.forEach(count -> check.range("--bodies", count, 1, MOST_BODIES));
         List<Integer> crowds = new ArrayList<>(!bodies.isEmpty() ? bodies : quick ? QUICK_BODIES : BODIES);
         if (full && bodies.isEmpty()) {
             crowds.add(MILLION);
@@ -142,6 +159,8 @@ public final class BenchCommand implements Callable<Integer> {
 
     private int measureAll(List<Section> sections, BenchFiles files) {
         BenchTable table = new BenchTable(streams);
+        ProgressLine.announce(streams, (only.isEmpty() ? "" : "less than ")
+            + (full ? "tens of minutes" : quick ? "about a minute" : "some minutes"));
         Runtime.getRuntime().addShutdownHook(new Thread(table::release, "bench-interrupted"));
         Effort effort = quick ? Effort.QUICK : full ? Effort.LONG : Effort.NORMAL;
         streams.out().println(TradeoffMachine.line());

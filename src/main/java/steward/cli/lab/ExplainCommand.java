@@ -39,7 +39,7 @@ public final class ExplainCommand implements Callable<Integer> {
     @Mixin
     private final AccuracyOption accuracy = new AccuracyOption();
 
-    @Option(names = "--no-prices", description = "Do not measure what the parts cost, which takes two seconds.")
+    @Option(names = "--no-prices", description = "Leaves out what the parts cost: to measure it takes two seconds.")
     private boolean noPrices;
 
     @Option(names = "--json", description = "Prints one JSON object instead: parts, accuracy, warnings.")

@@ -2,6 +2,7 @@ package steward.cli.lab;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Iterator;
 import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
@@ -11,6 +12,7 @@ import steward.cli.options.CallCheck;
 import steward.cli.options.TableFolder;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Interruption;
+import steward.cli.shared.ProgressLine;
 import steward.cli.shared.Streams;
 import steward.files.OutputFiles;
 import steward.lab.stability.GoldenHash;
@@ -28,8 +30,10 @@ import steward.numerics.StateHash;
     footer = {"", "Examples:", "  steward stability",
         "  steward stability --quick --case masses --case 'extreme speeds'",
         "  steward stability --long --out results",
-        "  steward stability --case 'crowd of 1000, 10%%' --rung double --impacts 1000000000",
-        "", "Exit status: 0 every demand is met; 1 one is not; 2 the call cannot be used; 130 Ctrl-C."})
+        "  steward stability --case 'crowd of 1000, 10%%' --rung double \\",
+        "      --impacts 1000000000",
+        "", "Exit status: 0 every demand is met; 1 one is not; 2 the call cannot be used;",
+        "130 Ctrl-C."})
 public final class StabilityCommand implements Callable<Integer> {
 
     private static final long MOST_IMPACTS = 1_000_000_000_000L;
@@ -37,19 +41,21 @@ public final class StabilityCommand implements Callable<Integer> {
     private final Streams streams;
     private final CallCheck check = CallCheck.brief();
 
-    @Option(names = "--long", description = "The long versions: hours.")
+    @Option(names = "--long", description = "Plays the long versions: hours.")
     private boolean full;
 
-    @Option(names = "--quick", description = "The short versions, as in the tests: about a minute.")
+    @Option(names = "--quick", description = "Plays the short versions, as in the tests: about a minute.")
     private boolean quick;
 
-    @Option(names = "--case", paramLabel = "NAME", description = "Only this case; can be repeated.")
+    @Option(names = "--case", paramLabel = "NAME", completionCandidates = Cases.class,
+        description = "Only this case; can be repeated.")
     private List<String> names = new ArrayList<>();
 
-    @Option(names = "--rung", paramLabel = "NAME", description = "Only on this rung of accuracy; can be repeated.")
+    @Option(names = "--rung", paramLabel = "NAME", completionCandidates = Rungs.class,
+        description = "Only on this rung of accuracy; can be repeated.")
     private List<String> rungNames = new ArrayList<>();
 
-    @Option(names = "--impacts", paramLabel = "N", description = "Each crowd is played for so many impacts, on each "
+    @Option(names = "--impacts", paramLabel = "N", description = "Plays each crowd for so many impacts, on each "
         + "event rung (default: 1000000; with --quick 20000; with --long 10000000, in double up to 1000000000).")
     private Long impacts;
 
@@ -63,6 +69,24 @@ public final class StabilityCommand implements Callable<Integer> {
     @Option(names = "--golden", description = "Prints the hash of all that is computed instead; it must be the same on "
         + "every machine.")
     private boolean golden;
+
+    /** The names of the cases. */
+    static final class Cases implements Iterable<String> {
+
+        @Override
+        public Iterator<String> iterator() {
+            return StabilityCases.all(0).stream().map(StabilityCase::name).iterator();
+        }
+    }
+
+    /** The names of the rungs. */
+    static final class Rungs implements Iterable<String> {
+
+        @Override
+        public Iterator<String> iterator() {
+            return Rung.all().stream().map(Rung::name).iterator();
+        }
+    }
 
     public StabilityCommand(Streams streams) {
         this.streams = streams;
@@ -82,6 +106,8 @@ public final class StabilityCommand implements Callable<Integer> {
         List<StabilityCase> cases = check.chosen("--case", names, StabilityCases.all(impacts == null ? 0 : impacts),
             StabilityCase::name, "; ");
         List<Rung> rungs = check.chosen("--rung", rungNames, Rung.all(), Rung::name, "; ");
+        ProgressLine.announce(streams, (names.isEmpty() && rungNames.isEmpty() ? "" : "less than ")
+            + (full ? "hours" : quick ? "about a minute" : "some minutes"));
         StabilityTable table = new StabilityTable(streams, cases.size() * rungs.size());
         if (out == null) {
             return table(cases, rungs, size, table, null, "the rows so far are above");

@@ -2,6 +2,7 @@ package steward.cli.lab;
 
 import java.util.Locale;
 import java.util.function.Supplier;
+import steward.cli.shared.ProgressLine;
 import steward.cli.shared.Streams;
 import steward.lab.stability.StabilityRow;
 import steward.lab.trial.Finding;
@@ -14,7 +15,9 @@ final class StabilityTable {
     private static final long PAUSE_NANOS = 250_000_000;
     private static final int RUNG = 13;
     private static final int VERDICT = 10;
-    private static final String CLEAR = "\r" + " ".repeat(79) + "\r";
+    private static final int STEPS = 1000;
+    /** How long the name of a case may be, so that there is room for the bar. */
+    private static final int NAME = 24;
 
     private final Streams streams;
     private final int rows;
@@ -22,6 +25,7 @@ final class StabilityTable {
     private String present = "";
     private volatile String unfinished = "";
     private long saidNanos = System.nanoTime();
+    private ProgressLine progress;
     private int begun;
     private int held;
     private int failed;
@@ -34,8 +38,9 @@ final class StabilityTable {
     /** Shows on a terminal what is being run. */
     void about(String name, String rung) {
         begun++;
-        present = TextFormat.shorten(name, 40) + ", " + rung;
-        show("");
+        present = name + ", " + rung;
+        progress = ProgressLine.watched(streams, begun + " of " + rows + ": " + TextFormat.shorten(name, NAME) + ", "
+            + rung, STEPS);
     }
 
     /** Shows the progress of the current run. */
@@ -45,20 +50,15 @@ final class StabilityTable {
             saidNanos = now;
             String percent = String.format(Locale.ROOT, ", %.1f%%", 100 * share);
             unfinished = present + percent + ": " + soFar.get();
-            show(percent);
+            if (progress != null) {
+                progress.reach((int) (STEPS * share));
+            }
         }
     }
 
     /** The figures of the unfinished row, or nothing; any thread may call this. */
     String unfinished() {
         return unfinished;
-    }
-
-    private void show(String percent) {
-        if (streams.errTerminal()) {
-            streams.err().print(CLEAR + begun + " of " + rows + ": " + present + percent);
-            streams.err().flush();
-        }
     }
 
     void add(StabilityRow row) {
@@ -84,9 +84,9 @@ final class StabilityTable {
     }
 
     private void clear() {
-        if (streams.errTerminal()) {
-            streams.err().print(CLEAR);
-            streams.err().flush();
+        if (progress != null) {
+            progress.close();
+            progress = null;
         }
     }
 

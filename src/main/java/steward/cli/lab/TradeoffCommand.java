@@ -30,17 +30,19 @@ import steward.lab.tradeoff.report.TradeoffReport;
     footer = {"", "Examples:", "  steward tradeoff --out results",
         "  steward tradeoff --quick --scene bullets --scene my-scene.json",
         "  steward tradeoff --calibrate my-scene.json",
-        "", "Exit status: 0 done; 2 the call or a scene cannot be used; 130 Ctrl-C: what was measured is kept."})
+        "", "Exit status: 0 done; 2 the call or a scene cannot be used; 130 Ctrl-C: what was",
+        "measured is kept."})
 public final class TradeoffCommand implements Callable<Integer> {
 
     private final Streams streams;
 
-    @Option(names = "--scene", paramLabel = "F", description = "Only this scene; can be repeated. A scene file, a "
+    @Option(names = "--scene", paramLabel = "F", completionCandidates = TradeoffScenes.Names.class,
+        description = "Only this scene; can be repeated. A scene file, a "
         + "shipped scene, or one of official-race, brawl, dense-box, gas, bullets, grazing; headings for what "
         + "trigonometry costs.")
     private List<String> scenes = new ArrayList<>();
 
-    @Option(names = "--quick", description = "Few states and rounds: rough figures, soon.")
+    @Option(names = "--quick", description = "Measures few states and rounds: rough figures, soon.")
     private boolean quick;
 
     @Option(names = "--out", paramLabel = "DIR", description = "Writes " + TradeoffReport.CSV + " and "
@@ -95,6 +97,7 @@ public final class TradeoffCommand implements Callable<Integer> {
     private void measure(List<TradeoffScene> chosen, boolean headings, TradeoffReport files) {
         TradeoffEffort effort = quick ? TradeoffEffort.QUICK : TradeoffEffort.NORMAL;
         TradeoffTable table = new TradeoffTable(streams);
+        ProgressLine.announce(streams, quick ? "about a minute" : "some minutes");
         int parts = chosen.size() + (headings ? 1 : 0);
         int part = 1;
         for (TradeoffScene scene : chosen) {

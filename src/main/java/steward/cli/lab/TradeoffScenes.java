@@ -2,6 +2,7 @@ package steward.cli.lab;
 
 import java.nio.file.Files;
 import java.util.ArrayList;
+import java.util.Iterator;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
@@ -19,6 +20,18 @@ import steward.text.NearestName;
 
 /** The scenes of the trade-off measurement: its own, and any scene that a match can be played in. */
 final class TradeoffScenes {
+
+    /** What {@code --scene} knows by name. */
+    static final class Names implements Iterable<String> {
+
+        @Override
+        public Iterator<String> iterator() {
+            List<String> names = new ArrayList<>(all().stream().map(TradeoffScene::name).toList());
+            names.add(HEADINGS);
+            names.addAll(SceneFiles.shipped());
+            return names.iterator();
+        }
+    }
 
     static final String RACE = "official-race";
     static final String BRAWL = "brawl";

@@ -1,5 +1,6 @@
 package steward.cli.options;
 
+import java.util.Iterator;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.TypeConversionException;
@@ -11,9 +12,19 @@ import steward.scene.Accuracy;
 public final class AccuracyOption {
 
     @Option(names = "--accuracy", paramLabel = "RUNG", converter = Rung.class,
-        description = "Compute the scene on this rung in place of its own: step/1 to step/1024, the cheapest first, or "
-            + "official, double, compensated, exact (event/exact is the same). A replay holds it.")
+        completionCandidates = Rungs.class,
+        description = "Computes the scene on this rung in place of its own: step/1 to step/1024, the cheapest first, "
+            + "or official, double, compensated, exact (event/exact is the same). A replay holds it.")
     private Accuracy accuracy;
+
+    /** The rungs for completion: those with times of impact, and some of those with steps. */
+    static final class Rungs implements Iterable<String> {
+
+        @Override
+        public Iterator<String> iterator() {
+            return Accuracy.ladder().stream().map(Accuracy::text).iterator();
+        }
+    }
 
     /** Opens a scene by its path or shipped name, on this rung if one is called for. */
     public GameSetup open(String scene) {

@@ -1,9 +1,20 @@
 package steward.cli.options;
 
+import java.util.Arrays;
+import java.util.Iterator;
 import steward.match.Protocol;
 
 /** What {@code --protocol} takes. */
 public final class ProtocolWord {
+
+    /** The names of all protocols. */
+    public static final class Candidates implements Iterable<String> {
+
+        @Override
+        public Iterator<String> iterator() {
+            return Arrays.stream(Protocol.values()).map(Protocol::word).iterator();
+        }
+    }
 
     private ProtocolWord() {
     }

@@ -7,10 +7,10 @@ public final class TimeLimitOptions {
 
     private final CallCheck check = CallCheck.withHelp();
 
-    @Option(names = "--time-factor", paramLabel = "X", description = "Multiply the scene's time limits.")
+    @Option(names = "--time-factor", paramLabel = "X", description = "Multiplies the scene's time limits.")
     private Double timeFactor;
 
-    @Option(names = "--no-deadline", description = "Wait for answers without end.")
+    @Option(names = "--no-deadline", description = "Waits for answers without end.")
     private boolean noDeadline;
 
     /** By what the limits are multiplied; {@code POSITIVE_INFINITY} for none. */

@@ -30,17 +30,21 @@ import steward.text.TextFormat;
 public final class DemoCommand implements Callable<Integer> {
 
     private static final String SCENE = "mad-pod-racing";
+    /** Exists in the folder of the project only. */
+    private static final String SOURCES = "src/main/java/steward/cli/play/DemoCommand.java";
     private static final List<String> BOTS = List.of("builtin:veteran", "builtin:racer");
     /** A demo is no contest: on a busy machine bots get the time they need. */
     private static final int TIME_FACTOR = 10;
 
     private final Streams streams;
 
-    @Option(names = "--out", paramLabel = "FILE", defaultValue = "build/demo.jsonl",
-        description = "Where the replay goes; replaced if it exists (default: ${DEFAULT-VALUE}).")
+    @Option(names = "--out", paramLabel = "FILE",
+        description = "Where the replay goes; replaced if it exists (default: a temporary folder; in the folder of "
+            + "Steward's own sources build/demo.jsonl).")
     private String out;
 
-    @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "Default: ${DEFAULT-VALUE}.")
+    @Option(names = "--seed", paramLabel = "N", defaultValue = "1",
+        description = "Draws the race by this number (default: ${DEFAULT-VALUE}).")
     private long seed;
 
     @Mixin
@@ -52,12 +56,13 @@ public final class DemoCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws InterruptedException {
-        Path file = OutputFiles.path(out);
+        Path file = OutputFiles.path(out != null ? out : usualFile(Path.of("")));
         Contest contest = Contest.of(accuracy.open(SCENE), BOTS, Protocol.JSON, TIME_FACTOR);
         makeFolder(file);
         streams.out().println("steward match --scene " + SCENE + " --bot " + BOTS.get(0) + " --bot " + BOTS.get(1)
             + " --seed " + seed + accuracy.words() + " \\");
-        streams.out().println("    --time-factor " + TIME_FACTOR + " --out " + CommandLine.quote(List.of(out))
+        streams.out().println("    --time-factor " + TIME_FACTOR + " --out "
+            + CommandLine.quote(List.of(file.toString()))
             + " --overwrite");
         streams.out().println();
         streams.out().flush();
@@ -66,11 +71,12 @@ public final class DemoCommand implements Callable<Integer> {
         try (ReplayReader replay = ReplayCommand.open(file)) {
             Verification verification = Verification.of(replay, Games.types());
             if (!verification.verified()) {
-                streams.out().println("not verified: " + (verification.difference() == null ? verification.warning()
-                    : verification.difference()));
+                streams.out().println(streams.outColour().bad("not verified:") + " "
+                    + (verification.difference() == null ? verification.warning() : verification.difference()));
                 return ExitStatus.FAILED;
             }
-            streams.out().println("verified: " + TextFormat.count(verification.turns(), "turn")
+            streams.out().println(streams.outColour().good("verified:") + " "
+                + TextFormat.count(verification.turns(), "turn")
                 + " played again, every one the same to the last bit");
         }
         streams.out().println();
@@ -78,6 +84,23 @@ public final class DemoCommand implements Callable<Integer> {
             streams.out().print(TextMap.of(replay));
         }
         return ExitStatus.DONE;
+    }
+
+    /**
+     * A file for the replay where nobody minds one.
+     *
+     * @param here the folder in which the program was called
+     */
+    static String usualFile(Path here) {
+        if (Files.exists(here.resolve(SOURCES))) {
+            return here.resolve("build/demo.jsonl").toString();
+        }
+        try {
+            return Files.createTempDirectory("steward-").resolve("demo.jsonl").toString();
+        } catch (IOException problem) {
+            throw new InputException("found no temporary folder for the replay (" + problem.getMessage()
+                + "), expected --out");
+        }
     }
 
     private static void makeFolder(Path file) {

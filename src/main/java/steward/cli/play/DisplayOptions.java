@@ -9,10 +9,10 @@ final class DisplayOptions {
     private static final int MOST_PORT = 65_535;
 
     @Option(names = "--view", paramLabel = "HTML",
-        description = "Write a page that shows the match to this file: everything in it, opens from disk.")
+        description = "Writes a page that shows the match to this file: everything in it, opens from disk.")
     private String view;
 
-    @Option(names = "--watch", description = "Serve a page that shows the match while it is played, to "
+    @Option(names = "--watch", description = "Serves a page that shows the match while it is played, to "
         + "browsers on this machine; see below.")
     private boolean watch;
 
@@ -25,7 +25,7 @@ final class DisplayOptions {
     private String host;
 
     @Option(names = "--open",
-        description = "Open the page of --watch or --view, or one without a name, in the browser.")
+        description = "Opens the page of --watch or --view, or one without a name, in the browser.")
     private boolean open;
 
     /** What is wrong with the options, or {@code null}. */

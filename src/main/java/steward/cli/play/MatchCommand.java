@@ -7,6 +7,7 @@ import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
+import steward.cli.options.BuiltinBotWords;
 import steward.cli.options.CallCheck;
 import steward.cli.options.ProtocolWord;
 import steward.cli.options.SceneOptions;
@@ -23,21 +24,25 @@ import steward.replay.sign.SigningKey;
 /** {@code steward match}: one match, or many. */
 @Command(name = "match", description = "Plays a match between bots, or many matches.",
     footer = {"",
-        "A bot is written [NAME=][builtin:|json:|codingame:]COMMAND, its words quoted as for a shell.",
-        "'builtin:racer', 'builtin:regular', 'builtin:contender' and 'builtin:veteran', from weak to",
-        "strong, come with the program; 'codingame:' is for programs that speak the lines of words and",
-        "numbers of that site, 'json:' for those that speak JSON; --protocol says what all others speak.",
-        "One --bot for each player of the scene, in order.",
+        "A bot is written [NAME=][builtin:|json:|codingame:]COMMAND, its words quoted as",
+        "for a shell. 'builtin:racer', 'builtin:regular', 'builtin:contender' and",
+        "'builtin:veteran', from weak to strong, come with the program; 'codingame:' is",
+        "for programs that speak the lines of words and numbers of that site, 'json:' for",
+        "those that speak JSON; --protocol says what all others speak. One --bot for each",
+        "player of the scene, in order.",
         "", "Examples:",
-        "  steward match --bot builtin:veteran --bot 'me=python3 bot.py' --seed 7 --out match.jsonl",
-        "  steward match --scene duel --bot ./mine --bot builtin:racer --games 50 --swap --threads 2",
+        "  steward match --bot builtin:veteran --bot 'me=python3 bot.py' --seed 7 \\",
+        "      --out match.jsonl",
+        "  steward match --scene duel --bot ./mine --bot builtin:racer --games 50 \\",
+        "      --swap --threads 2",
         "  steward match --protocol codingame --bot ./a.out --bot json:'python3 bot.py'",
         "  steward match --bot ./mine --bot builtin:racer --view match.html --open",
         "  steward match --bot ./mine --bot builtin:racer --watch --open",
-        "", "--watch prints the address of the page and begins when a browser has opened it (or at Enter; where",
-        "nobody can press it, after 60 seconds). When the match is over it ends by itself as soon as every",
-        "browser has everything: open pages stay complete, and their Save works from then on without the",
-        "program. To look again later, use --view or --out.",
+        "", "--watch prints the address of the page and begins when a browser has opened it",
+        "(or at Enter; where nobody can press it, after 60 seconds). When the match is",
+        "over it ends by itself as soon as every browser has everything: open pages stay",
+        "complete, and their Save works from then on without the program. To look again",
+        "later, use --view or --out.",
         "", "Exit status: 0 there is a result; 1 there is none, or --strict and a bot failed;",
         "2 wrong call; 130 interrupted (of many games, those that are over are told)."})
 public final class MatchCommand implements Callable<Integer> {
@@ -48,10 +53,12 @@ public final class MatchCommand implements Callable<Integer> {
     @Mixin
     private final SceneOptions scene = new SceneOptions();
 
-    @Option(names = "--bot", paramLabel = "BOT", description = "A bot; see below.")
+    @Option(names = "--bot", paramLabel = "BOT", completionCandidates = BuiltinBotWords.class,
+        description = "A bot; see below.")
     private List<String> bots = new ArrayList<>();
 
     @Option(names = "--protocol", paramLabel = "P", defaultValue = "json",
+        completionCandidates = ProtocolWord.Candidates.class,
         description = "What bots without a prefix speak: json or codingame (default: ${DEFAULT-VALUE}).")
     private String protocol;
 
@@ -59,26 +66,26 @@ public final class MatchCommand implements Callable<Integer> {
     private final SeedOption seed = new SeedOption();
 
     @Option(names = "--out", paramLabel = "FILE",
-        description = "Write the replay to this file; with --games or --swap, one for each game into this folder.")
+        description = "Writes the replay to this file; with --games or --swap, one for each game into this folder.")
     private String out;
 
     @Option(names = "--sign", paramLabel = "KEY",
-        description = "Sign the replay with this private key; see 'steward key'.")
+        description = "Signs the replay with this private key; see 'steward key'.")
     private String sign;
 
-    @Option(names = "--overwrite", description = "Replace replays and pages that exist.")
+    @Option(names = "--overwrite", description = "Replaces replays and pages that exist.")
     private boolean overwrite;
 
     @Mixin
     private final DisplayOptions show = new DisplayOptions();
 
-    @Option(names = "--quiet", description = "Print only the line of the result.")
+    @Option(names = "--quiet", description = "Prints only the line of the result.")
     private boolean quiet;
 
-    @Option(names = "--json", description = "Print one JSON object and nothing else.")
+    @Option(names = "--json", description = "Prints one JSON object and nothing else.")
     private boolean json;
 
-    @Option(names = "--strict", description = "Exit with status 1 if a bot fails.")
+    @Option(names = "--strict", description = "Exits with status 1 if a bot fails.")
     private boolean strict;
 
     @Mixin

@@ -1,5 +1,7 @@
 package steward.cli.play;
 
+import java.util.Arrays;
+import java.util.Iterator;
 import java.util.Optional;
 import picocli.CommandLine.Option;
 import steward.cli.options.CallCheck;
@@ -8,6 +10,15 @@ import steward.contest.Keep;
 
 /** The options of many matches. */
 final class SeriesOptions {
+
+    /** What {@code --keep} takes. */
+    static final class Keeps implements Iterable<String> {
+
+        @Override
+        public Iterator<String> iterator() {
+            return Arrays.stream(Keep.values()).map(Keep::word).iterator();
+        }
+    }
 
     private static final String AUTO = "auto";
 
@@ -27,7 +38,7 @@ final class SeriesOptions {
             + "one. The games do not depend on it, but bots that share processors take longer to answer.")
     private String threads;
 
-    @Option(names = "--keep", paramLabel = "all|lost|failed|none",
+    @Option(names = "--keep", paramLabel = "all|lost|failed|none", completionCandidates = Keeps.class,
         description = "Keeps, of the replays in --out, all (the default), those of games that the first bot lost "
             + "(lost), in which a bot failed or that have no result (failed), or none.")
     private String keep;

@@ -92,7 +92,7 @@ record SingleMatch(Streams streams, Contest contest, Verbosity report, boolean s
             case JSON -> MatchJson.print(streams, contest, seed, result, failures, file);
             case LINE -> streams.out().println(MatchText.headline(contest.sceneName(), seed, result, failures));
             default -> {
-                MatchText.print(streams.out(), contest.sceneName(), seed, result, failures);
+                MatchText.print(streams.out(), streams.outColour(), contest.sceneName(), seed, result, failures);
                 if (file != null) {
                     MatchText.printReplay(streams.out(), file);
                 }

@@ -77,7 +77,7 @@ public final class FeedCommand implements Callable<Integer> {
         description = "Which player: its number, counted from 0, or its name.")
     private String playerTyped;
 
-    @Option(names = "--protocol", paramLabel = "W",
+    @Option(names = "--protocol", paramLabel = "W", completionCandidates = ProtocolWord.Candidates.class,
         description = "What a bot without a prefix speaks: json or codingame (default: what the player spoke).")
     private String protocol;
 

@@ -31,6 +31,10 @@ import steward.replay.verify.Verification;
         "signature, and that only with --signed-by. It says how many states were",
         "compared; a replay without a result, or without a turn, is \"verified up to the",
         "cut\" and makes the exit status 1, unless --partial is given.",
+        "", "--json: scene, game, seed, turns, impacts, ending, winner, players, warning;",
+        "with --turn: turn, commands, faults, messages, stderr, outcome as recorded",
+        "(angles in radians); with --impacts: turns (turn, impacts); with --verify:",
+        "verified, turns, difference (turn, field, recorded, found) or null, warning.",
         "", "Examples:",
         "  steward replay match.jsonl --from 10 --to 20",
         "  steward replay match.jsonl --turn 57",
@@ -92,6 +96,10 @@ public final class ReplayCommand implements Callable<Integer> {
     @Option(names = "--quiet", description = "Prints only the summary; with --verify, only a difference.")
     private boolean quiet;
 
+    @Option(names = "--json", description = "Prints one JSON object instead: the summary, a turn, impacts or the "
+        + "verification; see below.")
+    private boolean json;
+
     public ReplayCommand(Streams streams) {
         this.streams = streams;
     }
@@ -112,6 +120,10 @@ public final class ReplayCommand implements Callable<Integer> {
             }
             if (replay.header() == null) {
                 streams.warn(replay.warning());
+                return ExitStatus.DONE;
+            }
+            if (json) {
+                printJson(replay);
                 return ExitStatus.DONE;
             }
             if (frames) {
@@ -155,6 +167,8 @@ public final class ReplayCommand implements Callable<Integer> {
             + "with them");
         check.that(!overwrite || view != null, "--overwrite: expected --view with it");
         check.that(!quiet || !frames && !impacts && turn == null, "--quiet is for the summary and --verify");
+        check.that(!json || !frames && !quiet && !open && view == null && (impacts || from == null && to == null),
+            "--json is for the summary, --turn, --impacts and --verify");
     }
 
     /** Opens a replay. */
@@ -200,8 +214,24 @@ public final class ReplayCommand implements Callable<Integer> {
         return ExitStatus.DONE;
     }
 
+    private void printJson(ReplayReader replay) {
+        ReplayJson object = new ReplayJson(streams, replay);
+        if (impacts) {
+            object.impacts(turn != null ? turn : from != null ? from : 0,
+                turn != null ? turn : to != null ? to : Integer.MAX_VALUE);
+        } else if (turn != null) {
+            object.turn(turn);
+        } else {
+            object.summary();
+        }
+    }
+
     private int verify(ReplayReader replay, VerifyReport report) {
         Verification verification = Verification.of(replay, Games.types());
+        if (json) {
+            new ReplayJson(streams, replay).verification(verification);
+            return verification.verified() ? ExitStatus.DONE : ExitStatus.FAILED;
+        }
         if (verification.warning() != null) {
             streams.warn(verification.warning());
         }

@@ -15,6 +15,7 @@ final class TurnDetail {
 
     private static final double NANOS_PER_MS = 1e6;
     private static final int WIDTH = 100;
+    private static final int DECIMALS = 9;
 
     private TurnDetail() {
     }
@@ -114,8 +115,8 @@ final class TurnDetail {
     private static String spell(Object value) {
         StringBuilder text = new StringBuilder();
         if (value instanceof Map<?, ?> fields) {
-            fields.forEach((name, each) -> text.append(text.length() == 0 ? "" : "  ").append(name).append(' ')
-                .append(spell(each)));
+            fields.forEach((name, each) -> text.append(text.length() == 0 ? "" : "  ").append(HeadingText.title(name))
+                .append(' ').append(HeadingText.is(name) ? HeadingText.of(each, DECIMALS) : spell(each)));
         } else if (value instanceof List<?> list) {
             boolean objects = !Json.objects(value).isEmpty();
             list.forEach(each -> text.append(text.length() == 0 ? "" : objects ? "\n" : ", ").append(spell(each)));

@@ -110,13 +110,17 @@ final class TurnTable {
     }
 
     private static int width(String column) {
-        return Math.max(COLUMN, column.length());
+        return Math.max(COLUMN, HeadingText.title(column).length());
+    }
+
+    private static String cell(Map<?, ?> body, String column) {
+        return HeadingText.is(column) ? HeadingText.of(body.get(column), 1) : Json.word(body.get(column), DECIMALS);
     }
 
     private String head() {
         StringBuilder line = new StringBuilder("turn  body");
         for (String column : columns) {
-            line.append(' ').append(TextFormat.right(column, width(column)));
+            line.append(' ').append(TextFormat.right(HeadingText.title(column), width(column)));
         }
         return line.toString();
     }
@@ -131,7 +135,7 @@ final class TurnTable {
             StringBuilder line = new StringBuilder(TextFormat.right(Integer.toString(turn), 4));
             line.append(TextFormat.right(Json.word(body.get("id"), 0), 6));
             for (String column : columns) {
-                line.append(' ').append(TextFormat.right(Json.word(body.get(column), DECIMALS), width(column)));
+                line.append(' ').append(TextFormat.right(cell(body, column), width(column)));
             }
             out.println(line);
         }
@@ -166,7 +170,7 @@ final class TurnTable {
         if (result == null) {
             out.println("no result after " + TextFormat.count(turns, "turn"));
         } else {
-            MatchText.print(out, scene(), replay.header().seed(), result);
+            MatchText.print(out, streams.outColour(), scene(), replay.header().seed(), result, List.of());
         }
         out.println(TextFormat.count(impacts, "impact") + " in all");
     }

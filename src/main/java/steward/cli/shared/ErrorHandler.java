@@ -1,7 +1,5 @@
 package steward.cli.shared;
 
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.io.UncheckedIOException;
 import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
@@ -27,10 +25,8 @@ public final class ErrorHandler implements IParameterExceptionHandler, IExecutio
     @Override
     public int handleParseException(ParameterException problem, String[] arguments) {
         CommandLine command = problem.getCommandLine();
-        say(problem.getMessage());
-        StringWriter suggestions = new StringWriter();
-        UnmatchedArgumentException.printSuggestions(problem, new PrintWriter(suggestions, true));
-        streams.err().print(suggestions);
+        say(problem instanceof UnmatchedArgumentException unknown ? UnknownWord.message(unknown)
+            : problem.getMessage());
         return pointToHelp(command);
     }
 
@@ -68,6 +64,6 @@ public final class ErrorHandler implements IParameterExceptionHandler, IExecutio
     }
 
     private void say(String message) {
-        streams.err().println("steward: " + TextFormat.plain(message));
+        streams.err().println(streams.errColour().bad("steward:") + " " + TextFormat.plain(message));
     }
 }

@@ -58,6 +58,28 @@ public final class Json {
         streams.out().print('\n');
     }
 
+    /** Writes a value that was read here; whole numbers without a point. */
+    public static void write(JsonGenerator out, Object value) {
+        if (value instanceof Map<?, ?> fields) {
+            out.writeStartObject();
+            fields.forEach((name, each) -> {
+                out.writeName((String) name);
+                write(out, each);
+            });
+            out.writeEndObject();
+        } else if (value instanceof List<?> list) {
+            out.writeStartArray();
+            list.forEach(each -> write(out, each));
+            out.writeEndArray();
+        } else if (value instanceof Double number) {
+            JsonNumbers.write(out, number);
+        } else if (value instanceof Boolean flag) {
+            out.writeBoolean(flag);
+        } else {
+            out.writeString((String) value);
+        }
+    }
+
     private static Map<String, Object> object(JsonParser in) {
         Map<String, Object> fields = new LinkedHashMap<>();
         while (in.nextToken() == JsonToken.PROPERTY_NAME) {

@@ -19,8 +19,18 @@ public final class MatchText {
     public static String headline(String scene, long seed, MatchResult result) {
         int winner = result.winner();
         String who = winner >= 0 ? result.players().get(winner).name() + " wins" : "a draw";
-        return TextFormat.plain(who + ": " + result.ending() + ", " + TextFormat.count(result.turns(), "turn") + " ("
+        return TextFormat.plain(who + ": " + ending(result) + ", " + TextFormat.count(result.turns(), "turn") + " ("
             + scene + ", seed " + seed + ")");
+    }
+
+    /** The game's words; where two play, there is one other. */
+    private static String ending(MatchResult result) {
+        boolean two = result.players().size() == 2;
+        return !two ? result.ending() : switch (result.ending()) {
+            case "all others are out" -> "the other player is out";
+            case "all are out" -> "both players are out";
+            default -> result.ending();
+        };
     }
 
     /** As {@link #headline(String, long, MatchResult)}, on the same line who failed and the last that it said. */
@@ -40,12 +50,18 @@ public final class MatchText {
 
     /** Everything about the result, and more about those who failed. */
     public static void print(PrintStream out, String scene, long seed, MatchResult result, List<Failure> failures) {
-        out.println(headline(scene, seed, result));
+        print(out, Colour.NONE, scene, seed, result, failures);
+    }
+
+    /** As {@link #print(PrintStream, String, long, MatchResult, List)}, in colours. */
+    public static void print(PrintStream out, Colour colour, String scene, long seed, MatchResult result,
+                             List<Failure> failures) {
+        out.println(colour.strong(headline(scene, seed, result)));
         out.println();
         table(out, result.players());
         for (int player = 0; player < result.players().size(); player++) {
             int number = player;
-            note(out, result.players().get(player),
+            note(out, colour, result.players().get(player),
                 failures.stream().filter(each -> each.player() == number).findFirst().orElse(null));
         }
     }
@@ -75,10 +91,10 @@ public final class MatchText {
         }
     }
 
-    private static void note(PrintStream out, PlayerResult player, Failure failure) {
+    private static void note(PrintStream out, Colour colour, PlayerResult player, Failure failure) {
         String name = TextFormat.plain(player.name());
         if (player.fault() != null) {
-            out.println(name + " failed" + (failure == null ? "" : " in turn " + failure.turn()) + ": "
+            out.println(name + " " + colour.bad("failed") + (failure == null ? "" : " in turn " + failure.turn()) + ": "
                 + TextFormat.plain(player.fault()));
         } else if (player.out() != null) {
             out.println(name + " is out: " + TextFormat.plain(player.out()));
@@ -87,7 +103,7 @@ public final class MatchText {
             FailureText.print(out, failure, "  ");
         }
         if (player.earlyTurns() > 0) {
-            out.println("warning: " + name + " wrote more lines than it was asked for, in "
+            out.println(colour.warning("warning:") + " " + name + " wrote more lines than it was asked for, in "
                 + TextFormat.count(player.earlyTurns(), "turn") + "; they were taken for later answers");
         }
     }

@@ -38,6 +38,18 @@ public final class ProgressLine implements AutoCloseable {
         return streams.errTerminal() ? new ProgressLine(streams.err(), task, steps) : null;
     }
 
+    /** Says on a terminal how long the command will take, and that it may be broken off. */
+    public static void announce(Streams streams, String duration) {
+        if (streams.errTerminal()) {
+            streams.err().println("This takes " + duration + "; Ctrl-C ends it and keeps what is complete.");
+        }
+    }
+
+    /** So many in all; by any thread. */
+    public void reach(int steps) {
+        bar.stepTo(steps);
+    }
+
     /** One more; by any thread. */
     public void step() {
         bar.step();

@@ -109,6 +109,16 @@ public final class Streams {
         return errTerminal;
     }
 
+    /** The colours of {@link #out}. */
+    public Colour outColour() {
+        return Colour.of(outTerminal);
+    }
+
+    /** The colours of {@link #err}. */
+    public Colour errColour() {
+        return Colour.of(errTerminal);
+    }
+
     /** Whether the output has no reader any more ({@code | head}), so that the command can stop. */
     public boolean outEnded() {
         return watched.problem != null;
@@ -122,7 +132,7 @@ public final class Streams {
 
     /** Prints a warning; the program goes on. */
     public void warn(String message) {
-        err.println("steward: warning: " + TextFormat.plain(message));
+        err.println("steward: " + errColour().warning("warning:") + " " + TextFormat.plain(message));
     }
 
     /** Keeps the first failure, which a print stream does not report. */

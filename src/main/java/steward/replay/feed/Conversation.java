@@ -16,6 +16,7 @@ import steward.replay.RecordedTurn;
 import steward.replay.ReplayException;
 import steward.replay.verify.Difference;
 import steward.replay.verify.Resimulation;
+import steward.scene.json.JsonProblem;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.JsonParser;
@@ -116,7 +117,7 @@ final class Conversation {
             }
             return command();
         } catch (JacksonException problem) {
-            throw new ReplayException(recorded.where() + ": commands: " + problem.getOriginalMessage());
+            throw new ReplayException(recorded.where() + ": commands: " + JsonProblem.message(problem));
         }
     }
 

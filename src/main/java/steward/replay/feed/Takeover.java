@@ -19,6 +19,7 @@ import steward.replay.ReplayException;
 import steward.replay.ReplayHeader;
 import steward.replay.ReplayWriter;
 import steward.replay.verify.Resimulation;
+import steward.scene.json.JsonProblem;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
@@ -202,7 +203,7 @@ public final class Takeover {
             }
             return null;
         } catch (JacksonException problem) {
-            return recorded.where() + ": commands: " + problem.getOriginalMessage();
+            return recorded.where() + ": commands: " + JsonProblem.message(problem);
         }
     }
 

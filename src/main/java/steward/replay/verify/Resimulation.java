@@ -10,6 +10,7 @@ import steward.replay.RecordedTurn;
 import steward.replay.ReplayException;
 import steward.replay.ReplayHeader;
 import steward.scene.SceneReader;
+import steward.scene.json.JsonProblem;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
@@ -164,7 +165,7 @@ public final class Resimulation {
                 player++;
             }
         } catch (JacksonException problem) {
-            return new Difference(turn.number(), "commands", problem.getOriginalMessage(), "JSON");
+            return new Difference(turn.number(), "commands", JsonProblem.message(problem), "JSON");
         }
         return player == game.players() ? null
             : new Difference(turn.number(), "commands", player + " entries", game.players() + " entries");

@@ -68,8 +68,7 @@ public final class JsonTree {
             SourcePosition place = SourcePosition.of(e.getLocation() == null ? json.currentLocation()
                 : e.getLocation());
             String why = JsonProblem.message(e);
-            throw SceneException.at(source, place, "", "found malformed JSON (" + why + "), expected " + what
-                + " in JSON");
+            throw SceneException.at(source, place, "", "not JSON: " + why);
         }
     }
 

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import steward.bench.Section;
 import steward.cli.Cli;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -81,8 +82,8 @@ class BenchCommandTest {
         "--games 0          | --games: found 0, expected 1 to 1000000",
         "--threads 0        | --threads: found 0, expected 1 to 256",
         "--threads 100000   | --threads: found 100000, expected 1 to 256",
-        "--bodies 0         | --bodies: bodies 0, expected 1..10000000",
-        "--bodies 20000000  | --bodies: bodies 20000000, expected 1..10000000",
+        "--bodies 0         | --bodies: found 0, expected 1 to 10000000",
+        "--bodies 20000000  | --bodies: found 20000000, expected 1 to 10000000",
         "--only frame       | did you mean 'frames'?",
         "--quick --long     | --long and --quick exclude each other",
         "--overwrite        | --overwrite: expected --out",
@@ -103,5 +104,10 @@ class BenchCommandTest {
         assertTrue(names.keySet().containsAll(List.of("pods", "matches", "growth", "frames", "verify", "processes",
             "start", "crowds")), names::toString);
         assertTrue(names.values().stream().allMatch(count -> count == 1), names::toString);
+    }
+
+    @Test
+    void theNamesThatAreCompletedAreThoseOfTheParts() {
+        assertEquals(BenchCommand.Parts.ALL, BenchSuite.all(1, 1, List.of(1)).stream().map(Section::name).toList());
     }
 }

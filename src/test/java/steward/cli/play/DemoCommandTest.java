@@ -36,4 +36,12 @@ class DemoCommandTest {
         assertTrue(map.stream().anyMatch(line -> line.contains("(0)")), cli.out());
         assertTrue(map.get(map.size() - 1).startsWith("a b veteran    C D racer"), cli.out());
     }
+
+    @Test
+    void onlyInTheProjectItWritesUnderBuild() {
+        assertEquals("build/demo.jsonl", DemoCommand.usualFile(Path.of("")));
+        Path elsewhere = Path.of(DemoCommand.usualFile(folder));
+        assertTrue(elsewhere.isAbsolute() && !elsewhere.startsWith(folder), elsewhere.toString());
+        assertTrue(elsewhere.getParent().toFile().delete(), "the folder is new and empty");
+    }
 }

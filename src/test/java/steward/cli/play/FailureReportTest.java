@@ -64,8 +64,8 @@ class FailureReportTest {
 
     @Test
     void quietSaysItOnTheOneLine() throws IOException {
-        assertEquals("other wins: all others are out, 1 turn (duel, seed 7); me failed in turn 1: exited with status 1 "
-            + "before answering (ValueError: a dog)\n",
+        assertEquals("other wins: the other player is out, 1 turn (duel, seed 7); me failed in turn 1: exited with "
+            + "status 1 before answering (ValueError: a dog)\n",
             match("", "echo some >&2; echo '  ValueError: a dog' >&2; exit 1", "--no-deadline", "--quiet").out());
     }
 

@@ -51,7 +51,7 @@ class MatchCommandTest {
         Path file = folder.resolve("x.jsonl");
         Cli cli = duel("--seed", "7", "--out", file.toString());
         assertEquals(ExitStatus.DONE, cli.status(), cli.err());
-        assertTrue(cli.out().startsWith("near wins: all others are out, 50 turns (duel, seed 7)\n"), cli.out());
+        assertTrue(cli.out().startsWith("near wins: the other player is out, 50 turns (duel, seed 7)\n"), cli.out());
         assertTrue(cli.out().contains("far is out: no checkpoint in 50 turns\n"), cli.out());
         assertTrue(cli.out().contains("steward replay " + file), cli.out());
         assertEquals("", cli.err());
@@ -70,7 +70,8 @@ class MatchCommandTest {
     @Test
     void aSeedIsDrawnAndPrinted() {
         Cli cli = duel("--quiet");
-        assertTrue(cli.out().matches("near wins: all others are out, 50 turns \\(duel, seed \\d+\\)\n"), cli.out());
+        assertTrue(cli.out().matches("near wins: the other player is out, 50 turns \\(duel, seed \\d+\\)\n"),
+            cli.out());
     }
 
     @Test

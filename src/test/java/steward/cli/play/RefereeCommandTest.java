@@ -164,7 +164,7 @@ class RefereeCommandTest {
         "-p1 cat | found no -p2, expected",
         "-p1 cat -p3 cat | found no -p2, expected",
         "-p1 cat -p2 cat -p3 cat | found -p3, expected -p1 to -p2",
-        "-p1 cat -p2 cat -p9 cat | Unknown option",
+        "-p1 cat -p2 cat -p9 cat | unknown option '-p9'",
         "-p1 cat -p2 cat -p3name X | found -p3name, expected -p3 with it",
         "-p1 cat -p2 cat -p2 cat | should be specified only once",
         "-p1 cat -p2 cat -d seed | -d: found 'seed', expected key=value, such as seed=7",
@@ -180,7 +180,7 @@ class RefereeCommandTest {
         "-p1 cat -p2 cat -scene nowhere | nowhere: found no such file",
         "-p1 cat -p2 cat --time-factor 0 | expected a number above 0",
         "-p1 cat -p2 cat --time-factor 2 --no-deadline | exclude each other",
-        "-p1 cat -p2 cat extra | Unmatched argument",
+        "-p1 cat -p2 cat extra | 'extra': found more than",
         "--old -p1 cat | --old: expected no -p1",
         "--old -l x.json | --old: expected no -p1, -l, -r or -s"})
     void aWrongCallIsToldOnStderrAlone(String arguments, String problem) {

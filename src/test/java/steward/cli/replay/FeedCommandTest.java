@@ -183,7 +183,7 @@ class FeedCommandTest {
         assertTrue(cli.out().contains("turn   30  played, differs: command[0].thrust recorded 100, now 90\n"
             + "turn   31  played\n"), cli.out());
         assertTrue(cli.out().contains("19 turns compared: 19 the same, 0 different\n31 turns played by the bot\n"
-            + "bot.sh wins: all others are out, 50 turns (duel, seed 7)\n"), cli.out());
+            + "bot.sh wins: the other player is out, 50 turns (duel, seed 7)\n"), cli.out());
         assertEquals("verified: states of 50 of 50 turns and the result\n",
             Cli.run("replay", file.toString(), "--verify").out());
         Cli early = feed("--from-turn 20 --replace --overwrite --quiet --out " + file, bot("100", "3", "exit 1"));

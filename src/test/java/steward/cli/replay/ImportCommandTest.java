@@ -103,7 +103,7 @@ class ImportCommandTest {
             replay("--verify").out());
         String table = replay().out();
         assertTrue(table.contains("player 1 failed: no answer in the recording"), table);
-        assertTrue(table.contains("player 0 wins: all others are out, 33 turns"), table);
+        assertTrue(table.contains("player 0 wins: the other player is out, 33 turns"), table);
         for (int turn : List.of(1, 5, 10, SKETCHED)) {
             assertTrue(replay("--turn", Integer.toString(turn)).out().startsWith("turn " + turn + "\n"));
         }
@@ -181,11 +181,11 @@ class ImportCommandTest {
         refused("--out", "import", file);
         refused("--out", "import", file, "--out");
         refused("FILE", "import", "--out", replay.toString());
-        refused("Unmatched argument", "import", file, file, "--out", replay.toString());
+        refused("found more than steward import takes", "import", file, file, "--out", replay.toString());
         refused("found the recording itself", "import", file, "--out", file, "--overwrite");
         refused("there is no folder", "import", file, "--out", folder + "/no/game.jsonl");
-        refused("Unknown option", "import", file, "--out", replay.toString(), "--seed");
-        refused("Unmatched argument", "simulate", "tests.txt");
+        refused("unknown option", "import", file, "--out", replay.toString(), "--seed");
+        refused("found more than steward simulate takes", "simulate", "tests.txt");
         assertFalse(Files.exists(replay));
     }
 }

@@ -49,7 +49,7 @@ class ReplayCommandTest {
             String start = String.format("%4d", turn);
             assertEquals(2, cli.out().lines().filter(line -> line.startsWith(start + "     ")).count(), start);
         }
-        assertTrue(cli.out().contains("turn  body  player       x       y      vx      vy heading "), cli.out());
+        assertTrue(cli.out().contains("turn  body  player       x       y      vx      vy heading\u00b0 "), cli.out());
         assertTrue(cli.out().contains(duel.result().ending()), cli.out());
         assertTrue(cli.out().lines().allMatch(line -> line.length() <= 100), cli.out());
         assertFalse(replay(whole, "--quiet").out().contains("turn  body"));
@@ -71,7 +71,7 @@ class ReplayCommandTest {
         assertEquals(ExitStatus.DONE, cli.status(), cli.err());
         assertTrue(cli.out().startsWith("turn 2\n\nplayer 0, pilot-0, "), cli.out());
         assertTrue(cli.out().contains("  command  x 10500  y 3500  thrust 120\n  message  t2\n"), cli.out());
-        assertTrue(cli.out().contains("heading 0."), cli.out());
+        assertTrue(cli.out().contains("heading\u00b0 "), cli.out());
         assertEquals(ExitStatus.UNUSABLE, replay(whole, "--turn", "900").status());
         assertTrue(replay(whole, "--turn", "900", "--impacts").err().contains("expected turn 900"));
     }

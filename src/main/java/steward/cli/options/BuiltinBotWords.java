@@ -1,0 +1,13 @@
+package steward.cli.options;
+
+import java.util.Iterator;
+import steward.bot.command.BuiltinBots;
+
+/** The bots that come with the program, as {@code --bot} takes them. */
+public final class BuiltinBotWords implements Iterable<String> {
+
+    @Override
+    public Iterator<String> iterator() {
+        return BuiltinBots.installed().names().stream().map(name -> "builtin:" + name).iterator();
+    }
+}

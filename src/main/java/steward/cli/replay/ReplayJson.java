@@ -1,0 +1,150 @@
+package steward.cli.replay;
+
+import java.nio.charset.StandardCharsets;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import steward.cli.shared.Json;
+import steward.cli.shared.Streams;
+import steward.match.MatchResult;
+import steward.replay.RecordedTurn;
+import steward.replay.ReplayHeader;
+import steward.replay.ReplayReader;
+import steward.replay.verify.Difference;
+import steward.replay.verify.Verification;
+import tools.jackson.core.JsonGenerator;
+
+/** What {@code steward replay} knows of a match, for programs: one JSON object. */
+record ReplayJson(Streams streams, ReplayReader replay) {
+
+    /** The match and its result. */
+    void summary() {
+        int turns = 0;
+        long impacts = 0;
+        for (RecordedTurn turn = replay.next(); turn != null; turn = replay.next()) {
+            turns = turn.number();
+            Map<String, Object> outcome = Json.object(turn.outcome());
+            impacts += outcome.containsKey("impactsInAll") ? (long) Json.number(outcome.get("impactsInAll"))
+                : Json.objects(outcome.get("impacts")).size();
+        }
+        int played = turns;
+        long counted = impacts;
+        Json.print(streams, out -> summary(out, played, counted));
+    }
+
+    private void summary(JsonGenerator out, int turns, long impacts) {
+        ReplayHeader header = replay.header();
+        MatchResult result = RecordedResult.of(replay);
+        out.writeStringProperty("scene", Json.word(Json.object(header.scene()).get("name"), 0));
+        out.writeStringProperty("game", header.game());
+        out.writeStringProperty("seed", Long.toString(header.seed()));
+        out.writeNumberProperty("turns", turns);
+        out.writeNumberProperty("impacts", impacts);
+        out.writeStringProperty("ending", result == null ? null : result.ending());
+        out.writeName("winner");
+        if (result == null || result.winner() < 0) {
+            out.writeNull();
+        } else {
+            out.writeNumber(result.winner());
+        }
+        out.writeArrayPropertyStart("players");
+        for (int player = 0; player < header.names().size(); player++) {
+            out.writeStartObject();
+            out.writeStringProperty("name", header.names().get(player));
+            out.writeStringProperty("bot", header.bots().get(player));
+            if (result != null) {
+                out.writeNumberProperty("rank", result.players().get(player).rank());
+                out.writeNumberProperty("score", result.players().get(player).score());
+                out.writeStringProperty("fault", result.players().get(player).fault());
+                out.writeStringProperty("out", result.players().get(player).out());
+            }
+            out.writeEndObject();
+        }
+        out.writeEndArray();
+        out.writeStringProperty("warning", replay.warning());
+    }
+
+    /** One turn: what was recorded of it, angles in radians. */
+    void turn(int number) {
+        int last = 0;
+        for (RecordedTurn turn = replay.next(); turn != null; turn = replay.next()) {
+            last = turn.number();
+            if (last == number) {
+                RecordedTurn found = turn;
+                Json.print(streams, out -> turn(out, found));
+                return;
+            }
+        }
+        throw TurnDetail.noSuchTurn(replay, number, last);
+    }
+
+    private static void turn(JsonGenerator out, RecordedTurn turn) {
+        out.writeNumberProperty("turn", turn.number());
+        raw(out, "commands", turn.commands());
+        texts(out, "faults", turn.faults());
+        texts(out, "messages", turn.messages());
+        texts(out, "stderr", turn.stderr());
+        raw(out, "outcome", turn.outcome());
+    }
+
+    private static void raw(JsonGenerator out, String name, byte[] json) {
+        out.writeName(name);
+        out.writeRawValue(new String(json, StandardCharsets.UTF_8));
+    }
+
+    private static void texts(JsonGenerator out, String name, String[] texts) {
+        out.writeArrayPropertyStart(name);
+        for (String text : texts) {
+            out.writeString(text);
+        }
+        out.writeEndArray();
+    }
+
+    /** The impacts of a range of turns, both ends included, as they were recorded. */
+    void impacts(int from, int to) {
+        Map<Integer, Object> turns = new LinkedHashMap<>();
+        int last = 0;
+        for (RecordedTurn turn = replay.next(); turn != null && turn.number() <= to; turn = replay.next()) {
+            last = turn.number();
+            Object recorded = Json.object(turn.outcome()).get("impacts");
+            if (last >= from && !Json.objects(recorded).isEmpty()) {
+                turns.put(last, recorded);
+            }
+        }
+        if (last < from) {
+            throw TurnDetail.noSuchTurn(replay, from, last);
+        }
+        Json.print(streams, out -> {
+            out.writeArrayPropertyStart("turns");
+            turns.forEach((number, recorded) -> {
+                out.writeStartObject();
+                out.writeNumberProperty("turn", number);
+                out.writeName("impacts");
+                Json.write(out, recorded);
+                out.writeEndObject();
+            });
+            out.writeEndArray();
+            out.writeStringProperty("warning", replay.warning());
+        });
+    }
+
+    /** Whether playing it again gave the same. */
+    void verification(Verification verification) {
+        Difference difference = verification.difference();
+        Json.print(streams, out -> {
+            out.writeBooleanProperty("verified", verification.verified());
+            out.writeNumberProperty("turns", verification.turns());
+            out.writeName("difference");
+            if (difference == null) {
+                out.writeNull();
+            } else {
+                out.writeStartObject();
+                out.writeNumberProperty("turn", difference.turn());
+                out.writeStringProperty("field", difference.field());
+                out.writeStringProperty("recorded", difference.recorded());
+                out.writeStringProperty("found", difference.found());
+                out.writeEndObject();
+            }
+            out.writeStringProperty("warning", verification.warning());
+        });
+    }
+}

@@ -1,0 +1,141 @@
+package steward.cli.setup;
+
+import com.sun.management.HotSpotDiagnosticMXBean;
+import java.io.IOException;
+import java.lang.management.ManagementFactory;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import steward.bot.command.BuiltinBots;
+import steward.bot.command.ProgramFinder;
+import steward.bot.process.ProgramTrial;
+import steward.live.Browser;
+import steward.text.TextFormat;
+
+/** Looks at what Steward and bots can use on this machine. */
+final class Checkup {
+
+    /** How long a program may take to tell its version, in milliseconds. */
+    private static final long PATIENCE_MS = 10_000;
+    private static final long MEGABYTE = 1 << 20;
+    /** Replays of a long series take some hundred megabytes. */
+    private static final long ENOUGH_MEGABYTES = 200;
+
+    private final List<Item> items = new ArrayList<>();
+
+    /**
+     * One thing.
+     *
+     * @param about   a heading that several share
+     * @param name    what it is
+     * @param works   whether it can be used
+     * @param detail  the version, or why it cannot be used
+     */
+    record Item(String about, String name, boolean works, String detail) {
+    }
+
+    private Checkup() {
+    }
+
+    /** All of it; takes some seconds, since programs are started. */
+    static List<Item> all() throws InterruptedException {
+        Checkup checkup = new Checkup();
+        checkup.java();
+        checkup.isolation();
+        checkup.languages();
+        String noBrowser = Browser.ofSystem().missing();
+        checkup.add("watching", "browser", noBrowser == null, noBrowser == null ? "--open can show a page" : noBrowser
+            + ": --watch and --view still work, open their page yourself");
+        checkup.temporaryFolder();
+        return checkup.items;
+    }
+
+    private void add(String about, String name, boolean works, String detail) {
+        items.add(new Item(about, name, works, detail));
+    }
+
+    private void java() {
+        add("java", "JDK", Runtime.version().feature() >= 17, Runtime.version() + ", "
+            + System.getProperty("java.vendor") + ", " + System.getProperty("java.vm.name"));
+        boolean fma = useFma();
+        add("java", "fused multiply-add", fma, fma ? "in hardware"
+            : "not in hardware, or unknown: the rungs compensated and exact are slow, their results the same");
+        int processors = Runtime.getRuntime().availableProcessors();
+        add("java", "processors", processors > 1, processors + (processors > 1 ? ""
+            : ": bots and referee share it, so that a bot may be late through no fault of its own"));
+        List<String> builtin = BuiltinBots.installed().names();
+        add("java", "builtin bots", !builtin.isEmpty(), builtin.isEmpty()
+            ? "not on the class path: run the installed program" : String.join(", ", builtin));
+    }
+
+    private static boolean useFma() {
+        try {
+            HotSpotDiagnosticMXBean bean = ManagementFactory.getPlatformMXBean(HotSpotDiagnosticMXBean.class);
+            return bean != null && Boolean.parseBoolean(bean.getVMOption("UseFMA").getValue());
+        } catch (IllegalArgumentException unknown) {
+            return false;
+        }
+    }
+
+    private void isolation() throws InterruptedException {
+        program("isolation", "setsid", "the processes that a bot starts are killed with it",
+            "what a bot starts may outlive it", List.of("setsid", "true"));
+        program("isolation", "unshare", "namespaces can be made", "bots cannot have namespaces of their own",
+            List.of("unshare", "-Urpf", "--mount-proc", "true"));
+        program("isolation", "bwrap", "a sandbox can be made", "bots cannot be put into a sandbox",
+            List.of("bwrap", "--unshare-all", "--ro-bind", "/", "/", "--proc", "/proc", "--dev", "/dev", "true"));
+    }
+
+    private void languages() throws InterruptedException {
+        version("python3", "python", "--version");
+        version("node", "js", "--version");
+        version("g++", "cpp", "--version");
+        version("javac", "java", "-version");
+    }
+
+    private void version(String program, String language, String option) throws InterruptedException {
+        program("bots", program, null, "'steward new " + language + "' writes a bot that cannot run here",
+            List.of(program, option));
+    }
+
+    /**
+     * @param good what it gives, or {@code null} for its first line
+     * @param bad  what is lost without it
+     */
+    private void program(String about, String name, String good, String bad, List<String> trial)
+            throws InterruptedException {
+        if (ProgramFinder.find(name) == null) {
+            add(about, name, false, "there is no such program: " + bad);
+            return;
+        }
+        ProgramTrial tried = ProgramTrial.of(trial, PATIENCE_MS);
+        String said = TextFormat.shorten(TextFormat.plain(tried.line()), 60);
+        add(about, name, tried.works(), tried.works() ? good == null ? said : good
+            : "does not work (" + (said.isEmpty() ? "status " + tried.status() : said) + "): " + bad);
+    }
+
+    private void temporaryFolder() throws InterruptedException {
+        Path folder = Path.of(System.getProperty("java.io.tmpdir"));
+        Path script = null;
+        try {
+            script = Files.createTempFile("steward-", ".sh");
+            add("files", "temporary folder", true, folder + " can be written into");
+            long free = Files.getFileStore(folder).getUsableSpace() / MEGABYTE;
+            add("files", "space there", free >= ENOUGH_MEGABYTES, String.format(Locale.ROOT, "%,d MB free", free));
+            Files.writeString(script, "#!/bin/sh\nexit 0\n");
+            boolean run = script.toFile().setExecutable(true)
+                && ProgramTrial.of(List.of(script.toString()), PATIENCE_MS).works();
+            add("files", "programs there", run, run ? "can be run"
+                : "cannot be run, perhaps it is mounted noexec: keep compiled bots elsewhere");
+        } catch (IOException problem) {
+            add("files", "temporary folder", false, folder + " cannot be written into (" + problem.getMessage()
+                + "): bots cannot be started; name another one by -Djava.io.tmpdir in JAVA_OPTS");
+        } finally {
+            if (script != null && !script.toFile().delete()) {
+                script.toFile().deleteOnExit();
+            }
+        }
+    }
+}

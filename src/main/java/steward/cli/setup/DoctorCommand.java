@@ -1,0 +1,73 @@
+package steward.cli.setup;
+
+import java.io.PrintStream;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import steward.cli.shared.Colour;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Json;
+import steward.cli.shared.Streams;
+import steward.text.TextFormat;
+
+/** {@code steward doctor}: what works on this machine. */
+@Command(name = "doctor", description = "Prints what works on this machine and what does not, and why: Java, the "
+    + "isolation of bots, compilers and interpreters, the browser, the temporary folder.",
+    footer = {"", "--json: works, and items (about, name, works, detail).",
+        "", "Example:", "  steward doctor", "", "Exit status: 0, whatever was found."})
+public final class DoctorCommand implements Callable<Integer> {
+
+    private static final int NAME = 20;
+    private static final int WIDTH = 80;
+    private static final String INDENT = " ".repeat(2 + 5 + NAME);
+
+    private final Streams streams;
+
+    @Option(names = "--json", description = "Prints one JSON object instead; see below.")
+    private boolean json;
+
+    public DoctorCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() throws InterruptedException {
+        List<Checkup.Item> items = Checkup.all();
+        if (json) {
+            print(items);
+            return ExitStatus.DONE;
+        }
+        PrintStream out = streams.out();
+        Colour colour = streams.outColour();
+        String about = "";
+        for (Checkup.Item item : items) {
+            if (!item.about().equals(about)) {
+                about = item.about();
+                out.println(about);
+            }
+            String word = TextFormat.left(item.works() ? "yes" : "no", 5);
+            String detail = TextFormat.wrap(item.detail(), " ", WIDTH - INDENT.length(), "").replace("\n",
+                "\n" + INDENT);
+            out.println("  " + (item.works() ? colour.good(word) : colour.warning(word))
+                + TextFormat.left(item.name(), NAME) + detail);
+        }
+        return ExitStatus.DONE;
+    }
+
+    private void print(List<Checkup.Item> items) {
+        Json.print(streams, out -> {
+            out.writeBooleanProperty("works", items.stream().allMatch(Checkup.Item::works));
+            out.writeArrayPropertyStart("items");
+            for (Checkup.Item item : items) {
+                out.writeStartObject();
+                out.writeStringProperty("about", item.about());
+                out.writeStringProperty("name", item.name());
+                out.writeBooleanProperty("works", item.works());
+                out.writeStringProperty("detail", item.detail());
+                out.writeEndObject();
+            }
+            out.writeEndArray();
+        });
+    }
+}

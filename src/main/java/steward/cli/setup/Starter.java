@@ -1,0 +1,63 @@
+package steward.cli.setup;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.util.List;
+import java.util.Locale;
+
+/** The bots to start from, one for each language; their files are among the resources. */
+enum Starter {
+
+    PYTHON("bot.py", List.of(), "python3 bot.py"),
+    JAVA("Bot.java", List.of("javac Bot.java"), "codingame:java Bot"),
+    CPP("bot.cpp", List.of("g++ -O2 -o bot bot.cpp"), "codingame:./bot"),
+    JS("bot.js", List.of(), "codingame:node bot.js");
+
+    /** Says how to run the bot. */
+    static final String README = "README.md";
+
+    private static final String FOLDER = "/steward/starters/";
+
+    private final String source;
+    private final List<String> compile;
+    private final String bot;
+
+    /**
+     * @param source  name of the file with the program
+     * @param compile commands that make it ready to run
+     * @param bot     as {@code --bot} takes it, when called in the folder
+     */
+    Starter(String source, List<String> compile, String bot) {
+        this.source = source;
+        this.compile = compile;
+        this.bot = bot;
+    }
+
+    /** As it is typed. */
+    String word() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+
+    /** The files of the starter. */
+    List<String> files() {
+        return List.of(source, README);
+    }
+
+    List<String> compile() {
+        return compile;
+    }
+
+    String bot() {
+        return bot;
+    }
+
+    /** The content of one of its {@link #files()}. */
+    byte[] read(String file) {
+        try (InputStream in = Starter.class.getResourceAsStream(FOLDER + word() + "/" + file)) {
+            return in.readAllBytes();
+        } catch (IOException problem) {
+            throw new UncheckedIOException(problem);
+        }
+    }
+}

@@ -1,0 +1,60 @@
+package steward.cli.shared;
+
+/**
+ * Colours for a terminal, by the escape sequences of ECMA-48 (select graphic rendition); plain text elsewhere, and
+ * where the environment variable {@code NO_COLOR} is set and not empty (no-color.org) or the
+ * terminal is a {@code dumb} one.
+ */
+public final class Colour {
+
+    /** Leaves everything as it is. */
+    public static final Colour NONE = new Colour(false);
+
+    private static final String BOLD = "1";
+    private static final String RED = "31";
+    private static final String GREEN = "32";
+    private static final String YELLOW = "33";
+
+    private final boolean on;
+
+    private Colour(boolean on) {
+        this.on = on;
+    }
+
+    /** For an output of this process. */
+    public static Colour of(boolean terminal) {
+        return of(terminal, System.getenv("NO_COLOR"), System.getenv("TERM"));
+    }
+
+    /**
+     * @param noColor value of {@code NO_COLOR}, or {@code null}
+     * @param term    value of {@code TERM}, or {@code null}
+     */
+    static Colour of(boolean terminal, String noColor, String term) {
+        return terminal && (noColor == null || noColor.isEmpty()) && !"dumb".equals(term) ? new Colour(true) : NONE;
+    }
+
+    /** What matters most: the winner. */
+    public String strong(String text) {
+        return in(BOLD, text);
+    }
+
+    /** What is as it should be. */
+    public String good(String text) {
+        return in(GREEN, text);
+    }
+
+    /** What has failed. */
+    public String bad(String text) {
+        return in(RED, text);
+    }
+
+    /** What may be wrong. */
+    public String warning(String text) {
+        return in(YELLOW, text);
+    }
+
+    private String in(String rendition, String text) {
+        return on ? "\u001b[" + rendition + "m" + text + "\u001b[0m" : text;
+    }
+}

@@ -1,0 +1,44 @@
+package steward.cli.shared;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.UnmatchedArgumentException;
+import steward.text.NearestName;
+
+/** What is said about a word of a call that means nothing. */
+public final class UnknownWord {
+
+    private UnknownWord() {
+    }
+
+    /** Names the first such word, and the nearest that would mean something. */
+    static String message(UnmatchedArgumentException problem) {
+        CommandSpec spec = problem.getCommandLine().getCommandSpec();
+        String word = problem.getUnmatched().get(0);
+        if (word.startsWith("-")) {
+            String name = word.replaceFirst("=.*", "");
+            return "unknown option '" + name + "'" + question(name, spec.optionsMap().keySet());
+        }
+        if (!spec.subcommands().isEmpty()) {
+            return command(word, spec.subcommands().keySet());
+        }
+        return "'" + word + "': found more than " + spec.qualifiedName() + " takes" + option(word, spec);
+    }
+
+    /** Says that there is no such command. */
+    public static String command(String word, Collection<String> known) {
+        return "unknown command '" + word + "'" + question(word, known);
+    }
+
+    /** Somebody may have forgotten the dashes. */
+    private static String option(String word, CommandSpec spec) {
+        List<String> options = new ArrayList<>(spec.optionsMap().keySet());
+        return options.contains("--" + word) ? "; did you mean '--" + word + "'?" : "";
+    }
+
+    private static String question(String word, Collection<String> known) {
+        return NearestName.of(word, known).map(near -> "; did you mean '" + near + "'?").orElse("");
+    }
+}

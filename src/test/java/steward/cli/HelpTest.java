@@ -1,0 +1,73 @@
+package steward.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import picocli.CommandLine.Model.OptionSpec;
+import steward.cli.shared.ExitStatus;
+
+/** The help of every command: it fits a terminal of 80 columns, and speaks with one voice. */
+class HelpTest {
+
+    /** Options that are said to do something use the third person ("Writes"); these begin the others. */
+    private static final Set<String> OTHER_BEGINNINGS = Set.of("The", "A", "Which", "Where", "What", "How", "Up",
+        "Only", "With", "Few", "Instead:", "seed=N:", "In", "On", "Also", "Player", "Accepted");
+
+    static List<String> commands() {
+        return Main.commands();
+    }
+
+    @ParameterizedTest
+    @MethodSource("commands")
+    void everyLineFitsEightyColumns(String command) {
+        Cli help = Cli.run(command, "--help");
+        assertEquals(ExitStatus.DONE, help.status());
+        assertEquals(List.of(), help.out().lines().filter(line -> line.length() > 80).toList());
+        assertTrue(help.out().contains("Usage: steward " + command), help.out());
+        int example = help.out().indexOf("\nExample");
+        assertTrue(example > 0 && help.out().indexOf("steward " + command, example) > 0, help.out());
+    }
+
+    @Test
+    void theListOfCommandsFitsToo() {
+        assertEquals(List.of(), Cli.run().out().lines().filter(line -> line.length() > 80).toList());
+    }
+
+    @ParameterizedTest
+    @MethodSource("commands")
+    void optionsAreDescribedInTheThirdPerson(String command) {
+        List<String> wrong = new ArrayList<>();
+        for (OptionSpec option : Main.specOf(command).options().stream().filter(each -> !each.hidden()).toList()) {
+            String first = String.join(" ", option.description()).split(" ")[0].replaceAll("[,.]$", "");
+            if (!first.isEmpty() && !first.endsWith("s") && !OTHER_BEGINNINGS.contains(first)) {
+                wrong.add(option.longestName() + ": " + first);
+            }
+        }
+        assertEquals(List.of(), wrong);
+        String about = String.join(" ", Main.specOf(command).usageMessage().description());
+        assertTrue(about.split("[ ,]")[0].endsWith("s"), about);
+    }
+
+    @ParameterizedTest
+    @MethodSource("commands")
+    void footersAreNotBrokenInTheMiddleOfALine(String command) {
+        for (String line : Main.specOf(command).usageMessage().footer()) {
+            assertTrue(line.replace("%%", "%").length() <= 80, line);
+        }
+    }
+
+    @Test
+    void helpIsACommandToo() {
+        assertEquals(Cli.run("--help").out(), Cli.run("help").out());
+        assertEquals(Cli.run("match", "--help").out(), Cli.run("help", "match").out());
+        Cli wrong = Cli.run("help", "mtach");
+        assertEquals(ExitStatus.UNUSABLE, wrong.status());
+        assertTrue(wrong.err().startsWith("steward: unknown command 'mtach'; did you mean 'match'?\n"), wrong.err());
+    }
+}

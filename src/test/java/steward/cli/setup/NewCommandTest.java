@@ -1,0 +1,90 @@
+package steward.cli.setup;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import steward.bot.command.CommandLine;
+import steward.bot.command.ProgramFinder;
+import steward.cli.Cli;
+import steward.cli.shared.ExitStatus;
+import tools.jackson.databind.JsonNode;
+
+/** {@code steward new}. */
+class NewCommandTest {
+
+    @TempDir
+    private Path folder;
+
+    /** A bot that races passes checkpoints, which is what a score counts. */
+    @ParameterizedTest
+    @EnumSource
+    @Tag("process")
+    void everyStarterRacesAtOnceWithoutAFault(Starter starter) throws IOException, InterruptedException {
+        Path place = folder.resolve("a bot");
+        Cli made = Cli.run("new", starter.word(), place.toString());
+        assertEquals(ExitStatus.DONE, made.status(), made.err());
+        for (String command : starter.compile()) {
+            List<String> words = CommandLine.split(command);
+            assumeTrue(ProgramFinder.find(words.get(0)) != null, "there is no " + words.get(0));
+            assertEquals(0, new ProcessBuilder(words).directory(place.toFile()).inheritIO().start().waitFor());
+        }
+        String called = starter.bot().replace("./bot", CommandLine.quote(List.of(place.resolve("bot").toString())))
+            .replace("bot.", CommandLine.quote(List.of(place.toString())) + "/bot.")
+            .replace("java Bot", "java -cp " + CommandLine.quote(List.of(place.toString())) + " Bot");
+        String program = CommandLine.split(called.replace("codingame:", "")).get(0);
+        assumeTrue(program.contains("/") || ProgramFinder.find(program) != null, "there is no " + program);
+
+        Cli cli = Cli.run("match", "--bot", "me=" + called, "--bot", "builtin:racer", "--seed", "7", "--json",
+            "--time-factor", "30");
+
+        JsonNode me = cli.json().get("players").get(0);
+        assertTrue(me.get("fault").isNull(), cli.out());
+        assertNotNull(me.get("score"));
+        assertTrue(me.get("score").doubleValue() >= 3, cli.out());
+        assertTrue(made.out().contains("steward match --bot '") || made.out().contains("--bot me="), made.out());
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void itsReadmeSaysHowToRunIt(Starter starter) throws IOException {
+        Cli.run("new", starter.word(), folder.toString());
+        String readme = Files.readString(folder.resolve(Starter.README));
+        assertTrue(readme.contains("me=" + starter.bot()), readme);
+        starter.compile().forEach(command -> assertTrue(readme.contains(command), readme));
+    }
+
+    @Test
+    void aFolderWithFilesIsLeftAlone() throws IOException {
+        Path mine = Files.writeString(folder.resolve("bot.py"), "precious");
+        Cli cli = Cli.run("new", "python", folder.toString());
+        assertEquals(new Cli(ExitStatus.UNUSABLE, "", "steward: " + folder
+            + ": found a folder with files in it, expected a new or empty one\n"), cli);
+        assertEquals("precious", Files.readString(mine));
+        assertEquals("steward: " + mine + ": found a file, expected a new or empty folder\n",
+            Cli.run("new", "python", mine.toString()).err());
+    }
+
+    @Test
+    void anUnknownLanguageNamesTheNearest() {
+        assertEquals("steward: LANGUAGE: found 'pyhton', expected one of python, java, cpp, js; did you mean "
+            + "'python'?\n",
+            Cli.run("new", "pyhton", folder.toString()).err());
+    }
+
+    @Test
+    void theStarterOfThisRepositoryIsTheSame() throws IOException {
+        assertArrayEquals(Files.readAllBytes(Path.of("src/bots/python/starter.py")), Starter.PYTHON.read("bot.py"));
+    }
+}
