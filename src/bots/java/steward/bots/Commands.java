@@ -10,6 +10,9 @@ final class Commands {
     /** Pseudo-thrust: boost. */
     static final int BOOST = -2;
 
+    /** How far away the target for a direction is set, in u. */
+    private static final double FAR = 10000;
+
     double[] targetX = new double[8];
     double[] targetY = new double[8];
     /** 0..200, {@link #SHIELD} or {@link #BOOST}. */
@@ -27,6 +30,14 @@ final class Commands {
         targetX[pod] = x;
         targetY[pod] = y;
         thrust[pod] = podThrust;
+    }
+
+    /** Turns a pod from its heading by the angle that has this cosine and sine. */
+    void turn(Pods pods, int pod, double cosine, double sine, int podThrust) {
+        double hx = pods.headingX[pod];
+        double hy = pods.headingY[pod];
+        set(pod, pods.x[pod] + FAR * (hx * cosine - hy * sine), pods.y[pod] + FAR * (hx * sine + hy * cosine),
+            podThrust);
     }
 
     /** The answer for a player's pods, targets in whole units, without line end; valid until the next call. */

@@ -1,8 +1,8 @@
 package steward.bots;
 
 /**
- * A quick forecast of turns: the rules of the race as far as a bot can see them. Impacts are found exactly in time but
- * every body bounces as if perfectly elastic, since frames do not tell restitutions. Allocates nothing in a turn.
+ * A fast prediction of turns: the rules of the race as far as a bot can see them. Times of impact are exact, but every
+ * body bounces perfectly elastically, because frames do not contain restitutions. Allocates nothing in a turn.
  */
 final class Forecast {
 
@@ -11,7 +11,7 @@ final class Forecast {
     static final double TURN_SINE = 0.3090169943749474;
     private static final double SHIELD_MASS_FACTOR = 10;
     private static final int SHIELD_TURNS = 4;
-    /** Enough for any real turn; a squeezed heap of pods need not be followed further. */
+    /** Enough for any real turn; a dense heap of pods need not be simulated further. */
     private static final int MAXIMUM_IMPACTS = 24;
 
     private final Race race;
@@ -31,7 +31,7 @@ final class Forecast {
         startY = new double[capacity];
     }
 
-    /** Plays one turn: the pods become what they are expected to be after it. */
+    /** Simulates one turn: the pods are changed to their predicted state after it. */
     void turn(Pods pods, Commands commands) {
         for (int pod = 0; pod < pods.size; pod++) {
             startX[pod] = pods.x[pod];
@@ -110,7 +110,9 @@ final class Forecast {
         }
     }
 
-    /** Finds the first impact; what stands is numbered behind the pods: bumpers, then left, right, top, bottom wall. */
+    /**
+     * Finds the first impact; fixed objects are numbered after the pods: bumpers, then left, right, top, bottom wall.
+     */
     private void findImpact(Pods pods, double limit) {
         impactTime = Double.POSITIVE_INFINITY;
         for (int one = 0; one < pods.size; one++) {
@@ -144,7 +146,7 @@ final class Forecast {
         }
     }
 
-    /** When two circles at distance (dx, dy) that approach with (vx, vy) touch: never unless they approach. */
+    /** When two circles at distance (dx, dy) with relative velocity (vx, vy) touch; never unless they approach. */
     private static double circles(double dx, double dy, double vx, double vy, double reach, double limit) {
         double approach = dx * vx + dy * vy;
         double gap = dx * dx + dy * dy - reach * reach;
@@ -200,7 +202,7 @@ final class Forecast {
         pods.vy[pod] -= change * ny;
     }
 
-    /** Counts the checkpoint if the straight way of this turn came near enough to it. */
+    /** Counts the checkpoint if the straight path of this turn came near enough to it. */
     private void pass(Pods pods, int pod) {
         double ax = startX[pod] - race.checkpointX[pods.next[pod]];
         double ay = startY[pod] - race.checkpointY[pods.next[pod]];

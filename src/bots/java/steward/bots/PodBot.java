@@ -13,7 +13,7 @@ import tools.jackson.core.ObjectReadContext;
 import tools.jackson.core.json.JsonFactory;
 
 /**
- * A bot for the pod race that speaks JSON lines: a setup line, then a line per turn, each answered with one line, then
+ * A bot for the pod race that uses JSON lines: a setup line, then a line per turn, each answered with one line, then
  * an end line. It can be called with lines, or {@link #run} as a program. One instance plays one match.
  */
 public abstract class PodBot {
@@ -21,7 +21,7 @@ public abstract class PodBot {
     private static final int LINE_FEED = '\n';
 
     private final JsonFactory json = new JsonFactory();
-    private final Frame frame = new Frame();
+    private final FrameReader frame = new FrameReader();
     private final Commands commands = new Commands();
     private final Strategy strategy;
 
@@ -74,7 +74,7 @@ public abstract class PodBot {
                 scanned++;
             }
             if (scanned < filled) {
-                if (answerLine(scanned, out) == Frame.Type.END) {
+                if (answerLine(scanned, out) == FrameReader.Type.END) {
                     return;
                 }
                 filled -= scanned + 1;
@@ -93,12 +93,12 @@ public abstract class PodBot {
         }
     }
 
-    private Frame.Type answerLine(int length, OutputStream out) throws IOException {
-        Frame.Type type;
+    private FrameReader.Type answerLine(int length, OutputStream out) throws IOException {
+        FrameReader.Type type;
         try (JsonParser in = json.createParser(ObjectReadContext.empty(), bytes, 0, length)) {
             type = frame.read(in);
         }
-        if (type == Frame.Type.TURN) {
+        if (type == FrameReader.Type.TURN) {
             out.write(decide().append('\n').toString().getBytes(StandardCharsets.ISO_8859_1));
             out.flush();
         }

@@ -8,6 +8,9 @@ import java.util.Arrays;
  */
 final class Pods {
 
+    /** Value of a passed checkpoint in u; more than any distance on a field. */
+    private static final double CHECKPOINT_WORTH = 30000;
+
     int size;
     int[] player = new int[8];
     double[] x = new double[8];
@@ -21,11 +24,11 @@ final class Pods {
     int[] next = new int[8];
     /** Checkpoints passed since the start. */
     int[] passed = new int[8];
-    /** Turns that the engine stays off; 0 for pods of others, which do not show it. */
+    /** Turns that the engine stays off; 0 for pods of others, whose frames do not show it. */
     int[] shieldTimer = new int[8];
     boolean[] boostLeft = new boolean[8];
 
-    /** Makes room for one pod more and returns its index; its old values are still there. */
+    /** Makes room for one more pod and returns its index; the old values there are not cleared. */
     int add() {
         if (size == x.length) {
             grow(2 * size);
@@ -80,6 +83,23 @@ final class Pods {
         double dx = race.checkpointX[next[pod]] - x[pod];
         double dy = race.checkpointY[next[pod]] - y[pod];
         return Math.sqrt(dx * dx + dy * dy);
+    }
+
+    /**
+     * Cosine of the angle between a pod's heading and the way to a place; 1 if there is no angle, because the heading
+     * is unset or the pod is there.
+     */
+    double cosineTo(int pod, double x, double y) {
+        double dx = x - this.x[pod];
+        double dy = y - this.y[pod];
+        double distance = Math.sqrt(dx * dx + dy * dy);
+        boolean unset = headingX[pod] == 0 && headingY[pod] == 0;
+        return unset || distance == 0 ? 1 : (headingX[pod] * dx + headingY[pod] * dy) / distance;
+    }
+
+    /** A pod's progress, in u: more for every checkpoint passed, less for the distance to the next. */
+    double progress(Race race, int pod) {
+        return CHECKPOINT_WORTH * passed[pod] - toNext(race, pod);
     }
 
     /** Whether a pod has passed more checkpoints than another, or as many and is nearer to the next. */

@@ -4,7 +4,7 @@ import java.io.IOException;
 
 /**
  * The plain bot: every pod steers at the centre of its next checkpoint, the slower the more it has to turn, and slows
- * down before it arrives. It takes no notice of its drift and of other pods, and never uses shield or boost.
+ * down before it arrives. It ignores its drift and other pods, and never uses shield or boost.
  */
 public final class Racer extends PodBot {
 
@@ -40,12 +40,7 @@ public final class Racer extends PodBot {
             double y = race.checkpointY[pods.next[pod]];
             double distance = pods.toNext(race, pod);
             double share = Math.min(1, distance / (BRAKING_RADII * race.checkpointRadius));
-            boolean hasHeading = pods.headingX[pod] != 0 || pods.headingY[pod] != 0;
-            if (hasHeading && distance > 0) {
-                double cosine = (pods.headingX[pod] * (x - pods.x[pod]) + pods.headingY[pod] * (y - pods.y[pod]))
-                    / distance;
-                share = cosine > 0 ? share * cosine : 0;
-            }
+            share *= Math.max(0, pods.cosineTo(pod, x, y));
             int thrust = (int) (race.maximumThrust * Math.max(LEAST_SHARE, share));
             commands.set(pod, x, y, thrust);
         }

@@ -7,12 +7,12 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.StringTokenizer;
-import steward.game.podrace.PodCommands;
-import steward.game.podrace.PodRaceSimulator;
+import steward.game.podrace.simulator.PodCommands;
+import steward.game.podrace.simulator.PodRaceSimulator;
 
 /**
- * An example: a bot that searches with {@link PodRaceSimulator}. It speaks CodinGame's lines, and one file is all of
- * it:
+ * An example: a bot that searches with {@link PodRaceSimulator}. It uses CodinGame's text protocol and is a single
+ * file:
  *
  * <pre>
  * javac -d build/bot -cp 'build/install/steward/lib/*' src/examples/java/steward/examples/SimulatorBot.java
@@ -24,8 +24,8 @@ import steward.game.podrace.PodRaceSimulator;
  * has.)
  *
  * <p>Each turn it tries, for each of its pods, five steering angles with and without thrust and the shield, held for
- * two turns and then followed by a simple driver; all other pods are foreseen by that driver. The best first move is
- * played. 16 lines of 8 turns for each pod, always the same for the same input: no clock, no chance.
+ * two turns and then followed by a simple driver; all other pods are predicted with that driver. The best first move is
+ * played. 16 sequences of 8 turns for each pod, always the same for the same input: no clock, no randomness.
  */
 public final class SimulatorBot {
 
@@ -48,7 +48,7 @@ public final class SimulatorBot {
     private final int[] timer = new int[PODS];
     private int turn;
 
-    /** @param places of the checkpoints, {@code [n][x, y]} */
+    /** @param places the checkpoints, {@code [n][x, y]} */
     public SimulatorBot(int laps, double[][] places) {
         now = new PodRaceSimulator(places, 2, OWN, laps);
         trial = new PodRaceSimulator(places, 2, OWN, laps);
@@ -115,7 +115,7 @@ public final class SimulatorBot {
         now.setPod(pod, x, y, vx, vy, heading, pod < OWN ? timer[pod] : 0, false, passed[pod]);
     }
 
-    /** Towards the next checkpoint, less three turns of the speed; slowly when it lies behind. */
+    /** Towards the next checkpoint, less three turns of the speed; slowly when it is behind the pod. */
     private static void drive(PodRaceSimulator race, int pod, PodCommands to) {
         int checkpoint = race.nextCheckpoint(pod);
         double x = race.checkpointX(checkpoint) - 3 * race.vx(pod);
@@ -128,7 +128,7 @@ public final class SimulatorBot {
         double most = worthOf(pod, Double.NaN, 0);
         for (int thrust : THRUSTS) {
             if (turn == 1 || thrust == PodCommands.SHIELD && timer[pod] > 0) {
-                continue;                             // no heading yet; or a shield that would only start anew
+                continue;                             // no heading yet; or a shield that would only be renewed
             }
             for (double degrees : DEGREES) {
                 double x = now.x(pod) + FAR * turned(pod, degrees, true);
@@ -150,7 +150,7 @@ public final class SimulatorBot {
         return wantX ? x * cos - y * sin : x * sin + y * cos;
     }
 
-    /** Plays a line: a move held for some turns (or, with NaN, none), then the driver. */
+    /** Plays a sequence: a move held for some turns (or, with NaN, none), then the driver. */
     private double worthOf(int pod, double degrees, int thrust) {
         trial.copyFrom(now);
         for (int ahead = 0; ahead < TURNS; ahead++) {

@@ -1,2 +1,2 @@
-/** Examples: programs that use Steward as a library, each one file; compiled and tried by the tests. */
+/** Examples: programs that use Steward as a library, each a single file; compiled and run by the tests. */
 package steward.examples;

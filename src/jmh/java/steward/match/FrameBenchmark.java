@@ -18,16 +18,16 @@ import org.openjdk.jmh.annotations.Warmup;
 import steward.game.GameSetup;
 import steward.game.GameTypes;
 import steward.game.podrace.PodRace;
-import steward.game.podrace.PodRaceType;
 import steward.game.podrace.PodState;
+import steward.game.podrace.protocol.PodRaceType;
 import steward.replay.ReplayHeader;
 import steward.replay.ReplayWriter;
 import steward.scene.SceneFiles;
 import steward.scene.SceneText;
 
 /**
- * What one line costs on the official scene: a player's turn frame, an answer, a turn of the replay without impacts.
- * Before every frame and turn all pods have moved, since what has not is not written anew:
+ * The cost of one line on the official scene: a player's turn frame, an answer, a turn of the replay without impacts.
+ * All pods move before every frame and turn, because unchanged values are not written again:
  * {@code ./gradlew jmh -Pbench=Frame}; add {@code -prof gc} to the options to see what is allocated.
  */
 @State(Scope.Benchmark)
@@ -49,7 +49,7 @@ public class FrameBenchmark {
     private final PodState[][] states = new PodState[256][];
     private int next;
 
-    /** Some turns into a race, so that headings are no whole numbers. */
+    /** Some turns into a race, so that headings are not whole numbers. */
     @Setup
     public void play() {
         SceneText scene = SceneFiles.load("mad-pod-racing");
@@ -79,7 +79,7 @@ public class FrameBenchmark {
         turn.answer(1, null, null, 1000);
     }
 
-    /** Puts all pods somewhere else. */
+    /** Moves all pods. */
     private void move() {
         PodState[] pods = states[next++ & states.length - 1];
         for (int pod = 0; pod < pods.length; pod++) {

@@ -1,32 +1,32 @@
 package steward.bench;
 
 /**
- * One way to do a piece of work, to be measured against others.
+ * One way to do a piece of work, to be compared with others.
  *
- * @param name  for people
- * @param clock by which it is measured
- * @param work  a piece of it, some milliseconds long
+ * @param name  as displayed
+ * @param clock the clock that measures it
+ * @param work  a piece of work, some milliseconds long
  */
 public record Contender(String name, Clock clock, Work work) {
 
-    /** What counts as time. */
+    /** Which time is counted. */
     public enum Clock {
         /** The CPU time of the calling thread, which works alone. */
         THREAD,
-        /** The CPU time of the whole JVM, because other threads work too. */
+        /** The CPU time of the whole JVM, because other threads work as well. */
         JVM,
-        /** What passes: threads side by side, and what waits for other programs counts as well. */
+        /** Wall-clock time: for threads side by side, and where waiting for other programs counts as well. */
         WALL
     }
 
     /** Some work. */
     public interface Work {
 
-        /** Does a piece and returns how many units it had. */
+        /** Does a piece of work and returns how many units it had. */
         long run() throws Exception;
     }
 
-    /** Work of the calling thread, or of others too: by CPU time. */
+    /** Work of the calling thread, or of other threads too: measured by CPU time. */
     public Contender(String name, boolean threads, Work work) {
         this(name, threads ? Clock.JVM : Clock.THREAD, work);
     }

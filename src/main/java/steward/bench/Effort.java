@@ -1,8 +1,8 @@
 package steward.bench;
 
-/** How long is measured. */
+/** How long to measure. */
 public enum Effort {
-    /** To see that it works, in seconds. */
+    /** Seconds: to see that it works. */
     QUICK(50, 3, 20),
     /** Minutes. */
     NORMAL(3000, 7, 200),
@@ -20,16 +20,16 @@ public enum Effort {
     }
 
     /** How long each contender warms up, in milliseconds of CPU time. */
-    long warmUpMs() {
+    public long warmUpMs() {
         return warmUpMs;
     }
 
-    /** How many figures the median is taken of. */
-    int rounds() {
+    /** How many measurements the median is taken of. */
+    public int rounds() {
         return rounds;
     }
 
-    /** How much CPU time one figure takes, in milliseconds. */
+    /** How much CPU time one measurement takes, in milliseconds. */
     long roundMs() {
         return roundMs;
     }

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.function.Consumer;
 
 /**
- * Contenders that the caller brings, in groups; in each the first is what the others are compared with.
+ * Contenders given by the caller, in groups; the others of a group are compared with its first.
  *
  * @param name   a word
  * @param about  what is measured
@@ -13,7 +13,7 @@ import java.util.function.Consumer;
 public record GroupSection(String name, String about, List<Group> groups) implements Section {
 
     /**
-     * Ways to do the same.
+     * Several ways to do the same work.
      *
      * @param unit       what is counted
      * @param contenders the textbook's way first
@@ -26,7 +26,7 @@ public record GroupSection(String name, String about, List<Group> groups) implem
         return steps(groups.stream().mapToInt(group -> group.contenders().size()).sum(), effort);
     }
 
-    /** How many steps so many contenders take, in whatever groups. */
+    /** How many steps this many contenders take, however they are grouped. */
     public static int steps(int contenders, Effort effort) {
         return contenders * (1 + effort.rounds());
     }

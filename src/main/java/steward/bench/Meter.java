@@ -8,10 +8,10 @@ import java.util.List;
 import java.util.function.Consumer;
 
 /**
- * Measures contenders in turns, so that what others do on the machine meets all of them: by CPU time, the median of
+ * Measures contenders in turns, so that other load on the machine affects all of them: by CPU time, the median of
  * several rounds.
  */
-final class Meter {
+public final class Meter {
 
     private static final double NANOS = 1e9;
     private static final long NANOS_PER_MS = 1_000_000;
@@ -25,17 +25,17 @@ final class Meter {
     }
 
     /** CPU time of the calling thread, or of the whole JVM, in nanoseconds. */
-    long cpu(boolean all) {
+    public long cpu(boolean all) {
         return all ? system.getProcessCpuTime() : threads.getCurrentThreadCpuTime();
     }
 
     /**
-     * A line per contender; the ratio is to the first.
+     * Measures a row per contender; the ratio is to the first.
      *
-     * @throws Exception what a contender threw, or if this thread is interrupted: what the rounds before have shown is
-     *     told then
+     * @throws Exception what a contender threw, or if this thread is interrupted: then the results of the rounds before
+     *     are reported first
      */
-    void compare(String section, String unit, List<Contender> contenders, Effort effort, Consumer<String> about,
+    public void compare(String section, String unit, List<Contender> contenders, Effort effort, Consumer<String> about,
                  Consumer<Row> rows) throws Exception {
         double[][] speeds = new double[contenders.size()][effort.rounds()];
         for (Contender each : contenders) {
@@ -50,7 +50,7 @@ final class Meter {
                     speeds[k][done] = speed(contenders.get(k), effort.roundMs());
                 }
             }
-        } catch (Exception problem) {                  // an interrupt shows as what it broke off: a write, a match
+        } catch (Exception problem) {                  // an interrupt appears as the failure of a write or a match
             if ((Thread.interrupted() || problem instanceof InterruptedException) && done > 0) {
                 tell(section, unit, contenders, speeds, done, done + " of " + effort.rounds() + " rounds", rows);
             }
@@ -70,7 +70,7 @@ final class Meter {
         }
     }
 
-    /** Units per second by the contender's clock, over at least so many milliseconds. */
+    /** Units per second by the contender's clock, over at least the given time. */
     private double speed(Contender contender, long ms) throws Exception {
         long units = 0;
         long start = now(contender.clock());
@@ -91,7 +91,7 @@ final class Meter {
         return (double) (threads.getCurrentThreadAllocatedBytes() - before) / units;
     }
 
-    static double median(double[] values) {
+    public static double median(double[] values) {
         double[] sorted = values.clone();
         Arrays.sort(sorted);
         int middle = sorted.length / 2;

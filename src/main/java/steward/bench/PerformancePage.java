@@ -43,7 +43,7 @@ final class PerformancePage {
         }
     }
 
-    /** Said in words, from the same rows. */
+    /** A paragraph from the same rows. */
     private static void growth(StringBuilder page, List<Row> rows) {
         StringBuilder said = new StringBuilder();
         between(said, rows, "crowds", "queue, ", "bodies", "an impact");
@@ -67,7 +67,7 @@ final class PerformancePage {
         }
     }
 
-    /** At most so wide, as the other pages. */
+    /** Wraps lines at the width of the other pages. */
     private static String wrap(String text) {
         StringBuilder lines = new StringBuilder();
         int used = 0;
@@ -85,14 +85,14 @@ final class PerformancePage {
         return lines.append('\n').toString();
     }
 
-    /** Three digits, thousands apart. */
+    /** Three significant digits, with separators between thousands. */
     static String count(double value) {
         double unit = value < 1 ? 1 : Math.pow(10, Math.max(0, Math.floor(Math.log10(value)) - 2));
         return value < 100 && value != Math.rint(value) ? String.format(Locale.ROOT, "%.1f", value)
             : String.format(Locale.ROOT, "%,.0f", Math.rint(value / unit) * unit);
     }
 
-    /** In the unit that leaves one to three digits before the point. */
+    /** In the unit that leaves one to three digits before the decimal point. */
     static String time(double nanos) {
         return nanos < 1e3 ? String.format(Locale.ROOT, "%.0f ns", nanos)
             : nanos < 1e6 ? String.format(Locale.ROOT, "%.2f us", nanos / 1e3)

@@ -11,14 +11,14 @@ public interface Section {
     /** What is measured and how, in one or two sentences for the page. */
     String about();
 
-    /** How often {@link #run} will tell what is measured, about. */
+    /** How often {@link #run} will report what is measured, approximately. */
     int steps(Effort effort);
 
     /**
-     * Measures; each line is handed over as soon as it is known.
+     * Measures; each row is passed on as soon as it is known.
      *
-     * @param about is told what is measured now
-     * @throws Exception if something cannot be measured, with words for people
+     * @param about receives what is measured now
+     * @throws Exception if something cannot be measured, with a readable message
      */
     void run(Effort effort, Consumer<String> about, Consumer<Row> rows) throws Exception;
 }

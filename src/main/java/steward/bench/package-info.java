@@ -1,2 +1,8 @@
-/** Whole matches and crowds, measured; with plain ways of doing the same to measure against. */
+/**
+ * Measuring whole matches and crowds: sections of contenders, rows of results, meters, and the files and page that
+ * store them.
+ */
+@Internal
 package steward.bench;
+
+import steward.Internal;

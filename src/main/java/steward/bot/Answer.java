@@ -4,7 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
 /**
- * What came back from one {@link Player#ask}: reused from turn to turn, so that asking allocates nothing.
+ * The outcome of one {@link Player#ask}. One instance is reused from turn to turn, so that asking allocates nothing.
  */
 public final class Answer {
 
@@ -15,7 +15,7 @@ public final class Answer {
     private String stderr;
     private int extraLines;
 
-    /** Forgets the previous answer. */
+    /** Clears the previous answer. */
     public void clear() {
         length = 0;
         nanos = 0;
@@ -32,12 +32,12 @@ public final class Answer {
         return bytes;
     }
 
-    /** How many bytes of {@link #bytes()} count; with a fault, what had come by then (shortened or empty). */
+    /** How many bytes of {@link #bytes()} count; with a fault, what had been received by then (shortened or empty). */
     public int length() {
         return length;
     }
 
-    /** The answer as text, for messages and tests: this allocates. Bytes that are no UTF-8 become U+FFFD. */
+    /** The answer as text, for messages and tests: allocates. Bytes that are not UTF-8 become U+FFFD. */
     public String text() {
         return new String(bytes, 0, length, StandardCharsets.UTF_8);
     }
@@ -57,7 +57,7 @@ public final class Answer {
         return stderr;
     }
 
-    /** Complete lines that had come beyond the answer and wait for the next turn. */
+    /** Complete lines that were received beyond the answer; they wait for the next turn. */
     public int extraLines() {
         return extraLines;
     }

@@ -5,12 +5,12 @@ import java.util.Arrays;
 import java.util.function.Consumer;
 
 /**
- * A player whose {@link Bot} runs on the asking thread: for tests, and for bots that one trusts. Time is measured as
- * for a bot program and the limit holds, but nothing can stop a bot that never returns.
+ * A player whose {@link Bot} runs on the asking thread: for tests and trusted bots. Time is measured as for a bot
+ * program and the limit applies, but a bot that never returns cannot be stopped.
  *
- * <p>What is told before a question is one call of {@link Bot#setup}, the question itself one call of
- * {@link Bot#turn}; a frame of several lines arrives as one text, without the last line end. The answer must have as
- * many lines as were asked for, each at most 64 KiB long.
+ * <p>Lines told before a turn are one call of {@link Bot#setup}; the turn itself is one call of {@link Bot#turn}; a
+ * frame of several lines arrives as one text, without the last line end. The answer must have as many lines as were
+ * asked for, each at most 64 KiB long.
  */
 public final class InProcessPlayer implements Player {
 
@@ -21,7 +21,7 @@ public final class InProcessPlayer implements Player {
     private boolean over;
     private boolean finished;
 
-    /** A player called {@code name} for whom {@code bot} answers. */
+    /** A player called {@code name} whose answers come from {@code bot}. */
     public InProcessPlayer(String name, Bot bot) {
         this.name = name;
         this.bot = bot;
@@ -32,7 +32,7 @@ public final class InProcessPlayer implements Player {
         return name;
     }
 
-    /** Never used: the call of {@link #ask} is the bot's own, and comes back or does not. */
+    /** Never used: {@link #ask} calls the bot on the same thread, so it cannot be abandoned. */
     @Override
     public void onAbandoned(Consumer<Answer> continuation) {
         return;
@@ -63,14 +63,14 @@ public final class InProcessPlayer implements Player {
             }
             said = bot.turn(text(frame, length));
         } catch (Throwable thrown) {
-            // Whatever a bot throws, also an error, is its own failure and not the referee's.
+            // Anything a bot throws, errors included, is the bot's failure and not the referee's.
             answer.setNanos(System.nanoTime() - start);
             return fault(answer, "threw " + thrown);
         }
         answer.setNanos(System.nanoTime() - start);
         String problem = said == null ? "answered null" : take(said, answerLines, answer);
         if (answer.nanos() > limit) {
-            problem = Faults.late(limit, answer.nanos());
+            problem = FaultMessages.late(limit, answer.nanos());
         }
         return problem == null ? Ending.ANSWERED : fault(answer, problem);
     }
@@ -86,8 +86,8 @@ public final class InProcessPlayer implements Player {
                 to++;
             }
             int count = to > from && bytes[to - 1] == '\r' ? to - from - 1 : to - from;
-            if (count > AnswerLines.LINE_LIMIT) {
-                return Faults.tooLong(AnswerLines.LINE_LIMIT);
+            if (count > AnswerReader.LINE_LIMIT) {
+                return FaultMessages.tooLong(AnswerReader.LINE_LIMIT);
             }
             answer.append(bytes, from, count);
             if (to < end) {
@@ -126,7 +126,7 @@ public final class InProcessPlayer implements Player {
         try {
             bot.end(text(lines, length));
         } catch (Throwable thrown) {
-            // The match is over; what a bot says to that does not matter.
+            // The match is over; an exception of the bot no longer matters.
             return;
         }
     }

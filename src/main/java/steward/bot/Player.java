@@ -3,10 +3,10 @@ package steward.bot;
 import java.util.function.Consumer;
 
 /**
- * A player of one match, as the referee sees it: it is sent lines and asked for lines. Not thread-safe: one
- * thread at a time talks to a player, handing over with a happens-before edge. Only {@link #finish} may be called by
- * any thread at any time, to break a match off: a question that is being asked then ends with a fault, unless the
- * player runs on the asking thread.
+ * A player of one match, as the referee sees it: it is sent lines and asked for lines. Not thread-safe: one thread at a
+ * time uses a player and hands it over with a happens-before edge. Only {@link #finish} may be called by any thread at
+ * any time, to break a match off: an {@link #ask} in progress then ends with a fault, unless the player runs on the
+ * asking thread.
  */
 public interface Player extends AutoCloseable {
 
@@ -17,8 +17,8 @@ public interface Player extends AutoCloseable {
         /** The player failed; {@link Answer#fault()} says how. The player must not be asked again. */
         FAULT,
         /**
-         * The call was abandoned because it could not be unblocked: another thread has already been given the
-         * fault (see {@link #onAbandoned}) and owns the match now. The caller must return at once and touch nothing.
+         * The call was abandoned because it could not be unblocked: another thread has already been given the fault
+         * (see {@link #onAbandoned}) and owns the match now. The caller must return at once and change nothing.
          */
         ABANDONED
     }
@@ -27,7 +27,7 @@ public interface Player extends AutoCloseable {
     String name();
 
     /**
-     * Queues lines that want no answer (the setup frame). They reach the player at the latest with the next
+     * Queues lines that need no answer (the setup frame). They reach the player at the latest with the next
      * {@link #ask}; the bytes are copied.
      */
     void tell(byte[] lines, int length);
@@ -45,28 +45,27 @@ public interface Player extends AutoCloseable {
     Ending ask(byte[] frame, int length, int answerLines, long limitNanos, Answer answer);
 
     /**
-     * Registers who goes on when an {@link #ask} has to be abandoned together with the thread that is stuck in it.
-     * The consumer is called on a fresh daemon thread with a filled-in fault; it is called at most once per ask.
+     * Registers the continuation for an {@link #ask} that has to be abandoned together with the thread blocked in it.
+     * It is called on a new daemon thread with the fault filled in, at most once per ask.
      */
     void onAbandoned(Consumer<Answer> continuation);
 
     /**
-     * Says the last lines ahead of {@link #finish}, so that several players can go at the same time: returns at once,
-     * and leaves the rest to {@code finish}, which is to be called next with the same lines. A player to whom it makes
-     * no difference does nothing.
+     * Starts to send the last lines before {@link #finish}, so that several players can end at the same time. Returns
+     * at once; {@code finish} does the rest and is to be called next with the same lines. By default this does nothing.
      *
      * @param lines the end frame; the bytes are copied
      */
-    default void farewell(byte[] lines, int length) {
+    default void sendLastLines(byte[] lines, int length) {
         return;
     }
 
     /**
-     * Ends the match for this player: sends the last lines if they can be sent without waiting, closes its input and
-     * leaves it a short time to go by itself; then everything that is left of it is killed. Does nothing the second
-     * time. Never blocks for long, never throws.
+     * Ends the match for this player: sends the last lines if that is possible without waiting, closes its input, gives
+     * it a short time to exit by itself, then kills whatever is left of it. The second call does nothing. Never blocks
+     * for long, never throws.
      *
-     * @param lines the end frame, or {@code null} when there is nothing to say
+     * @param lines the end frame, or {@code null} if there is none
      */
     void finish(byte[] lines, int length);
 
@@ -74,7 +73,7 @@ public interface Player extends AutoCloseable {
      * What the player wrote to its stderr after its last answer, bounded; {@code null} when nothing. Known once
      * {@link #finish} has returned.
      */
-    default String lastWords() {
+    default String finalStderr() {
         return null;
     }
 

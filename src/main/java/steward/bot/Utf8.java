@@ -1,16 +1,19 @@
 package steward.bot;
 
-/** Where characters end in UTF-8 bytes that were cut at an arbitrary place. */
-final class Utf8 {
+import steward.Internal;
+
+/** Finds character boundaries in UTF-8 bytes that were cut at an arbitrary place. */
+@Internal
+public final class Utf8 {
 
     private Utf8() {
     }
 
     /**
      * The largest count, at most {@code count}, for which the bytes from {@code from} do not end inside a character.
-     * Bytes that are no UTF-8 are left as they are.
+     * Bytes that are not UTF-8 are left as they are.
      */
-    static int wholeCharacters(byte[] bytes, int from, int count) {
+    public static int wholeCharacters(byte[] bytes, int from, int count) {
         int end = from + count;
         int lead = end - 1;
         while (lead >= from && lead > end - 4 && (bytes[lead] & 0xC0) == 0x80) {

@@ -6,8 +6,24 @@ import java.util.List;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
+import steward.cli.bench.BenchCommand;
+import steward.cli.lab.ExplainCommand;
+import steward.cli.lab.StabilityCommand;
+import steward.cli.lab.TradeoffCommand;
+import steward.cli.play.DemoCommand;
+import steward.cli.play.MatchCommand;
+import steward.cli.play.PlayCommand;
+import steward.cli.play.RefereeCommand;
+import steward.cli.play.SimulateCommand;
+import steward.cli.replay.FeedCommand;
+import steward.cli.replay.ImportCommand;
+import steward.cli.replay.ReplayCommand;
+import steward.cli.shared.ErrorHandler;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.NumberConverter;
+import steward.cli.shared.Streams;
 
-/** The program. See {@link ExitStatus} for how it ends. */
+/** The program. See {@link ExitStatus} for its exit statuses. */
 @Command(name = "steward", synopsisSubcommandLabel = "COMMAND",
     description = "Referees matches between bot programs in games with exact physics.",
     footer = {"", "Examples:",
@@ -16,7 +32,7 @@ import picocli.CommandLine.Model.CommandSpec;
         "  steward replay match.jsonl --verify"})
 public final class Main {
 
-    /** Hands over a whole command line in one word. */
+    /** An option that passes a whole command line as one argument. */
     private static final String WHOLE = "--cli";
 
     private static final int WIDTH = 100;
@@ -25,6 +41,11 @@ public final class Main {
         "import", "referee", "play", "stability", "tradeoff", "bench", CompletionCommand.NAME);
 
     private Main() {
+    }
+
+    /** The names of all commands, in listed order. */
+    public static List<String> commands() {
+        return COMMANDS;
     }
 
     /** Runs the program and exits with its status. */
@@ -37,11 +58,11 @@ public final class Main {
      *
      * @return the exit status
      */
-    static int run(Streams streams, String... arguments) {
+    public static int run(Streams streams, String... arguments) {
         List<String> words = List.of(arguments);
         if (words.size() == 2 && words.get(0).equals(WHOLE)) {
             try {
-                words = steward.bot.CommandLine.split(words.get(1));
+                words = steward.bot.command.CommandLine.split(words.get(1));
             } catch (IllegalArgumentException problem) {
                 streams.err().println("steward: " + WHOLE + ", " + problem.getMessage());
                 return ExitStatus.UNUSABLE;
@@ -62,7 +83,7 @@ public final class Main {
         return status;
     }
 
-    /** With the one command that is called, or with all of them if it is none. */
+    /** The program with only the called command, or with all of them if none is called. */
     private static CommandLine program(Streams streams, String called) {
         CommandLine program = new CommandLine(new Main());
         dress(program);
@@ -72,8 +93,8 @@ public final class Main {
             dress(line);
             program.addSubcommand(name, line);
         }
-        Numbers.register(program);
-        Problems problems = new Problems(streams);
+        NumberConverter.register(program);
+        ErrorHandler problems = new ErrorHandler(streams);
         program.setExpandAtFiles(false);
         program.setUsageHelpWidth(WIDTH);
         program.setOut(new PrintWriter(streams.out(), true, StandardCharsets.UTF_8));

@@ -1,8 +1,12 @@
 /**
- * The command line: one small class per command, and what it prints. The only room that lists the games
- * ({@link steward.cli.Games}); it decides nothing about rules, bots or formats.
+ * The command line: {@link steward.cli.Main} and the list of commands. Each command is one small class in {@code play},
+ * {@code replay}, {@code lab} or {@code bench}; what several share is in {@code shared}, which alone lists the games
+ * ({@link steward.cli.shared.Games}). It contains no logic of rules, bots or formats.
  *
- * <p>Results go to the standard output, everything else to the standard error. People start the program thousands of
- * times, so a command is only loaded when it is called by its name, and reads JSON as a stream.
+ * <p>Results go to the standard output, everything else to the standard error. The program is started thousands of
+ * times, so a command is loaded only when it is called by its name, and reads JSON as a stream.
  */
+@Internal
 package steward.cli;
+
+import steward.Internal;

@@ -6,15 +6,26 @@ import java.util.List;
  * An official game of the pod race, as CodinGame's server recorded it: two players with two pods each.
  *
  * @param checkpoints {@code [n][x, y]}
- * @param start       the pods before the first turn, in order; empty if not recorded
+ * @param start       before the first turn
  * @param turns       in order
  * @param ranks       per player, 0 for the best; empty if not recorded
  */
-record GameRecording(double[][] checkpoints, List<Pod> start, List<Turn> turns, List<Integer> ranks) {
+record GameRecording(double[][] checkpoints, State start, List<Turn> turns, List<Integer> ranks) {
 
     static final int PLAYERS = 2;
     static final int PODS_PER_PLAYER = 2;
     static final int PODS = PLAYERS * PODS_PER_PLAYER;
+
+    /**
+     * What is known between two turns.
+     *
+     * @param pods     in order; empty if not recorded
+     * @param counters per player; empty if not recorded
+     */
+    record State(List<Pod> pods, List<Counter> counters) {
+
+        static final State UNKNOWN = new State(List.of(), List.of());
+    }
 
     /**
      * One turn.
@@ -22,10 +33,10 @@ record GameRecording(double[][] checkpoints, List<Pod> start, List<Turn> turns, 
      * @param frame    number of the key frame that ends it, for errors
      * @param commands per player the lines it wrote, possibly none or too few; {@code null} for a player that was not
      *                 asked any more
-     * @param after    the pods after the turn, in order; empty if not recorded
+     * @param after    what the turn led to
      * @param impacts  in order; {@code null} if the recording tells nothing of impacts
      */
-    record Turn(int frame, List<List<String>> commands, List<Pod> after, List<Impact> impacts) {
+    record Turn(int frame, List<List<String>> commands, State after, List<Impact> impacts) {
 
         /** Whether no player said anything. */
         boolean isSilent() {
@@ -51,13 +62,25 @@ record GameRecording(double[][] checkpoints, List<Pod> start, List<Turn> turns, 
     }
 
     /**
+     * How a player stands.
+     *
+     * @param rank      0 for the best
+     * @param turnsLeft to pass a checkpoint
+     */
+    record Counter(int rank, int turnsLeft) {
+    }
+
+    /**
      * An impact.
      *
      * @param time    within the turn
      * @param a       the first pod
+     * @param ax      its place at the impact, rounded
      * @param b       the second pod
      * @param impulse the whole impulse
+     * @param meanVx  half the sum of the two speeds before the impact, rounded
      */
-    record Impact(double time, int a, int b, double impulse) {
+    record Impact(double time, int a, long ax, long ay, int b, long bx, long by, double impulse, long meanVx,
+                  long meanVy) {
     }
 }

@@ -56,7 +56,7 @@ public final class GameRecordingImport {
      * @param source its name, for errors
      * @param types  must know the pod race
      * @throws IllegalArgumentException     if it is no recording of a pod race; says in which frame and line
-     * @throws steward.scene.SceneException if its map is none that can be raced on
+     * @throws steward.scene.json.SceneException if its map is none that can be raced on
      */
     public static GameRecordingImport of(String json, String source, GameTypes types) {
         GameRecording recording = GameRecordingReader.read(json, source);

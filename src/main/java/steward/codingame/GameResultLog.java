@@ -1,9 +1,15 @@
 package steward.codingame;
 
+import java.io.IOException;
+import java.io.InputStream;
 import java.io.OutputStream;
 import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 import steward.game.FrameCodec;
@@ -12,7 +18,11 @@ import steward.game.JsonNumbers;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
 import steward.match.Turn;
+import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonGenerator;
+import tools.jackson.core.JsonParser;
+import tools.jackson.core.JsonToken;
+import tools.jackson.core.ObjectReadContext;
 import tools.jackson.core.ObjectWriteContext;
 
 /**
@@ -35,10 +45,12 @@ import tools.jackson.core.ObjectWriteContext;
  */
 public final class GameResultLog implements MatchListener {
 
-    /** As many as 500 turns of 16 KiB each are: more than any bot needs that is not gone mad. */
+    /** As many as 500 turns of 16 KiB each: more than any working bot needs. */
     static final int MOST_CHARACTERS = 8 << 20;
 
     private static final String REFEREE = "referee";
+    private static final String ERRORS = "errors";
+    private static final String OUTPUTS = "outputs";
 
     private final List<Texts> outputs = new ArrayList<>();
     private final List<Texts> errors = new ArrayList<>();
@@ -51,6 +63,28 @@ public final class GameResultLog implements MatchListener {
     private boolean[] in;
 
     private record Tooltip(String text, int turn) {
+    }
+
+    /**
+     * Whether a file holds a game result, ours or another referee's: a JSON object with the fields {@code errors} and
+     * {@code outputs}. It is read as far as is needed.
+     */
+    public static boolean isIn(Path file) {
+        Set<String> missing = new HashSet<>(Set.of(ERRORS, OUTPUTS));
+        try (InputStream bytes = Files.newInputStream(file);
+             JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), bytes)) {
+            if (in.nextToken() != JsonToken.START_OBJECT) {
+                return false;
+            }
+            while (!missing.isEmpty() && in.nextToken() == JsonToken.PROPERTY_NAME) {
+                missing.remove(in.currentName());
+                in.nextToken();
+                in.skipChildren();
+            }
+            return missing.isEmpty();
+        } catch (IOException | JacksonException problem) {
+            return false;
+        }
     }
 
     @Override
@@ -113,8 +147,8 @@ public final class GameResultLog implements MatchListener {
     public void write(OutputStream file, String scene, long seed, MatchResult result) {
         try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), file)) {
             out.writeStartObject();
-            writeStreams(out, "errors", errors);
-            writeStreams(out, "outputs", outputs);
+            writeStreams(out, ERRORS, errors);
+            writeStreams(out, OUTPUTS, outputs);
             summaries.write(out, "summaries");
             views.write(out, "views");
             writePerPlayer(out, "scores", GameResultScores.of(result));

@@ -14,9 +14,9 @@ public final class GameResultScores {
     }
 
     /**
-     * Per player. Ahead of everybody who failed as a program, a score is the number of players behind; from the best
-     * of those who failed on, ranks are counted down from -1. (Who is ranked with or behind a player that failed has
-     * been eliminated as well.)
+     * Per player. Ahead of all players that failed as programs, a score is the number of players behind; from the best
+     * failed player on, ranks are counted down from -1. (A player ranked with or behind a player that failed has been
+     * eliminated as well.)
      */
     public static int[] of(MatchResult result) {
         List<PlayerResult> players = result.players();

@@ -26,8 +26,8 @@ public final class LeagueAttributes implements MatchListener {
     /**
      * A value with a name.
      *
-     * @param player whom it is about, or -1 for the match
-     * @param turn   when, or -1 for all of it
+     * @param player the player it is about, or -1 for the match
+     * @param turn   the turn, or -1 for the whole match
      */
     record Attribute(String name, int player, int turn, String value) {
     }

@@ -9,8 +9,9 @@ import tools.jackson.core.JsonGenerator;
 
 /**
  * The result of a match as rating tools read it: {@code ranks} (lower is better, ties share one), {@code errors} (1 for
- * a bot that failed), {@code test_data} (seed and data of the match), {@code player_data}, with numbers as numbers, and
- * once more as {@code attributes}: name, player or null, turn or null, value as text.
+ * a bot that failed), {@code faults} (why it did, or null), {@code test_data} (seed and data of the match),
+ * {@code player_data}, with numbers as numbers, and once more as {@code attributes}: name, player or null, turn or
+ * null, value as text.
  */
 public final class LeagueJson {
 
@@ -34,6 +35,11 @@ public final class LeagueJson {
         out.writeEndArray();
         Map<String, String> matchData = data(result.data());
         matchData.remove(SEED);
+        out.writeArrayPropertyStart("faults");
+        for (PlayerResult player : result.players()) {
+            out.writeString(player.fault());
+        }
+        out.writeEndArray();
         out.writeObjectPropertyStart("test_data");
         out.writeNumberProperty(SEED, seed);
         matchData.forEach((name, value) -> writeValue(out, name, value));

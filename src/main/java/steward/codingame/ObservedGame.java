@@ -11,7 +11,8 @@ import tools.jackson.core.JsonGenerator;
 /**
  * What CodinGame's server saw of a game, in the form of a replay. Of the shield it shows only the turn in which it was
  * raised, of the boost nothing, of the checkpoints the next one: timers, boosts and passed checkpoints are counted
- * here.
+ * here. Its counters are those of a race that goes on: before the first turn everybody has rank 1, and what it counts
+ * in the last turn is left out.
  */
 final class ObservedGame implements Observations {
 
@@ -41,15 +42,16 @@ final class ObservedGame implements Observations {
 
     @Override
     public boolean hasStart() {
-        return !recording.start().isEmpty();
+        return !recording.start().pods().isEmpty();
     }
 
     @Override
     public void writeStart(JsonGenerator out) {
         for (int pod = 0; pod < GameRecording.PODS; pod++) {
-            next[pod] = recording.start().get(pod).nextCheckpoint();
+            next[pod] = recording.start().pods().get(pod).nextCheckpoint();
         }
-        writePods(out, recording.start());
+        writePods(out, recording.start().pods());
+        writeTurnsLeft(out, recording.start());               // all have rank 1 there, whoever is nearer
     }
 
     @Override
@@ -61,18 +63,41 @@ final class ObservedGame implements Observations {
         if (turn.impacts() != null) {
             writeImpacts(out, turn.impacts());
         }
+        List<GameRecording.Pod> after = turn.after().pods();
         for (int pod = 0; pod < GameRecording.PODS; pod++) {
             String[] command = turn.command(pod);
             String word = command.length < 3 ? "" : command[2];
-            boolean shield = turn.after().isEmpty() ? word.equalsIgnoreCase("SHIELD") : turn.after().get(pod).shield();
+            boolean shield = after.isEmpty() ? word.equalsIgnoreCase("SHIELD") : after.get(pod).shield();
             shieldTimer[pod] = shield ? PodRaceSettings.SHIELD_TURNS : Math.max(0, shieldTimer[pod] - 1);
             boostLeft[pod] &= !word.equalsIgnoreCase("BOOST");
         }
-        if (!turn.after().isEmpty()) {
-            count(turn.after());
+        if (!after.isEmpty()) {
+            count(after);
             out.writeObjectPropertyStart("state");
-            writePods(out, turn.after());
+            writePods(out, after);
+            if (!race.isOver()) {
+                writeTurnsLeft(out, turn.after());
+            }
             out.writeEndObject();
+        }
+        if (!race.isOver()) {
+            writeRanks(out, turn.after());
+        }
+    }
+
+    private static void writeTurnsLeft(JsonGenerator out, GameRecording.State state) {
+        if (!state.counters().isEmpty()) {
+            out.writeArrayPropertyStart("turnsLeft");
+            state.counters().forEach(counter -> out.writeNumber(counter.turnsLeft()));
+            out.writeEndArray();
+        }
+    }
+
+    private static void writeRanks(JsonGenerator out, GameRecording.State state) {
+        if (!state.counters().isEmpty()) {
+            out.writeArrayPropertyStart("ranks");
+            state.counters().forEach(counter -> out.writeNumber(counter.rank()));
+            out.writeEndArray();
         }
     }
 
@@ -83,7 +108,13 @@ final class ObservedGame implements Observations {
             JsonNumbers.write(out, "time", impact.time());
             out.writeNumberProperty("a", impact.a());
             out.writeNumberProperty("b", impact.b());
+            out.writeNumberProperty("ax", impact.ax());
+            out.writeNumberProperty("ay", impact.ay());
+            out.writeNumberProperty("bx", impact.bx());
+            out.writeNumberProperty("by", impact.by());
             JsonNumbers.write(out, "impulse", impact.impulse());
+            out.writeNumberProperty("meanVx", impact.meanVx());
+            out.writeNumberProperty("meanVy", impact.meanVy());
             out.writeEndObject();
         }
         out.writeEndArray();

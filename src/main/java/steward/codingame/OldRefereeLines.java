@@ -27,7 +27,7 @@ final class OldRefereeLines {
         this.out = new BufferedOutputStream(out);
     }
 
-    /** Writes text; a tool that has gone is noticed when it is read from. */
+    /** Writes text; a tool that has ended is noticed by the next read. */
     void write(String text) {
         byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
         write(bytes, bytes.length);

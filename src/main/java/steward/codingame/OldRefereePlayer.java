@@ -78,7 +78,7 @@ final class OldRefereePlayer implements Player {
         return Math.round(nanos / NANOS_PER_MS * 10) / 10.0;
     }
 
-    /** Never used: reading ends when the tool does. */
+    /** Never used: reading ends when the tool ends. */
     @Override
     public void onAbandoned(Consumer<Answer> continuation) {
         return;

@@ -26,7 +26,7 @@ final class RecordedPlayer implements Player {
 
     @Override
     public void tell(byte[] lines, int length) {
-        // It knows what it will say.
+        // The answers are recorded, so the lines are not needed.
     }
 
     @Override
@@ -60,7 +60,7 @@ final class RecordedPlayer implements Player {
 
     @Override
     public void onAbandoned(Consumer<Answer> continuation) {
-        // It always comes back.
+        // A call always returns.
     }
 
     @Override

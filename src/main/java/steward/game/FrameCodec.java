@@ -4,8 +4,9 @@ import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.JsonParser;
 
 /**
- * What a player sees and says, and what a replay keeps, as JSON. Bound to one {@link Game}; the {@code write} methods
- * add fields to an object that the caller has opened and closes. Numbers go through {@link JsonNumbers}.
+ * JSON of one game: the frames and answers of players, and what a replay keeps. Bound to one {@link Game}; the
+ * {@code write} methods add fields to an object that the caller has opened and closes. Numbers go through
+ * {@link JsonNumbers}.
  */
 public interface FrameCodec {
 
@@ -16,11 +17,11 @@ public interface FrameCodec {
     void writeTurn(JsonGenerator out, int player);
 
     /**
-     * Reads a player's answer to a turn frame and, if it is good, makes it the player's command.
+     * Reads a player's answer to a turn frame and, if it is valid, makes it the player's command.
      *
      * @param line   UTF-8, without line end
      * @param length how many bytes count
-     * @return {@code null} if it is good; otherwise what is wrong: field, value found, what was expected
+     * @return {@code null} if it is valid; otherwise what is wrong: field, value found, what was expected
      */
     String readAnswer(int player, byte[] line, int length);
 
@@ -33,13 +34,13 @@ public interface FrameCodec {
     /**
      * The inverse of {@link #writeCommand}; the parser stands on the first token of the value.
      *
-     * @return {@code null} if it is good; otherwise what is wrong, as {@link #readAnswer}
+     * @return {@code null} if it is valid; otherwise what is wrong, as {@link #readAnswer}
      */
     String readCommand(JsonParser in, int player);
 
     /**
      * Fields of the full state. One of them is {@code bodies}: an array with one object for every body that can move,
-     * each with at least {@code id}, {@code x} and {@code y}, which is what any viewer draws.
+     * each with at least {@code id}, {@code x} and {@code y}, which every viewer draws.
      */
     void writeState(JsonGenerator out);
 

@@ -5,9 +5,9 @@ import steward.physics.Bodies;
 import steward.physics.TurnLog;
 
 /**
- * One game in progress. The referee has each player's command read into it by the {@link FrameCodec}, eliminates who
- * failed, and plays the turn. Players are numbered from 0. Not thread-safe; deterministic: same setup, seed, commands
- * and eliminations, same bits.
+ * One game in progress. The referee reads each player's command into it through the {@link FrameCodec}, eliminates
+ * players at fault, and plays the turn. Players are numbered from 0. Not thread-safe; deterministic: the same setup,
+ * seed, commands and eliminations give the same bits.
  */
 public interface Game {
 
@@ -17,30 +17,30 @@ public interface Game {
     /** Turns played. */
     int turn();
 
-    /** Whether the player is still in. */
+    /** Whether the player is not eliminated. */
     default boolean isIn(int player) {
         return eliminationReason(player) == null;
     }
 
-    /** Why the player is out, or {@code null} while in. */
+    /** Why the player was eliminated, or {@code null}. */
     String eliminationReason(int player);
 
     /**
-     * Takes a player out for a reason from outside (a fault), as part of the turn that is about to be played; the
-     * game decides what becomes of the bodies. Does nothing if the player is out already.
+     * Eliminates a player for a reason outside the rules (a fault), as part of the next turn; the game decides what
+     * happens to the bodies. Does nothing if the player is already eliminated.
      */
     void eliminate(int player, String reason);
 
-    /** Plays one turn with the commands read since the last; players who are out have none. */
+    /** Plays one turn with the commands read since the last; eliminated players have none. */
     void play();
 
-    /** Whether a result is reached: no further turn may be played. */
+    /** Whether the game has ended: no further turn may be played. */
     boolean isOver();
 
     /** The standing, final once over: 0 for the best, players who tie share a rank (0, 1, 1, 3). */
     int[] ranks();
 
-    /** A number per player in a measure of the game's: a better rank never has the lower score. */
+    /** A score per player, in a measure of the game: a better rank never has the lower score. */
     double[] scores();
 
     /** One sentence that says how the game ended, without its full stop, or {@code null} while it goes on. */
@@ -55,6 +55,6 @@ public interface Game {
     /** Births, deaths and marks of the last turn, in order. */
     List<TurnEvent> events();
 
-    /** A 64-bit hash of the full state: two games with the same hash go on alike under the same commands. */
+    /** A 64-bit hash of the full state: two games with the same hash continue alike under the same commands. */
     long hash();
 }

@@ -4,7 +4,7 @@ import java.util.Optional;
 import steward.scene.Plan;
 import steward.scene.Scene;
 
-/** A game with the settings of one scene, immutable: makes any number of games. */
+/** A game with the settings of one scene, immutable: creates any number of games. */
 public interface GameSetup {
 
     /** The scene it was made from. */
@@ -13,7 +13,7 @@ public interface GameSetup {
     /** The parts that the scene requires, and those left out. */
     Plan plan();
 
-    /** A game before its first turn. Everything drawn by lot follows from the seed. */
+    /** A game before its first turn. All random draws follow from the seed. */
     Game create(long seed);
 
     /** Reads and writes a game's frames; made by {@link #create} of the same setup. */

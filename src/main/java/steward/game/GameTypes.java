@@ -2,12 +2,12 @@ package steward.game;
 
 import java.util.ArrayList;
 import java.util.List;
-import steward.scene.Nearest;
 import steward.scene.Scene;
 import steward.scene.SceneReader;
+import steward.text.NearestName;
 
 /**
- * The games that are known; made by the command line, which alone lists them.
+ * The known games; created by the command line, the only place that lists them.
  *
  * @param types each with its own id
  */
@@ -19,20 +19,20 @@ public record GameTypes(List<GameType> types) {
     }
 
     /**
-     * Reads a scene and has its game read the rest.
+     * Reads a scene, including the blocks of its game.
      *
      * @param text   the scene as JSON
      * @param source where it came from, for errors
-     * @throws steward.scene.SceneException if anything about it is wrong
+     * @throws steward.scene.json.SceneException if anything about it is wrong
      */
     public GameSetup open(String text, String source) {
         return open(SceneReader.read(text, source));
     }
 
     /**
-     * Has its game read the rest of a scene.
+     * Lets the game of a scene read its blocks.
      *
-     * @throws steward.scene.SceneException if there is no such game, or anything about its blocks is wrong
+     * @throws steward.scene.json.SceneException if there is no such game, or anything about its blocks is wrong
      */
     public GameSetup open(Scene scene) {
         List<String> known = new ArrayList<>();
@@ -42,7 +42,7 @@ public record GameTypes(List<GameType> types) {
             }
             known.add(type.id());
         }
-        String hint = Nearest.of(scene.gameId(), known).map(near -> "; did you mean \"" + near + "\"?").orElse("");
+        String hint = NearestName.of(scene.gameId(), known).map(near -> "; did you mean \"" + near + "\"?").orElse("");
         throw scene.root().error("game", "unknown game \"" + scene.gameId() + "\"",
             "one of " + String.join(", ", known) + hint);
     }

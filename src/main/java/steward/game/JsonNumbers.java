@@ -1,5 +1,6 @@
 package steward.game;
 
+import steward.Internal;
 import steward.numerics.ShortestDecimal;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.SerializableString;
@@ -8,9 +9,10 @@ import tools.jackson.core.json.JsonFactory;
 
 /**
  * Numbers in frames and replays: the shortest decimal that reads back as the same double, whole numbers without a
- * fraction. The text must not depend on the JDK (whose own conversion changed in 19): it is Jackson's, and our own of
- * the same spelling where that need not allocate.
+ * fraction. The text must not depend on the JDK (whose own conversion changed in 19): it is written by Jackson or,
+ * without allocating, by {@link ShortestDecimal}, whose text is the same.
  */
+@Internal
 public final class JsonNumbers {
 
     /** Doubles up to this are exact integers, and so is their conversion to long: 2^53. */
@@ -25,8 +27,9 @@ public final class JsonNumbers {
     private static final int HEX_DIGITS = 16;
     private static final char[] HEX = "0123456789abcdef".toCharArray();
 
-    /** Where digits are put before they are written. */
-    private static final ThreadLocal<char[]> DIGITS = ThreadLocal.withInitial(() -> new char[ShortestDecimal.MOST]);
+    /** A buffer for digits, per thread. */
+    private static final ThreadLocal<char[]> DIGITS =
+        ThreadLocal.withInitial(() -> new char[ShortestDecimal.MAXIMUM_LENGTH]);
 
     private JsonNumbers() {
     }
@@ -67,7 +70,7 @@ public final class JsonNumbers {
         }
         char[] digits = DIGITS.get();
         int count = ShortestDecimal.write(finite(value), digits);
-        if (count == ShortestDecimal.NOT_HERE) {
+        if (count == ShortestDecimal.UNSUPPORTED) {
             out.writeNumber(value);
         } else {
             out.writeNumber(digits, 0, count);
@@ -80,7 +83,7 @@ public final class JsonNumbers {
         return whole == value && Math.abs(value) <= EXACT && (whole != 0 || 1 / value > 0);
     }
 
-    /** The number itself, or an exception. */
+    /** The number itself. @throws IllegalStateException if it is not finite */
     static double finite(double value) {
         if (!Double.isFinite(value)) {
             throw new IllegalStateException("the number " + value + " cannot be written: the state is damaged");

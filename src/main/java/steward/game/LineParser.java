@@ -2,16 +2,18 @@ package steward.game;
 
 import java.io.InputStream;
 import java.io.OutputStream;
+import steward.Internal;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.ObjectReadContext;
 
 /**
- * One JSON parser for many lines, so that reading a line allocates nothing: each line is one more value to it. A line
- * is read to the end of its value, and {@link #rest} called; if anything about it is wrong, {@link #forget} must be
- * called, and the line is best read once more by a parser of its own, which knows the place for the message.
+ * One JSON parser for many lines, so that reading a line allocates nothing: to the parser, each line is another value.
+ * After the end of the value is read, call {@link #endValue}. If anything is wrong with the line, {@link #reset} must
+ * be called; a parser of its own should then read the line once more, because it knows the position for the message.
  *
  * <p>Caveat: a line must begin with the bracket of an object or array, in UTF-8.
  */
+@Internal
 public final class LineParser {
 
     private final Feed feed = new Feed();
@@ -19,12 +21,12 @@ public final class LineParser {
     private int rest;
     private JsonParser parser;
 
-    /** Whether a line can be read here at all. */
+    /** Whether this class can read a line. */
     public static boolean canRead(byte[] bytes, int from, int to) {
         return to - from > 1 && (bytes[from] == '{' || bytes[from] == '[') && bytes[from + 1] != 0;
     }
 
-    /** A parser that stands before the first token of the bytes from {@code from} to {@code to}. */
+    /** The parser, positioned before the first token of the bytes from {@code from} to {@code to}. */
     public JsonParser begin(byte[] bytes, int from, int to) {
         feed.bytes = bytes;
         feed.at = from;
@@ -35,14 +37,14 @@ public final class LineParser {
         return parser;
     }
 
-    /** The value has been read to its end: how many bytes there are behind it. */
-    public int rest() {
+    /** Call when the value has been read to its end. @return the number of bytes after it */
+    public int endValue() {
         rest = parser.releaseBuffered(ignored) + feed.to - feed.at;
         feed.at = feed.to;
         return rest;
     }
 
-    /** After {@link #rest}: whether all that was behind the value is blank. */
+    /** After {@link #endValue}: whether the bytes after the value are blank. */
     public boolean restIsBlank() {
         for (int k = feed.to - rest; k < feed.to; k++) {
             byte one = feed.bytes[k];
@@ -53,12 +55,12 @@ public final class LineParser {
         return true;
     }
 
-    /** The line was not read to its end, or is no JSON: the parser cannot be used for another. */
-    public void forget() {
+    /** Call when the line was not read to its end or is not JSON: the next line gets a new parser. */
+    public void reset() {
         parser = null;
     }
 
-    /** Gives the bytes of the line, then seems to be at its end until there is another. */
+    /** Supplies the bytes of the line, then reports the end of the stream until the next line. */
     private static final class Feed extends InputStream {
 
         private byte[] bytes = {};
@@ -82,7 +84,7 @@ public final class LineParser {
         }
     }
 
-    /** What the parser had read beyond the value; it is counted, and stands in the line anyhow. */
+    /** Discards what the parser has read beyond the value: only the count matters, the bytes are in the line. */
     private static final class Ignored extends OutputStream {
 
         @Override

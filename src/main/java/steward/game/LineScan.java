@@ -1,13 +1,16 @@
 package steward.game;
 
+import steward.Internal;
+
 /**
- * Reads the plain lines that nearly all bots write, in the order in which the caller expects them: names, brackets and
- * short decimal numbers, blanks between them. It says no to anything else, also to much that is good JSON, and a real
- * parser must then read the line from its beginning.
+ * A fast scanner for the simple lines that nearly all bots write: names, brackets and short decimal numbers in the
+ * order that the caller expects, with blanks between them. It rejects everything else, including much valid JSON; a
+ * full parser must then read the line from its beginning.
  */
+@Internal
 public final class LineScan {
 
-    /** So many digits fit into the 53 bits of a double. */
+    /** The number of decimal digits that fit into the 53 bits of a double. */
     private static final int MOST_DIGITS = 15;
 
     private static final double[] POWERS = new double[MOST_DIGITS + 1];
@@ -24,7 +27,7 @@ public final class LineScan {
     private int end;
     private double number;
 
-    /** Begins a line of so many bytes. */
+    /** Starts a line of {@code length} bytes. */
     public void begin(byte[] line, int length) {
         bytes = line;
         at = 0;
@@ -37,8 +40,8 @@ public final class LineScan {
         }
     }
 
-    /** Whether this one ASCII character is next, after blanks; passes it then. */
-    public boolean passes(char one) {
+    /** Accepts one ASCII character after blanks. @return whether it was next; otherwise only blanks are skipped */
+    public boolean accept(char one) {
         skipBlanks();
         if (at < end && bytes[at] == one) {
             at++;
@@ -47,8 +50,8 @@ public final class LineScan {
         return false;
     }
 
-    /** Whether these bytes are next, after blanks; passes them then. */
-    public boolean passes(byte[] text) {
+    /** Accepts these bytes after blanks. @return whether they were next */
+    public boolean accept(byte[] text) {
         skipBlanks();
         if (text.length > end - at) {
             return false;
@@ -62,13 +65,13 @@ public final class LineScan {
         return true;
     }
 
-    /** Whether this name and a colon are next; passes them then. */
-    public boolean passesName(byte[] quoted) {
-        return passes(quoted) && passes(':');
+    /** Accepts this name and a colon. @return whether they were next */
+    public boolean acceptName(byte[] quoted) {
+        return accept(quoted) && accept(':');
     }
 
-    /** Whether nothing but blanks and line ends are left. */
-    public boolean isOver() {
+    /** Whether only blanks and line ends are left. */
+    public boolean isAtEnd() {
         for (; at < end; at++) {
             if (bytes[at] != ' ' && bytes[at] != '\t' && bytes[at] != '\r' && bytes[at] != '\n') {
                 return false;
@@ -78,11 +81,13 @@ public final class LineScan {
     }
 
     /**
-     * Whether a number is next, after blanks: perhaps a minus, digits, perhaps a point and more digits; passes it then,
-     * see {@link #number}. Digits and powers of ten up to 10^15 are exact doubles, and so their quotient is the nearest
+     * Accepts a number after blanks: an optional minus, digits, and optionally a point and more digits; see
+     * {@link #number}. Digits and powers of ten up to 10^15 are exact doubles, and so their quotient is the nearest
      * double to the decimal (W. Clinger, "How to read floating point numbers accurately", 1990, its fast path).
+     *
+     * @return whether one was next
      */
-    public boolean passesNumber() {
+    public boolean acceptNumber() {
         skipBlanks();
         boolean negative = at < end && bytes[at] == '-';
         int first = negative ? at + 1 : at;
@@ -118,7 +123,7 @@ public final class LineScan {
         return one >= '0' && one <= '9';
     }
 
-    /** The number last passed. */
+    /** The number last accepted. */
     public double number() {
         return number;
     }

@@ -5,47 +5,49 @@ import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import steward.Internal;
 import steward.numerics.ShortestDecimal;
 import tools.jackson.core.SerializableString;
 import tools.jackson.core.io.NumberOutput;
 
 /**
- * A JSON value that is spelled out byte by byte, for the few that every turn is full of, and that may be said several
- * times: {@link tools.jackson.core.JsonGenerator#writeRawValue(SerializableString)} copies its bytes. Whoever spells it
- * answers for its being JSON. Numbers are spelled as by {@link JsonNumbers}. Reused from value to value, and then
- * nothing is allocated; not thread-safe.
+ * A JSON value written byte by byte, for the frequent values of a turn, some of which are written several times:
+ * {@link tools.jackson.core.JsonGenerator#writeRawValue(SerializableString)} copies its bytes. The caller ensures that
+ * it is valid JSON. Numbers are written as by {@link JsonNumbers}. Reused from value to value without allocating; not
+ * thread-safe.
  *
- * <p>Caveat: asked for quoted text, as only a field name is, this refuses.
+ * <p>Caveat: the methods for quoted text, which only field names need, throw.
  */
+@Internal
 public final class RawJson implements SerializableString {
 
-    /** The most characters of a long, with its sign. */
+    /** The maximum number of characters of a long, with its sign. */
     private static final int MOST_OF_LONG = 20;
     private static final byte[] TRUE = text("true");
     private static final byte[] FALSE = text("false");
     private static final byte[] NULL = text("null");
 
-    private final char[] digits = new char[ShortestDecimal.MOST];
+    private final char[] digits = new char[ShortestDecimal.MAXIMUM_LENGTH];
     private byte[] bytes = new byte[256];
     private int size;
 
-    /** Nothing yet. */
+    /** Creates an empty value. */
     public RawJson() {
         // Grows as it is written.
     }
 
-    /** What is to be said again and again, such as {@code ,"x":}, as bytes. */
+    /** The bytes of a constant text, such as {@code ,"x":}. */
     public static byte[] text(String text) {
         return text.getBytes(StandardCharsets.UTF_8);
     }
 
-    /** Begins anew with the bytes of another value. */
+    /** Starts a new value with the bytes of another. */
     public RawJson begin(RawJson other) {
         size = 0;
         return add(other.bytes, other.size);
     }
 
-    /** Begins anew. */
+    /** Starts a new value with a text. */
     public RawJson begin(byte[] text) {
         size = 0;
         return add(text);
@@ -117,7 +119,7 @@ public final class RawJson implements SerializableString {
             return add((long) value);
         }
         int count = ShortestDecimal.write(JsonNumbers.finite(value), digits);
-        if (count == ShortestDecimal.NOT_HERE) {
+        if (count == ShortestDecimal.UNSUPPORTED) {
             return add(text(NumberOutput.toString(value, true)));
         }
         makeRoom(count);

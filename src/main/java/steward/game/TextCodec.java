@@ -1,7 +1,7 @@
 package steward.game;
 
 /**
- * What a player sees and says in a line protocol of words and numbers, for games and scenes that have one. Bound to one
+ * A line protocol of words and numbers between the game and a player, for games and scenes that have one. Bound to one
  * {@link Game}, beside its {@link FrameCodec}. Lines end with a line feed.
  */
 public interface TextCodec {
@@ -12,15 +12,15 @@ public interface TextCodec {
     /** Appends the lines of one turn. */
     void writeTurn(StringBuilder out, int player);
 
-    /** How many lines make the player's answer to a turn, at least 1. */
+    /** The number of lines of the player's answer to a turn, at least 1. */
     int answerLines(int player);
 
     /**
-     * Reads a player's answer and, if it is good, makes it the player's command.
+     * Reads a player's answer and, if it is valid, makes it the player's command.
      *
      * @param answer UTF-8, {@link #answerLines} lines separated by line feeds
      * @param length how many bytes count
-     * @return {@code null} if it is good; otherwise what is wrong: line, value found, what was expected
+     * @return {@code null} if it is valid; otherwise what is wrong: line, value found, what was expected
      */
     String readAnswer(int player, byte[] answer, int length);
 

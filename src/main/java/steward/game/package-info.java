@@ -1,6 +1,5 @@
 /**
- * What a game is to the rest of the house: a few small interfaces. The rooms above play, record and draw any game
- * through them; the rooms below know of none. Particular games live in sub-packages. Processes, deadlines and files
- * are not known here.
+ * The interfaces between a game and the other rooms. The rooms above play, record and draw any game through them; the
+ * rooms below know of none. Particular games live in sub-packages. Processes, deadlines and files are not known here.
  */
 package steward.game;

@@ -8,23 +8,26 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 
-/** The browser that a person uses, through the program that the system has for that. */
+/** The user's web browser, started through the system's own program for that. */
 public final class Browser {
 
-    /** A program that cannot open anything says so at once; one that runs longer than this has become the browser. */
+    /**
+     * A program that cannot open anything fails at once; one that runs longer than this, in milliseconds, has opened
+     * it.
+     */
     private static final long FAILS_WITHIN_MS = 1500;
 
-    /** Variables one of which is set where there is something to show a page on. */
+    /** Variables of which one is set where there is a display. */
     private static final List<String> DISPLAYS = List.of("DISPLAY", "WAYLAND_DISPLAY", "BROWSER");
 
     private final List<List<String>> openers;
 
-    /** @param openers programs that take an address as their last word, best first */
+    /** @param openers programs that take an address as their last argument, best first */
     Browser(List<List<String>> openers) {
         this.openers = openers;
     }
 
-    /** The one of this system. */
+    /** The browser of this system. */
     public static Browser ofSystem() {
         String system = System.getProperty("os.name").toLowerCase(Locale.ROOT);
         if (system.contains("mac")) {
@@ -33,7 +36,7 @@ public final class Browser {
         if (system.contains("windows")) {
             return new Browser(List.of(List.of("rundll32", "url.dll,FileProtocolHandler")));
         }
-        // Without a display xdg-open would look for a browser that runs in the terminal, which is ours.
+        // Without a display xdg-open would start a browser in the terminal, which this program uses.
         return new Browser(DISPLAYS.stream().anyMatch(name -> System.getenv(name) != null)
             ? List.of(List.of("xdg-open")) : List.of());
     }
@@ -70,7 +73,7 @@ public final class Browser {
             : opener.get(0) + " exited with status " + process.exitValue();
     }
 
-    /** No browser for terminals shall take what is typed. */
+    /** No input: a text-mode browser must not take what is typed. */
     private static ProcessBuilder.Redirect nothing() {
         boolean windows = File.separatorChar == '\\';
         return ProcessBuilder.Redirect.from(new File(windows ? "NUL" : "/dev/null"));

@@ -8,10 +8,10 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
-import steward.replay.ReplayPage;
+import steward.replay.page.ReplayPage;
 
 /**
- * Answers requests: the page, the match as server-sent events, and the match so far as a page that is a file. Anything
+ * Answers requests: the page, the match as server-sent events, and the match so far as a self-contained page. Anything
  * else is refused.
  */
 final class LiveHandler implements HttpHandler {
@@ -31,20 +31,22 @@ final class LiveHandler implements HttpHandler {
     private static final int WRONG_METHOD = 405;
     private static final int UNAVAILABLE = 503;
 
-    /** While nothing happens, this often a comment is sent: it tells whether the viewer is still there. */
+    /**
+     * How often a comment is sent while no line comes, in milliseconds: it shows whether the viewer is still connected.
+     */
     private static final long HEARTBEAT_MS = 5000;
     private static final byte[] HEARTBEAT = bytes(":\n\n");
     private static final byte[] BEFORE_LINE = bytes("data: ");
     private static final byte[] AFTER_LINE = bytes("\n\n");
     private static final byte[] END = bytes("event: end\ndata:\n\n");
 
-    private final HostNames names;
+    private final AllowedHosts names;
     private final byte[] page;
     private final String title;
     private final LiveRecording recording;
     private final Viewers viewers;
 
-    LiveHandler(HostNames names, byte[] page, String title, LiveRecording recording, Viewers viewers) {
+    LiveHandler(AllowedHosts names, byte[] page, String title, LiveRecording recording, Viewers viewers) {
         this.names = names;
         this.page = page;
         this.title = title;
@@ -88,7 +90,7 @@ final class LiveHandler implements HttpHandler {
         }
     }
 
-    /** What comes is as it says, of this moment, and for nobody's frames. */
+    /** Headers: the type as stated, no caching, no embedding in frames. */
     private static void describe(HttpExchange exchange, String type) {
         Headers headers = exchange.getResponseHeaders();
         headers.set("Content-Type", type);
@@ -117,7 +119,7 @@ final class LiveHandler implements HttpHandler {
         }
     }
 
-    /** From the first line to the last, as they come, at the pace of the one who reads. */
+    /** Sends the lines from the first to the last, as they are written, at the pace of the reader. */
     private void sendLines(OutputStream out) throws IOException, InterruptedException {
         out.write(HEARTBEAT);
         out.flush();
@@ -144,7 +146,7 @@ final class LiveHandler implements HttpHandler {
         sendEnd(out);
     }
 
-    /** A page that has seen the result may have gone already: it has everything. */
+    /** Sends the end. A page that has seen the result may have disconnected already: it has everything. */
     private static void sendEnd(OutputStream out) {
         try {
             out.write(END);

@@ -10,17 +10,17 @@ import java.util.concurrent.TimeUnit;
 
 /**
  * The replay of a match while it is written, kept in memory: a replay writer writes into it, and any number of readers
- * follow, each at its own pace. A reader that is slow holds nobody up, since it waits on nothing but its own place in
- * the list of lines. It grows with the match alone, which is a few megabytes at most, whoever reads.
+ * follow, each at its own pace. A slow reader delays neither the match nor other readers, because each has its own
+ * position in the list of lines. Its size depends on the match alone, a few megabytes at most.
  *
  * <p>Thread-safe.
  */
 public final class LiveRecording extends OutputStream {
 
-    /** What {@link #line} gives when no line has come in time. */
+    /** Returned by {@link #line} when no line has been written in time. */
     static final byte[] NOT_YET = {};
 
-    /** How the last line of a match that was brought to its end begins. */
+    /** How the last line of a finished match begins. */
     private static final byte[] RESULT = "{\"type\":\"result\"".getBytes(StandardCharsets.UTF_8);
 
     private final List<byte[]> lines = new ArrayList<>();
@@ -47,7 +47,7 @@ public final class LiveRecording extends OutputStream {
         notifyAll();
     }
 
-    /** No more lines will come, with or without a result. */
+    /** Ends the recording: no more lines follow, with or without a result. */
     @Override
     public synchronized void close() {
         over = true;
@@ -55,11 +55,11 @@ public final class LiveRecording extends OutputStream {
     }
 
     /**
-     * A line, without its end; waits for it if it has not been written yet.
+     * A line, without its line end; waits for it if it has not been written yet.
      *
      * @param number counted from 0
      * @param waitMs how long to wait at most
-     * @return {@link #NOT_YET} if it has not come in time, {@code null} if it never will
+     * @return {@link #NOT_YET} if it was not written in time, {@code null} if it never will be
      */
     synchronized byte[] line(int number, long waitMs) throws InterruptedException {
         long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(waitMs);
@@ -76,7 +76,7 @@ public final class LiveRecording extends OutputStream {
         return lines.get(number);
     }
 
-    /** Whether the last line is there: the result, or whichever was the last when it was closed. */
+    /** Whether the last line is known: the result, or the last line before closing. */
     synchronized boolean isComplete() {
         return over || !lines.isEmpty() && startsWith(lines.get(lines.size() - 1), RESULT);
     }
@@ -86,7 +86,7 @@ public final class LiveRecording extends OutputStream {
             && Arrays.equals(line, 0, beginning.length, beginning, 0, beginning.length);
     }
 
-    /** Everything that has been written in whole lines so far: a replay, perhaps without its end; empty at first. */
+    /** All complete lines so far: a replay, perhaps without its end; empty at first. */
     public synchronized byte[] replay() {
         int size = lines.stream().mapToInt(line -> line.length + 1).sum();
         byte[] all = new byte[size];

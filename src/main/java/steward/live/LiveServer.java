@@ -10,14 +10,14 @@ import java.net.URI;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
-import steward.replay.ReplayPage;
+import steward.replay.page.ReplayPage;
 
 /**
- * Serves the page of a match that is being played, and the match line by line to whoever opened it. Only reading is
- * possible, by at most {@value #MOST_VIEWERS} viewers at the same time, each served by a thread of its own from the
- * {@link LiveRecording}, so that none can hold up another or the match.
+ * Serves the page of a match that is being played, and the match line by line to every open page. Access is read-only,
+ * by at most {@value #MOST_VIEWERS} viewers at the same time, each served by a thread of its own from the
+ * {@link LiveRecording}, so that none can delay another or the match.
  *
- * <p>Caveat: nobody is asked for a password. On an address other than the loopback one, whoever reaches this machine
+ * <p>Caveat: there is no password. On an address other than the loopback one, every client that reaches this machine
  * can watch.
  */
 public final class LiveServer implements AutoCloseable {
@@ -27,7 +27,7 @@ public final class LiveServer implements AutoCloseable {
     /** How many can follow a match at the same time. */
     public static final int MOST_VIEWERS = 16;
 
-    /** For pages and copies beside the viewers. */
+    /** Threads for pages and copies, in addition to the viewers. */
     private static final int MORE_THREADS = 8;
     private static final long IDLE_THREAD_MS = 10_000;
 
@@ -50,17 +50,17 @@ public final class LiveServer implements AutoCloseable {
     }
 
     /**
-     * Starts to serve.
+     * Starts a server.
      *
      * @param host      name or address to listen on, or {@code null} for this machine alone (loopback)
      * @param port      to listen on, or 0 for any that is free
      * @param title     of the page, plain text
-     * @param recording what the match is written to
+     * @param recording the recording that the match is written to
      * @throws IOException if the host is not known or the port is taken
      */
     public static LiveServer start(String host, int port, String title, LiveRecording recording) throws IOException {
-        // Seconds for a whole request to come; read once by the JDK's server. Without it a few connections that send
-        // half a request would keep all others out.
+        // Seconds until a request must be complete; read once by the JDK's server. Without it a few connections that
+        // send half a request would block all others.
         if (System.getProperty(REQUEST_LIMIT) == null) {
             System.setProperty(REQUEST_LIMIT, "2");
         }
@@ -68,14 +68,14 @@ public final class LiveServer implements AutoCloseable {
         ByteArrayOutputStream page = new ByteArrayOutputStream();
         ReplayPage.writeLive(page, title, LiveHandler.FEED, LiveHandler.COPY);
         LiveServer live = new LiveServer(HttpServer.create(new InetSocketAddress(address, port), 0));
-        HostNames names = new HostNames(host == null ? "localhost" : host, live.server.getAddress().getPort());
+        AllowedHosts names = new AllowedHosts(host == null ? "localhost" : host, live.server.getAddress().getPort());
         live.server.setExecutor(live.threads);
         live.server.createContext("/", new LiveHandler(names, page.toByteArray(), title, recording, live.viewers));
         live.server.start();
         return live;
     }
 
-    /** Where the page is. On a machine that listens on all its addresses, the loopback one. */
+    /** The address of the page; the loopback one if the server listens on all addresses. */
     public URI address() {
         InetAddress bound = server.getAddress().getAddress();
         InetAddress shown = bound.isAnyLocalAddress() ? InetAddress.getLoopbackAddress() : bound;
@@ -89,17 +89,17 @@ public final class LiveServer implements AutoCloseable {
         return server.getAddress().getAddress().isLoopbackAddress();
     }
 
-    /** Waits for the first viewer; whether there is one. */
+    /** Waits for the first viewer; returns whether there is one. */
     public boolean awaitViewer(long mostMs) throws InterruptedException {
         return viewers.awaitFirst(mostMs);
     }
 
     /**
-     * Waits until everybody who follows has the last line, and until their pages have fetched the copy that they keep;
-     * nobody is waited for longer than that.
+     * Waits until every viewer has the last line, and until their pages have fetched the copy that they keep, each for
+     * a limited time.
      *
-     * @param linesMs how long for the lines
-     * @param copyMs  how long for the copies
+     * @param linesMs how long to wait for the lines, in milliseconds
+     * @param copyMs  how long to wait for the copies, in milliseconds
      */
     public void awaitDelivery(long linesMs, long copyMs) throws InterruptedException {
         if (viewers.awaitServed(linesMs)) {
@@ -107,7 +107,7 @@ public final class LiveServer implements AutoCloseable {
         }
     }
 
-    /** Ends all connections. */
+    /** Closes all connections. */
     @Override
     public void close() {
         server.stop(0);

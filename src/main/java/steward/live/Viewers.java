@@ -3,7 +3,8 @@ package steward.live;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Who follows a match: how many there may be at the same time, and what they still have to get. Thread-safe.
+ * Counts the viewers of a match: how many may follow at the same time, and what they still have to receive.
+ * Thread-safe.
  */
 final class Viewers {
 
@@ -13,12 +14,12 @@ final class Viewers {
     private int served;
     private int copies;
 
-    /** @param most how many may follow at the same time */
+    /** @param most how many viewers may follow at the same time */
     Viewers(int most) {
         this.most = most;
     }
 
-    /** One more follows; false if there are too many already. */
+    /** Adds a viewer; false if there are too many already. */
     synchronized boolean enter() {
         if (following == most) {
             return false;
@@ -29,30 +30,30 @@ final class Viewers {
         return true;
     }
 
-    /** @param all whether it got every line to the last; otherwise it has gone before */
+    /** @param all whether the viewer got every line to the last; otherwise it disconnected before */
     synchronized void leave(boolean all) {
         following--;
         served += all ? 1 : 0;
         notifyAll();
     }
 
-    /** A copy of the whole match was handed out. */
+    /** A copy of the whole match was sent. */
     synchronized void copied() {
         copies++;
         notifyAll();
     }
 
-    /** Waits for the first to come; whether one has. */
+    /** Waits for the first viewer; returns whether there was one. */
     synchronized boolean awaitFirst(long mostMs) throws InterruptedException {
         return await(() -> come > 0, mostMs);
     }
 
-    /** Waits until nobody follows any more; whether that is so. */
+    /** Waits until there are no viewers any more; returns whether that is so. */
     synchronized boolean awaitServed(long mostMs) throws InterruptedException {
         return await(() -> following == 0, mostMs);
     }
 
-    /** Waits until there are as many copies as viewers who saw the end. */
+    /** Waits until there were as many copies as viewers who saw the end. */
     synchronized boolean awaitCopies(long mostMs) throws InterruptedException {
         return await(() -> copies >= served, mostMs);
     }

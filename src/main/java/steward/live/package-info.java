@@ -1,5 +1,8 @@
 /**
- * Watching a match while it is played: its lines kept for everybody who looks on, a small server on this machine that
- * hands them to browsers, and the browser itself. Whoever watches, however slowly, never holds the match up.
+ * Watching a match while it is played: its lines kept for all viewers, a small server on this machine that sends them
+ * to browsers, and the browser itself. A viewer, however slow, never delays the match.
  */
+@Internal
 package steward.live;
+
+import steward.Internal;

@@ -1,23 +1,25 @@
 package steward.match;
 
+import steward.Internal;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
 import steward.game.TextCodec;
 
 /**
- * What is said to one kind of bot and how its answers are understood: a protocol bound to one game. The referee speaks
- * it, and a replay can say it again, because it follows from the game.
+ * A protocol bound to one game: the lines sent to a bot, and how its answers are read. The referee uses it; a replay
+ * can produce the same lines again, because they follow from the game.
  */
+@Internal
 public interface Dialogue {
 
-    /** The lines before the first turn, perhaps none; valid until the next call of any method that makes lines. */
+    /** The lines before the first turn, possibly empty; valid until the next call of any method that makes lines. */
     LineBuffer setup(int player);
 
-    /** The lines of the turn about to be played. */
+    /** The lines of the turn that is played next. */
     LineBuffer turn(int player);
 
-    /** The lines after the match, perhaps none. */
+    /** The lines after the match, possibly empty. */
     LineBuffer end(int player);
 
     /** How many lines make an answer, at least 1. */
@@ -32,7 +34,7 @@ public interface Dialogue {
     /**
      * The dialogue of a protocol.
      *
-     * @throws IllegalArgumentException if the scene's game does not speak it
+     * @throws IllegalArgumentException if the scene's game does not support it
      */
     static Dialogue of(Protocol protocol, GameSetup setup, Game game, FrameCodec codec) {
         return switch (protocol) {

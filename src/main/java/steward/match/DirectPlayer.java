@@ -2,13 +2,13 @@ package steward.match;
 
 import java.util.function.Consumer;
 import steward.bot.Answer;
-import steward.bot.Faults;
+import steward.bot.FaultMessages;
 import steward.bot.Player;
 import steward.game.Game;
 
 /**
  * A {@link DirectBot} as a player: it is asked without lines. Time is measured as for a bot program and the limit
- * holds, but nothing can stop a bot that never returns.
+ * applies, but a bot that never returns cannot be stopped.
  */
 final class DirectPlayer implements Player {
 
@@ -26,7 +26,7 @@ final class DirectPlayer implements Player {
         try {
             bot.start(game, player);
         } catch (Throwable thrown) {
-            // Whatever a bot throws, also an error, is its own failure and not the referee's.
+            // Anything a bot throws, errors included, is the bot's failure and not the referee's.
             problem = "threw " + thrown;
         }
     }
@@ -50,7 +50,7 @@ final class DirectPlayer implements Player {
             return Ending.ANSWERED;
         }
         over = true;
-        answer.setFault(problem != null ? problem : Faults.late(Math.max(1, limitNanos), answer.nanos()));
+        answer.setFault(problem != null ? problem : FaultMessages.late(Math.max(1, limitNanos), answer.nanos()));
         return Ending.FAULT;
     }
 
@@ -63,7 +63,7 @@ final class DirectPlayer implements Player {
         return name;
     }
 
-    /** Nothing is told in lines. */
+    /** A direct bot gets no lines. */
     @Override
     public void tell(byte[] lines, int length) {
         return;
@@ -74,7 +74,7 @@ final class DirectPlayer implements Player {
         return ask(limitNanos, answer);
     }
 
-    /** Never used: the call is the bot's own, and comes back or does not. */
+    /** Never used: the bot runs on the calling thread, so the call cannot be abandoned. */
     @Override
     public void onAbandoned(Consumer<Answer> continuation) {
         return;
@@ -89,7 +89,7 @@ final class DirectPlayer implements Player {
                 bot.end();
             }
         } catch (Throwable thrown) {
-            // The match is over; what a bot says to that does not matter.
+            // The match is over; an exception of the bot no longer matters.
             return;
         }
     }

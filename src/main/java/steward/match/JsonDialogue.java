@@ -17,7 +17,7 @@ final class JsonDialogue implements Dialogue {
     private final Game game;
     private final FrameCodec codec;
     private final LineBuffer buffer = new LineBuffer();
-    /** Stays open from line to line, which costs nothing. */
+    /** Stays open across lines; opening one per line would cost time. */
     private final JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), buffer);
 
     JsonDialogue(GameSetup setup, Game game, FrameCodec codec) {

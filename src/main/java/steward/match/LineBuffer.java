@@ -2,16 +2,18 @@ package steward.match;
 
 import java.io.OutputStream;
 import java.util.Arrays;
+import steward.Internal;
 
 /** Bytes of lines that can be read in place; reused from line to line. Not thread-safe. */
+@Internal
 public final class LineBuffer extends OutputStream {
 
     private byte[] bytes = new byte[4096];
     private int size;
 
-    /** Nothing yet. */
+    /** An empty buffer. */
     public LineBuffer() {
-        // Grows as it is written.
+        // The buffer grows when it is written to.
     }
 
     /** The bytes themselves, valid up to {@link #size} and until something is written. */
@@ -24,7 +26,7 @@ public final class LineBuffer extends OutputStream {
         return size;
     }
 
-    /** Forgets what was written. */
+    /** Empties the buffer. */
     public void reset() {
         size = 0;
     }

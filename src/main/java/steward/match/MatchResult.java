@@ -18,7 +18,7 @@ public record MatchResult(int turns, String ending, List<PlayerResult> players, 
         players = List.copyOf(players);
     }
 
-    /** Without data. */
+    /** A result without data. */
     public MatchResult(int turns, String ending, List<PlayerResult> players) {
         this(turns, ending, players, Map.of());
     }
@@ -26,16 +26,17 @@ public record MatchResult(int turns, String ending, List<PlayerResult> players, 
     /**
      * One player's part of the result.
      *
-     * @param name         as shown to people
+     * @param name         as displayed
      * @param rank         0 for the best; ties share a rank
      * @param score        higher is better
-     * @param fault        why the player failed as a program (no answer in time, exit, not JSON, ...), or {@code null}
+     * @param fault        how the player failed as a program (no answer in time, exit, invalid JSON, ...), or
+     *                     {@code null}
      * @param out          why the player was eliminated, by a fault or by the rules, or {@code null}
-     * @param answers      how many answers were waited for
+     * @param answers      how many answers were requested
      * @param averageNanos mean answer time, in nanoseconds, the first answer left out when there are more
      * @param worstNanos   longest answer time, likewise
      * @param firstNanos   time of the first answer, which includes a process's start
-     * @param earlyTurns   in how many turns there were further lines beyond the answer, which wait for later turns
+     * @param earlyTurns   in how many turns there were lines beyond the answer; such lines wait for later turns
      * @param data         what the bot reported about itself on stderr: {@code [PDATA] key = value}, the last value,
      *                     and {@code [PDATA+] key = value}, the sum
      */
@@ -43,7 +44,7 @@ public record MatchResult(int turns, String ending, List<PlayerResult> players, 
                                long averageNanos, long worstNanos, long firstNanos, int earlyTurns,
                                Map<String, String> data) {
 
-        /** Without data. */
+        /** A result without data. */
         public PlayerResult(String name, int rank, double score, String fault, String out, int answers,
                             long averageNanos, long worstNanos, long firstNanos, int earlyTurns) {
             this(name, rank, score, fault, out, answers, averageNanos, worstNanos, firstNanos, earlyTurns, Map.of());

@@ -9,20 +9,20 @@ import java.util.concurrent.CompletionException;
 import java.util.concurrent.ExecutionException;
 import steward.bot.Answer;
 import steward.bot.Player;
-import steward.bot.SpareThreads;
+import steward.bot.process.DaemonThreadPool;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
 
 /**
  * The referee loop: each turn it sends every player a frame, takes the commands one player after another, eliminates
- * who failed, has the game play the turn and tells the listener. All players who are in are asked every turn, also
- * after another has failed.
+ * players that failed, lets the game play the turn and notifies the listener. All players who are in are asked every
+ * turn, also after another has failed.
  *
- * <p>The loop runs on a thread that does nothing else, one of {@link SpareThreads}. When a player can neither be read
- * nor killed, that thread is stuck; the player then hands the fault to a fresh thread, which goes on with the next
- * player, and the stuck one, should it ever return, leaves without touching anything. All state of the loop is
- * therefore in fields, handed over by the player with a happens-before edge.
+ * <p>The loop runs on a thread that does nothing else, one of {@link DaemonThreadPool}. When a player can neither be
+ * read nor killed, that thread is blocked. The player then hands the fault to a new thread, which goes on with the next
+ * player; the blocked thread, if it ever returns, exits without changing anything. All state of the loop is therefore
+ * in fields, handed over by the player with a happens-before edge.
  */
 public final class Referee {
 
@@ -32,7 +32,7 @@ public final class Referee {
     private final DirectPlayer[] directs;
     private final boolean allDirect;
     private final Dialogue[] dialogues;
-    private final DataLines data;
+    private final DataLineCollector data;
     private final TimeControl time;
     private final MatchListener listener;
     private final CompletableFuture<MatchResult> result = new CompletableFuture<>();
@@ -45,7 +45,7 @@ public final class Referee {
     private int next;
 
     /**
-     * A match between players who all speak JSON.
+     * A match between players who all use JSON.
      *
      * @param players as many as the scene has, in order; they are finished when the match is over
      * @throws IllegalArgumentException if their number is not the scene's
@@ -56,10 +56,10 @@ public final class Referee {
     }
 
     /**
-     * A match between players who speak each their own protocol.
+     * A match between players who may use different protocols.
      *
      * @param seats as many as the scene has players, in order; the players are finished when the match is over
-     * @throws IllegalArgumentException if their number is not the scene's, or its game does not speak a protocol
+     * @throws IllegalArgumentException if their number is not the scene's, or its game does not support a protocol
      */
     public static Referee of(GameSetup setup, long seed, List<Seat> seats, TimeControl time, MatchListener listener) {
         return new Referee(List.copyOf(seats), setup, seed, time, listener);
@@ -80,7 +80,7 @@ public final class Referee {
         this.time = time;
         this.listener = listener;
         int count = players.size();
-        data = new DataLines(count);
+        data = new DataLineCollector(count);
         turn = new Turn(count);
         answers = new Answer[count];
         watches = new Stopwatch[count];
@@ -94,7 +94,7 @@ public final class Referee {
         }
     }
 
-    /** Who speaks the same language shares a dialogue; who needs no lines has none. */
+    /** One dialogue per protocol, shared by its players; none for players that need no lines. */
     private Dialogue[] dialogues(List<Seat> seats, GameSetup setup) {
         Map<Protocol, Dialogue> spoken = new EnumMap<>(Protocol.class);
         Dialogue[] each = new Dialogue[seats.size()];
@@ -108,8 +108,7 @@ public final class Referee {
     }
 
     /**
-     * Plays the match. Call once. Where nobody needs lines, nobody can get stuck in them, and the calling thread itself
-     * plays.
+     * Plays the match. Call once. If no player needs lines, none can block in them, and the calling thread plays.
      *
      * @throws InterruptedException if the calling thread is interrupted; the players are finished then
      * @throws RuntimeException     whatever the game or the listener threw; the players are finished then
@@ -119,7 +118,7 @@ public final class Referee {
             if (allDirect) {
                 begin();
             } else {
-                SpareThreads.run(this::begin);
+                DaemonThreadPool.run(this::begin);
             }
             return result.get();
         } catch (ExecutionException problem) {
@@ -150,7 +149,7 @@ public final class Referee {
         });
     }
 
-    /** On a fresh thread: the last one is stuck with this player, whose fault is known by now. */
+    /** Runs on a new thread: the previous one is blocked in this player, whose fault is known by now. */
     private void goOnAfter(int player, Answer answer) {
         guarded(() -> {
             if (result.isDone()) {
@@ -165,7 +164,7 @@ public final class Referee {
     private void guarded(Runnable work) {
         try {
             work.run();
-        } catch (Throwable problem) {              // errors too: whoever waits for the result must be told
+        } catch (Throwable problem) {              // errors too: the thread that awaits the result must see them
             try {
                 players.forEach(Player::close);
             } finally {
@@ -174,7 +173,7 @@ public final class Referee {
         }
     }
 
-    /** From the next player on, to the end of the match, or until this thread has lost the match to another. */
+    /** Plays from the next player to the end of the match, or until another thread has taken the match over. */
     private void askRest() {
         while (!result.isDone() && !(allDirect && Thread.currentThread().isInterrupted())) {
             for (; next < players.size(); next++) {
@@ -203,7 +202,7 @@ public final class Referee {
         Player.Ending ending = players.get(player).ask(frame.bytes(), frame.size(),
             dialogues[player].answerLines(player), limit, answers[player]);
         if (ending == Player.Ending.ABANDONED || result.isDone()) {
-            return false;                           // done: the players were closed under our feet, that is no fault
+            return false;                           // done: the players were closed meanwhile, which is no fault
         }
         take(player, ending, answers[player]);
         return true;
@@ -215,19 +214,19 @@ public final class Referee {
         turn.asked[player] = true;
         turn.answers[player] = answer;
         turn.nanos[player] = answer.nanos();
-        turn.stderr[player] = Quote.wellFormed(answer.stderr());
+        turn.stderr[player] = SafeText.wellFormed(answer.stderr());
         data.read(player, turn.stderr[player]);
         String fault = answer.fault();
         if (ending == Player.Ending.ANSWERED && directs[player] == null) {
             String wrong = dialogues[player].readAnswer(player, answer.bytes(), answer.length());
-            fault = wrong == null ? null : wrong + "; received: " + Quote.line(answer.bytes(), answer.length());
+            fault = wrong == null ? null : wrong + "; received: " + SafeText.line(answer.bytes(), answer.length());
         }
         if (fault == null) {
             turn.answered[player] = true;
-            turn.messages[player] = Quote.wellFormed(directs[player] == null ? dialogues[player].message(player)
+            turn.messages[player] = SafeText.wellFormed(directs[player] == null ? dialogues[player].message(player)
                 : directs[player].message());
         } else {
-            faults[player] = Quote.wellFormed(fault);
+            faults[player] = SafeText.wellFormed(fault);
             turn.faults[player] = faults[player];
             players.get(player).close();
         }
@@ -250,7 +249,7 @@ public final class Referee {
         for (int player = 0; player < players.size(); player++) {
             if (directs[player] == null) {
                 LineBuffer frame = dialogues[player].end(player);
-                players.get(player).farewell(frame.bytes(), frame.size());
+                players.get(player).sendLastLines(frame.bytes(), frame.size());
             }
         }
         for (int player = 0; player < players.size(); player++) {
@@ -260,7 +259,7 @@ public final class Referee {
                 LineBuffer frame = dialogues[player].end(player);
                 players.get(player).finish(frame.bytes(), frame.size());
             }
-            data.read(player, players.get(player).lastWords());
+            data.read(player, players.get(player).finalStderr());
         }
         data.end();
         List<MatchResult.PlayerResult> results = new ArrayList<>();

@@ -3,10 +3,10 @@ package steward.match;
 import steward.bot.Player;
 
 /**
- * A player of a match and the language it speaks.
+ * A player of a match and the protocol it uses.
  *
- * @param player   sends and is sent lines, or is a {@link #direct} one
- * @param protocol what is in the lines
+ * @param player   exchanges lines, or is a {@link #direct} one
+ * @param protocol the protocol of the lines
  */
 public record Seat(Player player, Protocol protocol) {
 

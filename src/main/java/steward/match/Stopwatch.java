@@ -1,6 +1,9 @@
 package steward.match;
 
+import steward.Internal;
+
 /** Sums up one player's answer times, in nanoseconds. */
+@Internal
 public final class Stopwatch {
 
     private int answers;
@@ -8,7 +11,7 @@ public final class Stopwatch {
     private long laterSum;
     private long laterWorst;
 
-    /** One more answer. */
+    /** Adds an answer's time. */
     public void add(long nanos) {
         if (answers++ == 0) {
             first = nanos;
@@ -18,22 +21,22 @@ public final class Stopwatch {
         }
     }
 
-    /** How many there were. */
+    /** How many answers were added. */
     public int answers() {
         return answers;
     }
 
-    /** That of the first answer, which includes a process's start. */
+    /** The time of the first answer, which includes a process's start. */
     public long firstNanos() {
         return first;
     }
 
-    /** The mean, the first answer left out when there are more. */
+    /** The mean time, the first answer left out when there are more. */
     public long averageNanos() {
         return answers > 1 ? laterSum / (answers - 1) : first;
     }
 
-    /** The longest, likewise. */
+    /** The longest time, likewise. */
     public long worstNanos() {
         return answers > 1 ? laterWorst : first;
     }

@@ -3,7 +3,7 @@ package steward.match;
 import java.nio.charset.StandardCharsets;
 import steward.game.TextCodec;
 
-/** A game's line protocol; there is nothing to say at the end. */
+/** A game's line protocol; it has no lines at the end. */
 final class TextDialogue implements Dialogue {
 
     private final TextCodec codec;

@@ -10,7 +10,7 @@ import steward.scene.Time;
  */
 public record TimeControl(long firstNanos, long turnNanos) {
 
-    /** Nobody is hurried. */
+    /** No deadlines. */
     public static final TimeControl UNLIMITED = new TimeControl(Long.MAX_VALUE, Long.MAX_VALUE);
 
     private static final double NANOS_PER_MS = 1e6;

@@ -26,27 +26,27 @@ public final class Turn {
         nanos = new long[players];
     }
 
-    /** A turn that no referee asks for, such as one that was recorded; nobody has been asked yet. */
+    /** A turn that no referee asks for, such as a recorded one; no player has been asked yet. */
     public static Turn of(int number, int players) {
         Turn turn = new Turn(players);
         turn.begin(number);
         return turn;
     }
 
-    /** The player gave a good command; message and stderr may be {@code null}. */
+    /** Records a valid command; message and stderr may be {@code null}. */
     public void answer(int player, String message, String error, long answerNanos) {
         asked[player] = true;
         answered[player] = true;
-        messages[player] = Quote.wellFormed(message);
-        stderr[player] = Quote.wellFormed(error);
+        messages[player] = SafeText.wellFormed(message);
+        stderr[player] = SafeText.wellFormed(error);
         nanos[player] = answerNanos;
     }
 
-    /** The player failed; stderr may be {@code null}. */
+    /** Records a failure; stderr may be {@code null}. */
     public void fail(int player, String fault, String error, long answerNanos) {
         asked[player] = true;
-        faults[player] = Quote.wellFormed(fault);
-        stderr[player] = Quote.wellFormed(error);
+        faults[player] = SafeText.wellFormed(fault);
+        stderr[player] = SafeText.wellFormed(error);
         nanos[player] = answerNanos;
     }
 
@@ -68,7 +68,7 @@ public final class Turn {
         return number;
     }
 
-    /** How many players there are, those who are out included. */
+    /** How many players there are, including those who are out. */
     public int players() {
         return asked.length;
     }
@@ -78,20 +78,20 @@ public final class Turn {
         return asked[player];
     }
 
-    /** Whether the player gave a good command. */
+    /** Whether the player gave a valid command. */
     public boolean answered(int player) {
         return answered[player];
     }
 
     /**
-     * The player's answer as it came, its lines separated by {@code '\n'}; with a fault, what had come by then. Made
-     * anew by each call; {@code null} if the player was not asked.
+     * The player's answer as it came, its lines separated by {@code '\n'}; with a fault, what had been received by
+     * then. Each call creates a new string; {@code null} if the player was not asked.
      */
     public String answer(int player) {
         return answers[player] == null ? null : answers[player].text();
     }
 
-    /** Why the player failed in this turn, or {@code null}. */
+    /** How the player failed in this turn, or {@code null}. */
     public String fault(int player) {
         return faults[player];
     }

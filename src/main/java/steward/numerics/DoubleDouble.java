@@ -2,8 +2,8 @@ package steward.numerics;
 
 /**
  * A number held as the unevaluated sum of two doubles, high + low with {@code high} the sum rounded to nearest: about
- * 106 bits. One is a register that operations change in place, so that whoever keeps some of them computes without
- * allocating.
+ * 106 bits. An instance is a register that operations change in place, so that code which keeps its registers computes
+ * without allocating.
  *
  * <p>Relative errors, with u = 2^-53, as proven by M. Joldes, J.-M. Muller, V. Popescu, "Tight and Rigorous Error
  * Bounds for Basic Building Blocks of Double-Word Arithmetic" (2017), for results and intermediate products in the
@@ -28,50 +28,50 @@ public final class DoubleDouble {
         return high;
     }
 
-    /** The rest of it, at most half a unit in the last place of {@link #high}. */
+    /** The remainder, at most half a unit in the last place of {@link #high}. */
     public double low() {
         return low;
     }
 
-    /** Becomes a double. */
+    /** Sets this to a double. */
     public DoubleDouble set(double value) {
         high = value;
         low = 0;
         return this;
     }
 
-    /** Becomes the same number as another. */
+    /** Sets this to another number. */
     public DoubleDouble set(DoubleDouble other) {
         high = other.high;
         low = other.low;
         return this;
     }
 
-    /** Any two doubles, as their exact sum. */
+    /** Sets this to the exact sum of any two doubles. */
     public DoubleDouble setSum(double a, double b) {
         high = a + b;
         low = ErrorFree.sumError(a, b, high);
         return this;
     }
 
-    /** Two doubles of which the first is the larger in magnitude (or 0), as their exact sum. */
+    /** Sets this to the exact sum of two doubles of which the first is the larger in magnitude (or 0). */
     public DoubleDouble setFastSum(double large, double small) {
         return normalize(large, small);
     }
 
-    /** The exact difference. */
+    /** Sets this to the exact difference. */
     public DoubleDouble setDifference(double a, double b) {
         return setSum(a, -b);
     }
 
-    /** The exact product. */
+    /** Sets this to the exact product. */
     public DoubleDouble setProduct(double a, double b) {
         high = a * b;
         low = ErrorFree.productError(a, b, high);
         return this;
     }
 
-    /** Times -1, exactly. */
+    /** Multiplies by -1, exactly. */
     public DoubleDouble negate() {
         high = -high;
         low = -low;
@@ -85,12 +85,12 @@ public final class DoubleDouble {
         return normalize(sum, low + error);
     }
 
-    /** Adds another, which may be this. */
+    /** Adds another number, which may be this one. */
     public DoubleDouble add(DoubleDouble other) {
         return add(other.high, other.low);
     }
 
-    /** Takes another away. */
+    /** Subtracts another number. */
     public DoubleDouble subtract(DoubleDouble other) {
         return add(-other.high, -other.low);
     }
@@ -105,7 +105,7 @@ public final class DoubleDouble {
         return normalize(head, lowError + ErrorFree.fastSumError(sum, carry, head));
     }
 
-    /** Times a double. */
+    /** Multiplies by a double. */
     public DoubleDouble multiply(double value) {
         double product = high * value;
         double error = ErrorFree.productError(high, value, product);
@@ -114,19 +114,19 @@ public final class DoubleDouble {
         return normalize(head, ErrorFree.fastSumError(product, lowProduct, head) + error);
     }
 
-    /** Times another, which may be this. */
+    /** Multiplies by another number, which may be this one. */
     public DoubleDouble multiply(DoubleDouble other) {
         double product = high * other.high;
         double error = ErrorFree.productError(high, other.high, product);
         return normalize(product, error + (high * other.low + low * other.high));
     }
 
-    /** Times itself. */
+    /** Squares this. */
     public DoubleDouble square() {
         return multiply(this);
     }
 
-    /** By 0 it becomes an infinity or NaN in {@link #high}. */
+    /** Divides; a divisor of 0 gives an infinity or NaN in {@link #high}. */
     public DoubleDouble divide(DoubleDouble divisor) {
         double quotient = high / divisor.high;
         double product = divisor.high * quotient;
@@ -138,7 +138,7 @@ public final class DoubleDouble {
         return normalize(quotient, rest / divisor.high);
     }
 
-    /** Of a number that is at least 0. */
+    /** Takes the square root of a number that is at least 0. */
     public DoubleDouble squareRoot() {
         if (high == 0) {
             return set(0);
@@ -149,7 +149,7 @@ public final class DoubleDouble {
         return normalize(root, rest / (2 * root));
     }
 
-    /** Times 2^exponent: exact unless it leaves the range; from 2^-968 downward the low part is dropped. */
+    /** Multiplies by 2^exponent: exact unless the result leaves the range; below 2^-968 the low part is dropped. */
     public DoubleDouble scale(int exponent) {
         high = Math.scalb(high, exponent);
         low = Math.abs(high) < 0x1p-968 ? 0 : Math.scalb(low, exponent);

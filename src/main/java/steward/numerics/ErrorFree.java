@@ -1,27 +1,27 @@
 package steward.numerics;
 
 /**
- * What rounding takes away from a sum or a product, itself a double: {@code a + b = s + sumError(a, b, s)} and
+ * The rounding error of a sum or a product, itself a double: {@code a + b = s + sumError(a, b, s)} and
  * {@code a b = p + productError(a, b, p)} hold exactly.
  *
  * <p>Ranges. The sum's error is exact unless the sum overflows. The product's is exact if the product is 0 or its
- * magnitude is from 2^-968 up to the largest double (below, the error has digits under 2^-1074 and is rounded to
- * them). For every finite product the result has the same bits whether the processor has a fused multiply-add or not;
- * of a product that overflows the error is not finite.
+ * magnitude is from 2^-968 up to the largest double (below, the error has digits under 2^-1074 and is rounded to them).
+ * For every finite product the result has the same bits whether the processor has a fused multiply-add or not; the
+ * error of a product that overflows is not finite.
  *
- * <p>Which of the two ways is taken is a matter of speed alone and decided once, by asking the JVM: without the
+ * <p>The choice between the two is a matter of speed alone and is made once, from a flag of the JVM: without the
  * instruction, {@code Math.fma} takes microseconds, the split 17 operations.
  */
 public final class ErrorFree {
 
-    /** 2^27 + 1: times this, and subtracted again, a number keeps its upper 26 bits (Dekker 1971, section 5). */
+    /** 2^27 + 1: with c = SPLITTER * a, c - (c - a) is the upper 26 bits of a (Dekker 1971, section 5). */
     private static final double SPLITTER = 0x1p27 + 1;
     /** Factors up to here can be split without overflow. */
     private static final double LARGEST_SPLIT = 0x1p995;
-    /** Products from here on have no error below the smallest double. */
+    /** For products from this magnitude on, the error is not below the smallest double. */
     private static final double SMALLEST_PRODUCT = 0x1p-968;
 
-    private static final boolean FAST_FMA = Machine.hasFastFma();
+    private static final boolean FAST_FMA = FusedMultiplyAdd.hasFastFma();
 
     private ErrorFree() {
     }
@@ -55,7 +55,7 @@ public final class ErrorFree {
      * products are exact, and so are the sums of their differences from p, taken largest first.
      */
 
-    /** As {@link #productError}, by Dekker's way. */
+    /** As {@link #productError}, by Dekker's algorithm. */
     static double productErrorBySplit(double a, double b, double p) {
         double size = Math.abs(p);
         if (!(size >= SMALLEST_PRODUCT && size < Double.POSITIVE_INFINITY
@@ -72,10 +72,10 @@ public final class ErrorFree {
         c = SPLITTER * b;
         double bh = c - (c - b);
         double bl = b - bh;
-        return al * bl - (((p - ah * bh) - al * bh) - ah * bl) + 0.0;      // no error is 0.0, as of an fma
+        return al * bl - (((p - ah * bh) - al * bh) - ah * bl) + 0.0;      // an error of 0 is +0.0, as from fma
     }
 
-    /** Takes factors between 1 and 2 in place of these; scaling back rounds once, as fma does. */
+    /** Scales both factors to magnitudes from 1 to 2; scaling the result back rounds once, as fma does. */
     private static double productErrorScaled(double a, double b, double p) {
         if (a == 0 || b == 0 || !Double.isFinite(p)) {
             return a * b - p;

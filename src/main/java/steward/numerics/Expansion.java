@@ -5,7 +5,7 @@ import java.util.Arrays;
 /**
  * An exact sum of doubles: its parts do not overlap, ascend in magnitude, and none is 0, so that the last one has the
  * sign of the whole (J. R. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
- * Predicates", 1997, section 2). Operations change it in place; it grows when it has to and then keeps its room.
+ * Predicates", 1997, section 2). Operations change it in place; its array grows when necessary and never shrinks.
  *
  * <p>Exact as long as no partial product has digits below 2^-1074 or overflows, see {@link ErrorFree}.
  */
@@ -14,7 +14,7 @@ public final class Expansion {
     private double[] parts = new double[32];
     private int size;
 
-    /** Becomes 0. */
+    /** Sets this to 0. */
     public Expansion clear() {
         size = 0;
         return this;
@@ -51,7 +51,7 @@ public final class Expansion {
         return this;
     }
 
-    /** Adds a product of two double-doubles, all of its four parts. */
+    /** Adds the exact product of two double-doubles: four products of doubles. */
     public Expansion addProduct(DoubleDouble a, DoubleDouble b) {
         return addProduct(a, b, 1);
     }
@@ -66,12 +66,12 @@ public final class Expansion {
             .addProduct(sign * a.high(), b.low()).addProduct(sign * a.high(), b.high());
     }
 
-    /** Adds a product of two others. */
+    /** Adds the product of two expansions. */
     public Expansion addProduct(Expansion a, Expansion b) {
         return addProduct(a, b, 1);
     }
 
-    /** Subtracts a product of two others. */
+    /** Subtracts the product of two expansions. */
     public Expansion subtractProduct(Expansion a, Expansion b) {
         return addProduct(a, b, -1);
     }
@@ -86,13 +86,16 @@ public final class Expansion {
         return this;
     }
 
-    /** -1, 0 or 1: exactly. */
+    /** The exact sign: -1, 0 or 1. */
     public int sign() {
         return size == 0 ? 0 : parts[size - 1] > 0 ? 1 : -1;
     }
 
-    /** Rounds it, largest parts first: relative error below 2^-100, for each additional part 2^-105 at most. */
-    public DoubleDouble to(DoubleDouble result) {
+    /**
+     * Rounds to a double-double, largest parts first: relative error below 2^-100, for each additional part 2^-105 at
+     * most.
+     */
+    public DoubleDouble roundTo(DoubleDouble result) {
         result.set(0);
         for (int k = size - 1; k >= 0; k--) {
             result.add(parts[k]);

@@ -6,26 +6,26 @@ import java.math.BigInteger;
  * The shortest decimal that reads back as the same double, of those the nearest to it, written without allocating:
  * <pre>-12.5   0.001   3.141592653589793</pre>
  *
- * <p>Only for the numbers that frames and replays are full of: not whole, no power of two, magnitude from 10^-3 up to
- * 10^7. Whoever asks must have another way for the rest, see {@link #NOT_HERE}.
+ * <p>Only for the numbers that are frequent in frames and replays: not whole, no power of two, magnitude from 10^-3 to
+ * below 10^7. Callers need another conversion for the rest, see {@link #UNSUPPORTED}.
  *
  * <p>Source: R. Giulietti, "The Schubfach way to render doubles" (2020), for the regular interval only.
  */
 public final class ShortestDecimal {
 
-    /** The most characters that {@link #write} writes: sign, "0.00" and 17 digits. */
-    public static final int MOST = 24;
+    /** The maximum number of characters that {@link #write} writes: sign, "0.00" and 17 digits. */
+    public static final int MAXIMUM_LENGTH = 24;
 
-    /** What {@link #write} returns for a number that is not its business. */
-    public static final int NOT_HERE = -1;
+    /** What {@link #write} returns for a number outside its range. */
+    public static final int UNSUPPORTED = -1;
 
-    private static final double LEAST = 1e-3;
-    private static final double BELOW = 1e7;
+    private static final double LOWEST = 1e-3;
+    private static final double LIMIT = 1e7;
 
     private static final int FRACTION_BITS = 52;
     private static final long FRACTION = (1L << FRACTION_BITS) - 1;
     private static final int EXPONENT = (1 << 11) - 1;
-    /** A double is c · 2^(e - BIAS) with c its 53 bits and e its exponent field. */
+    /** A double is c · 2^(e - BIAS), c being its 53-bit significand and e its exponent field. */
     private static final int BIAS = 1023 + FRACTION_BITS;
     private static final long LOW_63 = Long.MAX_VALUE;
     private static final long SIXTEEN_DIGITS = 10_000_000_000_000_000L;
@@ -34,23 +34,23 @@ public final class ShortestDecimal {
     /*
      * With v = c · 2^q and k = floor(log10(2^q)), the decimals f · 10^k are spaced by less than the doubles, and
      * f · 10^(k+1) by more. g(k) is 10^-k as a fixed-point number of 126 bits, rounded up: g · 2^(r - 125), with
-     * r = floor(log2(10^-k)). The products of c with it, of which two bits behind the point and whether anything
-     * follows ("sticky") are kept, decide exactly (theorem 9.2 of the paper).
+     * r = floor(log2(10^-k)). The products of c with it, of which two fraction bits and a sticky bit (whether any
+     * further bit is set) are kept, decide exactly (theorem 9.2 of the paper).
      */
-    private static final int LEAST_K = -19;
-    private static final int MOST_K = -9;
-    private static final long[] G = table();
+    private static final int LOWEST_K = -19;
+    private static final int HIGHEST_K = -9;
+    private static final long[] POWERS = table();
 
     private ShortestDecimal() {
     }
 
     private static long[] table() {
-        long[] table = new long[2 * (MOST_K - LEAST_K + 1)];
-        for (int k = LEAST_K; k <= MOST_K; k++) {
+        long[] table = new long[2 * (HIGHEST_K - LOWEST_K + 1)];
+        for (int k = LOWEST_K; k <= HIGHEST_K; k++) {
             BigInteger power = BigInteger.TEN.pow(-k);
             BigInteger g = power.shiftLeft(125 - log2OfPower10(-k)).add(BigInteger.ONE);
-            table[2 * (k - LEAST_K)] = g.shiftRight(63).longValueExact();
-            table[2 * (k - LEAST_K) + 1] = g.and(BigInteger.valueOf(LOW_63)).longValueExact();
+            table[2 * (k - LOWEST_K)] = g.shiftRight(63).longValueExact();
+            table[2 * (k - LOWEST_K) + 1] = g.and(BigInteger.valueOf(LOW_63)).longValueExact();
         }
         return table;
     }
@@ -68,15 +68,15 @@ public final class ShortestDecimal {
     /**
      * Writes a number.
      *
-     * @param into room for {@link #MOST} characters
-     * @return how many characters were written, from the first; or {@link #NOT_HERE}
+     * @param into room for {@link #MAXIMUM_LENGTH} characters
+     * @return how many characters were written, from the first; or {@link #UNSUPPORTED}
      */
     public static int write(double value, char[] into) {
         double magnitude = Math.abs(value);
         long bits = Double.doubleToRawLongBits(magnitude);
         long fraction = bits & FRACTION;
-        if (!(magnitude >= LEAST && magnitude < BELOW) || fraction == 0 || magnitude == Math.rint(magnitude)) {
-            return NOT_HERE;
+        if (!(magnitude >= LOWEST && magnitude < LIMIT) || fraction == 0 || magnitude == Math.rint(magnitude)) {
+            return UNSUPPORTED;
         }
         int q = (int) (bits >>> FRACTION_BITS & EXPONENT) - BIAS;
         int k = log10OfPower2(q);
@@ -91,13 +91,13 @@ public final class ShortestDecimal {
         if (value < 0) {
             into[at++] = '-';
         }
-        return spell(digits, count, count + k, into, at);
+        return writeDigits(digits, count, count + k, into, at);
     }
 
     /** The digits f of the shortest f · 10^k inside the interval that rounds to c · 2^q; f may end in zeros. */
     private static long shortest(long c, int q, int k) {
-        long g1 = G[2 * (k - LEAST_K)];
-        long g0 = G[2 * (k - LEAST_K) + 1];
+        long g1 = POWERS[2 * (k - LOWEST_K)];
+        long g0 = POWERS[2 * (k - LOWEST_K) + 1];
         int h = q + log2OfPower10(-k) + 2;
         long odd = c & 1;                              // an even c rounds both ends of its interval to itself
         long value = scaled(g1, g0, (4 * c) << h);
@@ -119,7 +119,7 @@ public final class ShortestDecimal {
         return middle < 0 || middle == 0 && (s & 1) == 0 ? s : s + 1;
     }
 
-    /** g · c / 2^126, its last bit set if anything was cut off. */
+    /** g · c / 2^126, the last bit set if any non-zero bit was cut off. */
     private static long scaled(long g1, long g0, long c) {
         long x1 = Math.multiplyHigh(g0, c);
         long y0 = g1 * c;
@@ -129,8 +129,10 @@ public final class ShortestDecimal {
         return w | (z & LOW_63) + LOW_63 >>> 63;
     }
 
-    /** Digits, so many of them before the point; zeros after it if that is negative. */
-    private static int spell(long digits, int count, int whole, char[] into, int from) {
+    /**
+     * Writes digits with {@code whole} of them before the point; if that is negative, as many zeros follow the point.
+     */
+    private static int writeDigits(long digits, int count, int whole, char[] into, int from) {
         int at = from;
         if (whole <= 0) {
             into[at++] = '0';
@@ -138,10 +140,10 @@ public final class ShortestDecimal {
             for (int zero = whole; zero < 0; zero++) {
                 into[at++] = '0';
             }
-            spell(digits, into, at, at + count);
+            writeDigits(digits, into, at, at + count);
             return at + count;
         }
-        spell(digits, into, at + 1, at + 1 + count);
+        writeDigits(digits, into, at + 1, at + 1 + count);
         for (int place = at; place < at + whole; place++) {
             into[place] = into[place + 1];
         }
@@ -149,8 +151,8 @@ public final class ShortestDecimal {
         return at + 1 + count;
     }
 
-    /** Exactly so many digits; in two halves, because dividing an int is cheaper. */
-    private static void spell(long digits, char[] into, int from, int to) {
+    /** Writes {@code to - from} digits in two halves, because dividing an int is cheaper. */
+    private static void writeDigits(long digits, char[] into, int from, int to) {
         long high = digits / NINE_DIGITS;
         int rest = (int) (digits - high * NINE_DIGITS);
         int place = to;

@@ -5,7 +5,7 @@ package steward.numerics;
  * Generators", OOPSLA 2014, figure 1, with the mixer "variant 13" of D. Stafford). Its whole state is one 64-bit
  * number, so that a seed names the same match on every machine and JDK.
  *
- * <p>Caveat: not for secrets.
+ * <p>Caveat: not cryptographically secure.
  */
 public final class SplitMix64 {
 
@@ -29,7 +29,7 @@ public final class SplitMix64 {
 
     /**
      * A uniform whole number in {@code [0, bound)}. Draws until the 63-bit number falls below the largest multiple of
-     * the bound, so that no value is favoured; one draw nearly always suffices.
+     * the bound, so that all values are equally likely; one draw nearly always suffices.
      *
      * @throws IllegalArgumentException if {@code bound} is not positive
      */

@@ -5,7 +5,7 @@ package steward.numerics;
  * {@link SplitMix64}. It depends on the order. Doubles enter by their bits, so that two states have the same hash only
  * if they agree to the last bit (and -0.0 differs from 0.0).
  *
- * <p>Caveat: finds differences, resists no adversary.
+ * <p>Caveat: detects differences, but is not collision-resistant against an attacker.
  */
 public final class StateHash {
 

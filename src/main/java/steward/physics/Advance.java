@@ -4,12 +4,12 @@ package steward.physics;
 public interface Advance {
 
     /**
-     * Flies, finds impacts and lets them react, until the turn is over or the bound on impacts ends it.
+     * Alternates free flight and impacts until the turn is over or the bound on impacts ends it.
      *
      * @param bodies altered in place
-     * @param sink   told of impacts and path knots
-     * @throws IllegalArgumentException before anything is altered, if a number is too large to be computed with: it
-     *                                  names the body, what was found and what was expected
+     * @param sink   receives impacts and path knots
+     * @throws IllegalArgumentException before anything is altered, if a number is too large to compute with; the
+     *                                  message names the body, what was found and what was expected
      */
     void turn(Bodies bodies, TurnSink sink);
 }

@@ -18,12 +18,6 @@ public record Arena(double x, double y, double radius, double restitution) imple
         Wall.requireRestitution(restitution);
     }
 
-    /** @return as {@link TimeOfImpact#arena}; a body larger than the arena has no room and stays at the centre */
-    @Override
-    public double timeOfImpact(double cx, double cy, double vx, double vy, double bodyRadius) {
-        return TimeOfImpact.arena(cx - x, cy - y, vx, vy, Math.max(0, radius - bodyRadius));
-    }
-
     @Override
     public double gap(double cx, double cy, double bodyRadius) {
         return radius - bodyRadius - distance(cx, cy);

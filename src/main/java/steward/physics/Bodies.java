@@ -4,8 +4,8 @@ import java.util.Arrays;
 
 /**
  * All bodies of a scene: circles with a position, a velocity and a few properties. One array per quantity, indexed
- * 0..{@link #size()}-1, read and written directly by whoever advances them: a turn touches all bodies in order, so the
- * loop runs through contiguous memory, and nothing is allocated.
+ * 0..{@link #size()}-1, read and written directly by the advance: a turn visits all bodies in order, so the loop runs
+ * through contiguous memory, and nothing is allocated.
  *
  * <p>A body keeps its <em>id</em> for life; its <em>index</em> is its place in the arrays. Ids are given in ascending
  * order and removal keeps the order, so that ids ascend with the index and "the lowest pair of ids" is also the lowest
@@ -42,7 +42,7 @@ public final class Bodies {
     private final PassingPairs passing = new PassingPairs();
 
     /**
-     * @param capacity how many bodies there can be at once, at least 1
+     * @param capacity maximum number of bodies at a time, at least 1
      * @throws IllegalArgumentException if the capacity is below 1
      */
     public Bodies(int capacity) {
@@ -64,11 +64,11 @@ public final class Bodies {
     }
 
     /**
-     * Adds a body at rest with restitution 1, no drag and kind 0; set the rest with the {@code set} methods.
+     * Adds a body at rest with restitution 1, no drag and kind 0; the {@code set} methods change these.
      *
      * @param mass above 0; {@code POSITIVE_INFINITY} for a body that no impulse moves
      * @return its index, always {@code size() - 1}
-     * @throws IllegalArgumentException if a value is NaN, infinite (but for the mass) or out of range, or the mass so
+     * @throws IllegalArgumentException if a value is NaN, infinite (except the mass) or out of range, or the mass so
      *                                  small (below 5.6e-309) that its inverse is infinite
      * @throws IllegalStateException    if the capacity is used up
      */
@@ -97,7 +97,7 @@ public final class Bodies {
     }
 
     /**
-     * Puts a centre, in u.
+     * Sets the centre, in u.
      *
      * @throws IllegalArgumentException unless both are finite
      */
@@ -109,7 +109,7 @@ public final class Bodies {
     }
 
     /**
-     * In u per turn.
+     * Sets the velocity, in u per turn.
      *
      * @throws IllegalArgumentException unless both are finite
      */
@@ -121,7 +121,7 @@ public final class Bodies {
     }
 
     /**
-     * In u.
+     * Sets the radius, in u.
      *
      * @throws IllegalArgumentException unless it is finite and above 0
      */
@@ -142,7 +142,7 @@ public final class Bodies {
     }
 
     /**
-     * The share of an approach speed that an impact gives back.
+     * Sets the share of an approach speed that an impact gives back.
      *
      * @throws IllegalArgumentException unless it is 0..1
      */
@@ -152,7 +152,7 @@ public final class Bodies {
     }
 
     /**
-     * The share of its speed that the body loses at the end of a turn.
+     * Sets the share of its speed that the body loses at the end of a turn.
      *
      * @throws IllegalArgumentException unless it is 0..1
      */
@@ -162,7 +162,7 @@ public final class Bodies {
     }
 
     /**
-     * Decides what contacts mean.
+     * Sets the kind, which decides what contacts mean.
      *
      * @throws IllegalArgumentException if it is below 0
      */
@@ -173,7 +173,7 @@ public final class Bodies {
         this.kind[body] = kind;
     }
 
-    /** Removes a body; those behind it move up by one index and keep their ids. */
+    /** Removes a body; the index of each later body falls by one; ids stay. */
     public void remove(int body) {
         if (body < 0 || body >= size) {
             throw new IndexOutOfBoundsException("body " + body + " of " + size);
@@ -192,7 +192,7 @@ public final class Bodies {
         return size;
     }
 
-    /** How many bodies there can be at once. */
+    /** The maximum number of bodies at a time. */
     public int capacity() {
         return x.length;
     }
@@ -202,7 +202,7 @@ public final class Bodies {
         return id[body];
     }
 
-    /** The index of the body with an id, or -1 if it is gone. */
+    /** The index of the body with an id, or -1 if it was removed. */
     public int indexOf(int bodyId) {
         int found = Arrays.binarySearch(id, 0, size, bodyId);
         return found < 0 ? -1 : found;
@@ -213,13 +213,13 @@ public final class Bodies {
         return nextId;
     }
 
-    /** The pairs that now pass through each other because a {@link Reaction} said so; part of the state. */
+    /** The pairs that pass through each other because a {@link Reaction} answered {@code PASS}; part of the state. */
     public PassingPairs passing() {
         return passing;
     }
 
     /**
-     * Becomes an exact copy of another set of bodies.
+     * Copies another set of bodies exactly.
      *
      * @throws IllegalArgumentException if the capacities differ
      */

@@ -1,18 +1,18 @@
 package steward.physics;
 
 /**
- * What a contact means, per pair of kinds of bodies and per kind against walls. Symmetric; immutable but for the
+ * What a contact means, per pair of kinds of bodies and per kind against walls. Symmetric; immutable except for the
  * {@code set} methods, which are for building it.
  */
 public final class Contacts {
 
     /** What happens when two bodies, or a body and a wall, touch. */
     public enum Meaning {
-        /** Nothing: they ignore each other. */
+        /** Nothing: the two ignore each other. */
         NONE,
         /** An impact under the scene's law. */
         BOUNCE,
-        /** The scene's {@link Reaction} is asked. */
+        /** The scene's {@link Reaction} decides. */
         ASK
     }
 
@@ -36,14 +36,14 @@ public final class Contacts {
         java.util.Arrays.fill(walls, Meaning.BOUNCE);
     }
 
-    /** Says what a contact between two kinds means; the order of the two does not matter. */
+    /** Sets what a contact between two kinds means, in either order. */
     public Contacts set(int kindA, int kindB, Meaning meaning) {
         pairs[kindA * kinds + kindB] = meaning;
         pairs[kindB * kinds + kindA] = meaning;
         return this;
     }
 
-    /** Says what a contact between a kind and any wall means. */
+    /** Sets what a contact between a kind and any wall means. */
     public Contacts setWall(int kind, Meaning meaning) {
         walls[kind] = meaning;
         return this;
@@ -64,24 +64,24 @@ public final class Contacts {
         return walls[kind];
     }
 
-    /** Whether any contact asks: only then does a scene need a {@link Reaction}. */
-    public boolean ask() {
+    /** Whether any entry is {@code ASK}: only then a scene needs a {@link Reaction}. */
+    public boolean containsAsk() {
         return contains(pairs, Meaning.ASK) || contains(walls, Meaning.ASK);
     }
 
-    /** Whether any two bodies meet: only then are pairs looked at. */
+    /** Whether any two kinds of bodies react: only then pairs are scanned. */
     public boolean bodiesMeet() {
         return contains(pairs, Meaning.BOUNCE) || contains(pairs, Meaning.ASK);
     }
 
-    /** Whether any body meets walls. */
+    /** Whether any kind of body reacts to walls. */
     public boolean wallsMeet() {
         return contains(walls, Meaning.BOUNCE) || contains(walls, Meaning.ASK);
     }
 
-    /** Whether every body bounces off everything: then nobody needs to look anything up. */
+    /** Whether every entry is {@code BOUNCE}: then no contact has to be looked up. */
     public boolean allBounce() {
-        return !contains(pairs, Meaning.NONE) && !contains(walls, Meaning.NONE) && !ask();
+        return !contains(pairs, Meaning.NONE) && !contains(walls, Meaning.NONE) && !containsAsk();
     }
 
     private static boolean contains(Meaning[] table, Meaning meaning) {

@@ -1,8 +1,8 @@
 package steward.physics;
 
 /**
- * A straight wall without end. The vector is made of length 1 as nearly as doubles allow, so that one written with 12
- * digits does not change the speed of who bounces.
+ * A straight wall of infinite length. The vector is normalised, so that one written with 12 digits does not change the
+ * speed of a body that bounces.
  *
  * @param x           a point on its edge
  * @param y           a point on its edge
@@ -24,11 +24,6 @@ public record HalfPlane(double x, double y, double insideX, double insideY, doub
         Wall.requireRestitution(restitution);
         insideX /= length;
         insideY /= length;
-    }
-
-    @Override
-    public double timeOfImpact(double cx, double cy, double vx, double vy, double radius) {
-        return TimeOfImpact.halfPlane(gap(cx, cy, radius), -(vx * insideX + vy * insideY));
     }
 
     @Override

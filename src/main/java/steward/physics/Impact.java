@@ -1,7 +1,7 @@
 package steward.physics;
 
 /**
- * One application of an impulse, with its books.
+ * One application of an impulse, with the velocities before and after it and its momentum and energy.
  *
  * @param time     within the turn, 0..1
  * @param a        id of the first body
@@ -35,22 +35,25 @@ public record Impact(double time, int a, int b, double ax, double ay, double bx,
         return ~b;
     }
 
-    /** The momentum that a got, x: m (v after - v before) of the stored velocities, or -j n if its mass is infinite. */
+    /**
+     * The momentum that a received, x: m (v after - v before) of the stored velocities, or -j n if its mass is
+     * infinite.
+     */
     public double momentumAx() {
         return massA < Double.POSITIVE_INFINITY ? massA * (vaxAfter - vaxBefore) : -impulse * normalX;
     }
 
-    /** The momentum that a got, y. */
+    /** The momentum that a received, y. */
     public double momentumAy() {
         return massA < Double.POSITIVE_INFINITY ? massA * (vayAfter - vayBefore) : -impulse * normalY;
     }
 
-    /** The momentum that b got, x; for a wall or an infinite mass, the j n that it swallowed. */
+    /** The momentum that b received, x; for a wall or an infinite mass, j n. */
     public double momentumBx() {
         return massB < Double.POSITIVE_INFINITY ? massB * (vbxAfter - vbxBefore) : impulse * normalX;
     }
 
-    /** The momentum that b got, y. */
+    /** The momentum that b received, y. */
     public double momentumBy() {
         return massB < Double.POSITIVE_INFINITY ? massB * (vbyAfter - vbyBefore) : impulse * normalY;
     }

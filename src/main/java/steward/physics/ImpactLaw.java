@@ -1,24 +1,24 @@
 package steward.physics;
 
 /**
- * How impacts go in a scene. Start from {@link #PHYSICS} or {@link #OFFICIAL_POD_RACE} and change what differs with the
- * {@code with} methods.
+ * The law of impact of a scene. Start from {@link #PHYSICS} or {@link #OFFICIAL_POD_RACE} and change single rules with
+ * the {@code with} methods.
  *
- * @param restitution           how much of the approach speed comes back
+ * @param restitution           the rule for the share of the approach speed that comes back
  * @param minimumImpulse        the least second step of an impulse, in pod masses times u per turn; 0 for none
- * @param minimumImpulseAtWalls whether that holds at walls too
+ * @param minimumImpulseAtWalls whether the minimum also holds at walls
  * @param deadZone              {@code NaN}: the second step is at least the minimum. Otherwise (Mean Max) it is raised
  *                              to the minimum by magnitude, keeping its sign, and only if its magnitude is above
  *                              this, at least 0
  * @param separatingPairsReact  whether two bodies that touch while they separate react (the official games; needs a
  *                              minimum impulse). Walls react only to approach
- * @param batchWindow           impacts up to this long after the earliest react together, in turns; 0 for one at a
- *                              time, ties going to the lowest pair of ids
- * @param scanOrder             the order in which pairs are looked at; decides ties within a batch
- * @param pushOut               {@code NaN} for none. Otherwise bodies that touch after an impact are moved apart, half
- *                              of the overlap plus this much each (all of it the movable one against infinite mass).
- *                              Caveat: a body far behind a wall is moved by all that depth at once, into whatever is
- *                              there
+ * @param batchWindow           impacts up to this long after the earliest react together, in turns. 0: one at a time,
+ *                              ties going to the lowest pair of ids; where separating pairs react, ties react together
+ * @param scanOrder             the order in which pairs are scanned; decides ties within a batch
+ * @param pushOut               positional correction; {@code NaN} for none. Otherwise bodies that touch after an impact
+ *                              are moved apart, each by half of the overlap plus this much (against infinite mass, the
+ *                              movable one by both halves). Caveat: a body far behind a wall is moved by the whole
+ *                              depth at once, even into another body
  * @param maximumImpacts        the bound on impacts in a turn; 0 for the default, 10,000 + 1,000 per body
  */
 public record ImpactLaw(Restitution restitution, double minimumImpulse, boolean minimumImpulseAtWalls, double deadZone,
@@ -27,7 +27,7 @@ public record ImpactLaw(Restitution restitution, double minimumImpulse, boolean 
 
     /** How the restitution of an impact follows from the two partners'. */
     public enum Restitution {
-        /** Everything gives back all: nobody looks a restitution up. */
+        /** Every impact is elastic: no restitution is looked up. */
         ELASTIC,
         /** The lower of the two. */
         MINIMUM
@@ -41,7 +41,7 @@ public record ImpactLaw(Restitution restitution, double minimumImpulse, boolean 
         DESCENDING
     }
 
-    /** Perfectly elastic, one impact at a time, only approach reacts, nobody is pushed. */
+    /** Perfectly elastic, one impact at a time, only approach reacts, no positional correction. */
     public static final ImpactLaw PHYSICS = new ImpactLaw(Restitution.ELASTIC, 0, false, Double.NaN, false, 0,
         ScanOrder.ASCENDING, Double.NaN, 0);
 
@@ -49,7 +49,7 @@ public record ImpactLaw(Restitution restitution, double minimumImpulse, boolean 
     public static final ImpactLaw OFFICIAL_POD_RACE = new ImpactLaw(Restitution.ELASTIC, 120, false, Double.NaN, true,
         1e-5, ScanOrder.DESCENDING, 1e-5, 0);
 
-    /** @throws IllegalArgumentException if a value is out of range, or values do not go together */
+    /** @throws IllegalArgumentException if a value is out of range, or values contradict each other */
     public ImpactLaw {
         require(minimumImpulse >= 0 && minimumImpulse < Double.POSITIVE_INFINITY, "minimumImpulse", minimumImpulse,
             "finite and at least 0");
@@ -73,7 +73,7 @@ public record ImpactLaw(Restitution restitution, double minimumImpulse, boolean 
     /**
      * The same law with another least second step.
      *
-     * @param atWalls whether it counts at walls too
+     * @param atWalls whether it also holds at walls
      */
     public ImpactLaw withMinimumImpulse(double value, boolean atWalls) {
         return new ImpactLaw(restitution, value, atWalls, deadZone, separatingPairsReact, batchWindow, scanOrder,
@@ -92,7 +92,7 @@ public record ImpactLaw(Restitution restitution, double minimumImpulse, boolean 
             batchWindow, scanOrder, value, maximumImpacts);
     }
 
-    /** The same law with another bound on the impacts in a turn; 0 for the usual one. */
+    /** The same law with another bound on the impacts in a turn; 0 for the default. */
     public ImpactLaw withMaximumImpacts(int value) {
         return new ImpactLaw(restitution, minimumImpulse, minimumImpulseAtWalls, deadZone, separatingPairsReact,
             batchWindow, scanOrder, pushOut, value);

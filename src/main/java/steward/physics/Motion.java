@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What becomes of speeds and positions at the end of a turn. Made of the rules that a scene names and no others: a turn
- * does not ask for those that it lacks. Equal to another of the same rules.
+ * The rules for speeds and positions at the end of a turn. Consists of the rules that a scene names; absent rules cost
+ * nothing. Two with the same rules are equal.
  */
 public final class Motion {
 
@@ -48,7 +48,7 @@ public final class Motion {
     /**
      * @param drag              whether bodies lose their {@link Bodies#drag} share of speed
      * @param truncateVelocity  whether velocity components are then cut toward zero to whole numbers (-0.0 becomes 0.0)
-     * @param roundPosition     whether positions become floor(x + 0.5): halves go up
+     * @param roundPosition     whether positions become floor(x + 0.5): halves are rounded up
      */
     public Motion(boolean drag, boolean truncateVelocity, boolean roundPosition) {
         List<Rule> named = new ArrayList<>();

@@ -1,17 +1,19 @@
 package steward.physics;
 
 import java.util.Arrays;
+import steward.Internal;
 
 /**
  * The pairs that pass through each other: a {@link Reaction} answered {@code PASS}, and they have not separated yet.
  * Usually empty; a short unsorted list of packed ids.
  */
+@Internal
 public final class PassingPairs {
 
     private long[] pairs = new long[8];
     private int size;
 
-    /** Whether nobody passes anybody. */
+    /** Whether there are no such pairs. */
     public boolean isEmpty() {
         return size == 0;
     }
@@ -32,7 +34,7 @@ public final class PassingPairs {
         return false;
     }
 
-    void add(int a, int b) {
+    public void add(int a, int b) {
         if (size == pairs.length) {
             pairs = Arrays.copyOf(pairs, 2 * size);
         }
@@ -50,7 +52,7 @@ public final class PassingPairs {
     }
 
     /** Removes the k-th pair; the last one takes its place. */
-    void remove(int k) {
+    public void remove(int k) {
         pairs[k] = pairs[--size];
     }
 

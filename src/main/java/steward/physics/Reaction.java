@@ -1,8 +1,8 @@
 package steward.physics;
 
 /**
- * The scene's answer to a touch whose {@link Contacts} say {@code ASK}. Called inside the advance, at the exact time,
- * with the bodies in their places and the speeds before any impulse.
+ * The game's answer to a contact whose {@link Contacts} entry is {@code ASK}. Called inside the advance, at the exact
+ * time, with all positions at that time and the velocities before any impulse.
  */
 @FunctionalInterface
 public interface Reaction {
@@ -11,12 +11,12 @@ public interface Reaction {
     enum Verdict {
         /** An impact under the scene's law. */
         BOUNCE,
-        /** They pass through each other, and nobody asks again until they have separated. */
+        /** The two pass through each other; the reaction is not called again until they have separated. */
         PASS,
         /**
          * The bodies were altered (moved, removed, added, given other speeds or properties): the rest of the batch is
-         * dropped and the advance looks anew. Altering nothing and saying so asks again at the same instant, until the
-         * bound on impacts ends it.
+         * dropped and all predictions are computed anew. If nothing was altered, the reaction is called again at the
+         * same instant, until the bound on impacts ends the turn.
          */
         CHANGED
     }

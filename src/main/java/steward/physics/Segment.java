@@ -1,7 +1,7 @@
 package steward.physics;
 
 /**
- * A straight wall between two points, hit from both sides and at its ends.
+ * A straight wall between two points; bodies bounce off both sides and both ends.
  *
  * @param ax          one end
  * @param ay          one end
@@ -17,11 +17,6 @@ public record Segment(double ax, double ay, double bx, double by, double restitu
         Wall.require(length > 0 && length < Double.POSITIVE_INFINITY, "length of a segment", length,
             "finite and above 0");
         Wall.requireRestitution(restitution);
-    }
-
-    @Override
-    public double timeOfImpact(double x, double y, double vx, double vy, double radius) {
-        return TimeOfImpact.segment(x, y, vx, vy, radius, ax, ay, bx, by, length());
     }
 
     @Override
@@ -41,7 +36,8 @@ public record Segment(double ax, double ay, double bx, double by, double restitu
         return distance == 0 ? -(bx - ax) / length() : (nearestY(x, y) - y) / distance;
     }
 
-    private double length() {
+    /** The distance between its ends. */
+    public double length() {
         return Math.sqrt((bx - ax) * (bx - ax) + (by - ay) * (by - ay));
     }
 

@@ -3,12 +3,12 @@ package steward.physics;
 import java.util.Arrays;
 
 /**
- * Keeps what happened inside a turn in flat arrays that grow once and are then reused: impacts, path knots and the
- * ending by the impact limit, if any.
+ * Records the impacts and path knots of a turn, and whether the bound on impacts was reached, in flat arrays that are
+ * reused from turn to turn.
  */
 public final class TurnLog implements TurnSink {
 
-    private static final int[] NOBODY = {};
+    private static final int[] NO_BODIES = {};
 
     private double[] impactTime = new double[16];
     private int[] impactPair = new int[2 * 16];
@@ -20,14 +20,14 @@ public final class TurnLog implements TurnSink {
     private int knots;
 
     private double limitTime = Double.NaN;
-    private int[] limitBodies = NOBODY;
+    private int[] limitBodies = NO_BODIES;
 
-    /** Forgets the turn. */
+    /** Clears the log. */
     public void clear() {
         impacts = 0;
         knots = 0;
         limitTime = Double.NaN;
-        limitBodies = NOBODY;
+        limitBodies = NO_BODIES;
     }
 
     @Override
@@ -98,27 +98,27 @@ public final class TurnLog implements TurnSink {
             n[i + 14], n[i + 15], n[i + 16], n[i + 17]);
     }
 
-    /** How many corners all paths of the turn have together. */
+    /** How many knots all paths of the turn have together. */
     public int knots() {
         return knots;
     }
 
-    /** The id of the body whose path has the k-th corner. */
+    /** The id of the body whose path has the k-th knot. */
     public int knotBody(int k) {
         return knotBody[k];
     }
 
-    /** When in the turn, 0..1. */
+    /** The time of the k-th knot within the turn, 0..1. */
     public double knotTime(int k) {
         return knotNumbers[3 * k];
     }
 
-    /** Where, in u. */
+    /** The x coordinate of the k-th knot, in u. */
     public double knotX(int k) {
         return knotNumbers[3 * k + 1];
     }
 
-    /** Where, in u. */
+    /** The y coordinate of the k-th knot, in u. */
     public double knotY(int k) {
         return knotNumbers[3 * k + 2];
     }
@@ -128,12 +128,12 @@ public final class TurnLog implements TurnSink {
         return !Double.isNaN(limitTime);
     }
 
-    /** When the bound was reached, or NaN. */
+    /** When the bound was reached, or NaN if it was not. */
     public double limitTime() {
         return limitTime;
     }
 
-    /** Ids of the bodies that then kept their places, ascending. */
+    /** Ids of the bodies that kept their place from then on, ascending. */
     public int[] limitBodies() {
         return limitBodies.clone();
     }

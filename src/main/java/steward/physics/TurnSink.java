@@ -1,9 +1,9 @@
 package steward.physics;
 
-/** Who wants to know what happened inside a turn. Called in the order of time; must allocate nothing to be fast. */
+/** Observer of a turn: receives impacts and path knots in the order of time. To be fast, it must allocate nothing. */
 public interface TurnSink {
 
-    /** Wants to know nothing. */
+    /** Ignores everything. */
     TurnSink NONE = new TurnSink() {
     };
 
@@ -14,15 +14,15 @@ public interface TurnSink {
                         double vbxBefore, double vbyBefore, double vbxAfter, double vbyAfter) {
     }
 
-    /** A corner of a body's path: where it was touched, or was moved to by a push-out. */
+    /** A knot of a body's path: the place of an impact, or the place after a positional correction. */
     default void knot(int bodyId, double time, double x, double y) {
     }
 
     /**
      * The bound on impacts was reached. The bodies that are then still in contact, and those that come into contact
-     * later, keep their places for the rest of the turn and keep their velocities; the others fly on.
+     * later, keep their place for the rest of the turn and keep their velocities; the others fly on.
      *
-     * @param bodyIds who stayed, ascending; allocated, because this is rare
+     * @param bodyIds the bodies that kept their place, ascending; allocated, because this is rare
      */
     default void impactLimit(double time, int[] bodyIds) {
     }

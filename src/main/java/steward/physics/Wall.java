@@ -1,20 +1,18 @@
 package steward.physics;
 
-/** Something that never moves and has infinite mass: bodies bounce off it. */
+/** An immovable obstacle of infinite mass that bodies bounce off. */
 public sealed interface Wall permits HalfPlane, Segment, Arena {
 
-    /** The share of an approach speed that an impact gives back, 0..1; the lower of wall and body counts. */
+    /** The share of an approach speed that an impact gives back, 0..1; the lower of the two, wall and body, counts. */
     double restitution();
 
-    /** When a circle with this centre, velocity and radius first touches, in turns; 0 when it does and approaches. */
-    double timeOfImpact(double x, double y, double vx, double vy, double radius);
-
-    /** From a circle's edge to the wall, in u; 0 or less when they touch. */
+    /** The distance from a circle's edge to the wall, in u; 0 or less when they touch. */
     double gap(double x, double y, double radius);
 
-    /** The unit vector from a circle's centre straight to the wall. */
+    /** The x component of the unit vector from a circle's centre to the nearest point of the wall. */
     double normalX(double x, double y);
 
+    /** The y component of the same vector. */
     double normalY(double x, double y);
 
     /**

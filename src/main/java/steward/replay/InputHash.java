@@ -3,6 +3,7 @@ package steward.replay;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 import java.nio.ByteOrder;
+import steward.Internal;
 import steward.numerics.StateHash;
 
 /**
@@ -13,7 +14,8 @@ import steward.numerics.StateHash;
  * <p>Bytes of JSON enter it eight at a time, the first as the lowest, the last ones filled up with zeros, and then
  * their number. In format 1 of a replay they entered it one by one, signed, without their number.
  */
-final class InputHash {
+@Internal
+public final class InputHash {
 
     private static final VarHandle EIGHT_BYTES =
         MethodHandles.byteArrayViewVarHandle(long[].class, ByteOrder.LITTLE_ENDIAN);
@@ -31,7 +33,7 @@ final class InputHash {
      * @param to    the byte behind the last
      * @param texts per kind (faults, messages, stderr) and player, or {@code null}
      */
-    static String of(int format, byte[] bytes, int from, int to, String[]... texts) {
+    public static String of(int format, byte[] bytes, int from, int to, String[]... texts) {
         StateHash hash = new StateHash();
         add(hash, format, bytes, from, to);
         for (String[] ofPlayers : texts) {
@@ -43,7 +45,7 @@ final class InputHash {
     }
 
     /** Bytes of JSON. */
-    static void add(StateHash hash, int format, byte[] bytes, int from, int to) {
+    public static void add(StateHash hash, int format, byte[] bytes, int from, int to) {
         int at = from;
         if (format == BYTE_BY_BYTE) {
             while (at < to) {
@@ -62,7 +64,7 @@ final class InputHash {
     }
 
     /** A text's length and characters, or -1 for none. */
-    static void add(StateHash hash, String text) {
+    public static void add(StateHash hash, String text) {
         hash.add(text == null ? -1L : text.length());
         for (int k = 0; text != null && k < text.length(); k++) {
             hash.add((long) text.charAt(k));

@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import steward.Internal;
 import steward.game.JsonNumbers;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonParser;
@@ -16,7 +17,8 @@ import tools.jackson.core.ObjectReadContext;
  * One line of a replay: a JSON object of which only the top level is taken apart. Objects and arrays are kept as the
  * bytes they were written with, so that they can be compared with other bytes and parsed only when needed.
  */
-final class JsonLine {
+@Internal
+public final class JsonLine {
 
     /**
      * A field: where its name stands, and the text of a scalar (null for JSON null), or where an object or array
@@ -34,7 +36,7 @@ final class JsonLine {
      * @throws ReplayException  if it is JSON but not one object, or a field is there twice
      * @throws JacksonException if it is not JSON
      */
-    JsonLine(String where, byte[] bytes) {
+    public JsonLine(String where, byte[] bytes) {
         this.where = where;
         this.bytes = bytes;
         try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), bytes, 0, bytes.length)) {
@@ -64,16 +66,16 @@ final class JsonLine {
     }
 
     /** The hash of all that stands before a field, without the comma between, in a format of replays. */
-    String hashBefore(String name, int format) {
+    public String hashBefore(String name, int format) {
         return InputHash.of(format, bytes, 0, Math.max(0, values.get(name).nameFrom() - 1));
     }
 
-    boolean has(String name) {
+    public boolean has(String name) {
         return values.containsKey(name);
     }
 
     /** A string. */
-    String text(String name) {
+    public String text(String name) {
         return require(name, JsonToken.VALUE_STRING, "a string").text();
     }
 
@@ -83,7 +85,7 @@ final class JsonLine {
     }
 
     /** A whole number. */
-    int integer(String name) {
+    public int integer(String name) {
         String text = require(name, JsonToken.VALUE_NUMBER_INT, "a whole number").text();
         try {
             return Integer.parseInt(text);
@@ -110,7 +112,7 @@ final class JsonLine {
     }
 
     /** The bytes of an array, as written. */
-    byte[] array(String name) {
+    public byte[] array(String name) {
         return slice(require(name, JsonToken.START_ARRAY, "an array"));
     }
 
@@ -138,7 +140,7 @@ final class JsonLine {
     }
 
     /** One string field, or null, of each object in an array. */
-    String[] textsOf(String name, String field) {
+    public String[] textsOf(String name, String field) {
         byte[] array = array(name);
         List<String> texts = new ArrayList<>();
         try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), array, 0, array.length)) {

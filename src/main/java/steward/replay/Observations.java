@@ -1,5 +1,6 @@
 package steward.replay;
 
+import steward.Internal;
 import tools.jackson.core.JsonGenerator;
 
 /**
@@ -7,6 +8,7 @@ import tools.jackson.core.JsonGenerator;
  * verification compares everything that was observed, and passes over what was not. Each method adds fields to an
  * object that the caller opens and closes.
  */
+@Internal
 public interface Observations {
 
     /** Whether the state before the first turn was observed; otherwise the one that follows from the scene is kept. */

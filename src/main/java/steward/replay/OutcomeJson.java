@@ -2,6 +2,7 @@ package steward.replay;
 
 import java.util.List;
 import java.util.Locale;
+import steward.Internal;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.JsonNumbers;
@@ -16,7 +17,8 @@ import tools.jackson.core.io.SerializedString;
  * Writes what follows from the commands: impacts, paths, events, the ending by the impact limit, the state and its
  * hash. What is empty is left out. The writer records it, the verifier writes it again and compares.
  */
-final class OutcomeJson {
+@Internal
+public final class OutcomeJson {
 
     /** A turn can have over ten thousand impacts; the first so many of them are kept, and so many corners of paths. */
     private static final int MOST = 2000;
@@ -50,7 +52,7 @@ final class OutcomeJson {
     private final RawJson text = new RawJson();
 
     /** One object: the outcome of the turn just played. */
-    void write(JsonGenerator out, Game game, FrameCodec codec) {
+    public void write(JsonGenerator out, Game game, FrameCodec codec) {
         out.writeStartObject();
         TurnLog log = game.log();
         writeImpacts(out, log);

@@ -28,7 +28,7 @@ public record RecordedTurn(int number, byte[] commands, String[] faults, String 
     }
 
     /** Whether a command of the player was recorded. */
-    boolean hasCommand(int player) {
+    public boolean hasCommand(int player) {
         try (JsonParser in = parser(commands)) {
             in.nextToken();
             JsonToken token = in.nextToken();
@@ -41,7 +41,7 @@ public record RecordedTurn(int number, byte[] commands, String[] faults, String 
     }
 
     /** How long the player took, in nanoseconds; 0 if that was not recorded. */
-    long nanos(int player) {
+    public long nanos(int player) {
         if (times == null) {
             return 0;
         }
@@ -59,7 +59,7 @@ public record RecordedTurn(int number, byte[] commands, String[] faults, String 
         }
     }
 
-    static JsonParser parser(byte[] json) {
+    public static JsonParser parser(byte[] json) {
         return JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), json, 0, json.length);
     }
 }

@@ -23,7 +23,7 @@ public record ReplayHeader(String game, String scene, long seed, List<String> na
     /** The value of {@code type} in the first line. */
     public static final String TYPE = "steward-replay";
     /** How every replay begins, up to the number of its format. */
-    static final String SIGNATURE = "{\"type\":\"" + TYPE + "\",\"format\":";
+    public static final String SIGNATURE = "{\"type\":\"" + TYPE + "\",\"format\":";
 
     /** Copies the lists. */
     public ReplayHeader {

@@ -133,7 +133,7 @@ public final class ReplayReader implements AutoCloseable {
     }
 
     /** The version of the format; only with a header. */
-    int format() {
+    public int format() {
         return headerLine.integer("format");
     }
 
@@ -148,7 +148,7 @@ public final class ReplayReader implements AutoCloseable {
     }
 
     /** The line of the header; only with a header. */
-    JsonLine headerLine() {
+    public JsonLine headerLine() {
         return headerLine;
     }
 
@@ -168,17 +168,17 @@ public final class ReplayReader implements AutoCloseable {
     }
 
     /** The next line as it stands, or {@code null} at the end of the file; only with a header. */
-    byte[] nextLine() {
+    public byte[] nextLine() {
         return readLine();
     }
 
     /** The line was not taken apart because it is known to be that of this turn. */
-    void passed(int turn) {
+    public void passed(int turn) {
         lastTurn = turn;
     }
 
     /** Takes the last line read apart, as {@link #next}. */
-    RecordedTurn turn(byte[] bytes) {
+    public RecordedTurn turn(byte[] bytes) {
         JsonLine line = bytes == null ? null : parse(bytes);
         if (line == null) {
             if (warning == null) {
@@ -205,7 +205,7 @@ public final class ReplayReader implements AutoCloseable {
     }
 
     /** The result line, or {@code null} if the replay has none; known once {@link #next} has returned null. */
-    JsonLine result() {
+    public JsonLine result() {
         return result;
     }
 

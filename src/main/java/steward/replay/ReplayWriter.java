@@ -104,7 +104,7 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
     }
 
     /** The fields {@code drawing} and {@code start}: what follows from scene and seed alone. */
-    static void writeOpening(JsonGenerator out, Game game, FrameCodec codec) {
+    public static void writeOpening(JsonGenerator out, Game game, FrameCodec codec) {
         writeDrawing(out, codec);
         out.writeObjectPropertyStart("start");
         OutcomeJson.writeState(out, game, codec);
@@ -231,7 +231,7 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
     }
 
     /** The field {@code standing}: what the game itself says of each player at the end. */
-    static void writeStanding(JsonGenerator out, Game game) {
+    public static void writeStanding(JsonGenerator out, Game game) {
         int[] ranks = game.ranks();
         double[] scores = game.scores();
         out.writeArrayPropertyStart("standing");

@@ -7,6 +7,7 @@ import java.util.Arrays;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.concurrent.locks.ReentrantLock;
+import steward.Internal;
 
 /**
  * Hands what is written to one thread of this JVM that brings it to the file, so that a match does not wait for a disk.
@@ -17,6 +18,7 @@ import java.util.concurrent.locks.ReentrantLock;
  *
  * <p>What goes wrong with the file is thrown by the next call. One thread at a time may write.
  */
+@Internal
 public final class WriteBehind extends OutputStream {
 
     private static final int CAPACITY = 1 << 16;
@@ -144,7 +146,7 @@ public final class WriteBehind extends OutputStream {
     private void drainPatiently() throws InterruptedIOException {
         try {
             if (writing.tryLock(PATIENCE_MS, TimeUnit.MILLISECONDS)) {
-                drainLocked();                         // the lock is kept: nobody writes any more
+                drainLocked();                         // the lock is kept, so that no more is written
             }
         } catch (InterruptedException interrupted) {
             throw new InterruptedIOException();
@@ -202,7 +204,7 @@ public final class WriteBehind extends OutputStream {
                     LockSupport.parkNanos(this, TimeUnit.MICROSECONDS.toNanos(PAUSE_MICROS));
                     continue;
                 }
-                asleep = true;                         // first said, then looked once more: nothing is overslept
+                asleep = true;                         // set first, then checked again: no work is missed
                 if (!work()) {
                     LockSupport.park(this);
                 }

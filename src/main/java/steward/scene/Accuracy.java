@@ -8,31 +8,34 @@ import java.util.Locale;
 import java.util.Map;
 import steward.physics.Advance;
 import steward.physics.Arithmetic;
-import steward.physics.EventAdvance;
 import steward.physics.ImpactLaw;
-import steward.physics.OfficialAdvance;
 import steward.physics.PhysicsParts;
-import steward.physics.QueueAdvance;
-import steward.physics.StepAdvance;
-import steward.scene.JsonValue.Entry;
-import steward.scene.JsonValue.JsonNumber;
-import steward.scene.JsonValue.JsonObject;
-import steward.scene.JsonValue.JsonText;
+import steward.physics.event.EventAdvance;
+import steward.physics.event.OfficialAdvance;
+import steward.physics.event.StepAdvance;
+import steward.physics.queue.QueueAdvance;
+import steward.scene.json.JsonValue.Entry;
+import steward.scene.json.JsonValue.JsonNumber;
+import steward.scene.json.JsonValue.JsonObject;
+import steward.scene.json.JsonValue.JsonText;
+import steward.scene.json.SourcePosition;
+import steward.scene.json.Wording;
+import steward.text.NearestName;
 
 /**
- * With how much care a scene is computed: a rung of the ladder from {@code step/1}, the cheapest, to
- * {@code event/exact}.
+ * How accurately a scene is computed: a rung of the ladder from {@code step/1}, the cheapest, to {@code event/exact}.
  *
  * @param way        how a turn is advanced
- * @param steps      how many steps a turn has, 1..{@value StepAdvance#MOST_STEPS}; 0 where impacts are found by time
- * @param arithmetic with how much care times of impact are computed; {@code DOUBLE} for steps, which have none
+ * @param steps      steps per turn, 1..{@value StepAdvance#MOST_STEPS}; 0 for {@code EVENT}
+ * @param arithmetic how times of impact are computed; {@code DOUBLE} for steps, which compute none
  */
 public record Accuracy(Way way, int steps, Arithmetic arithmetic) {
 
     /**
-     * From so many bodies on, {@link QueueAdvance} is used instead of {@link EventAdvance}: measured by
-     * {@code QueueBenchmark}. With half an impact a body the two are equal at about 8 bodies, in turns without any at
-     * about 32; at 24 the queue costs a quarter more then, and a third or less where there are impacts.
+     * From this number of bodies on, {@link QueueAdvance} is used instead of {@link EventAdvance}; measured by
+     * {@code QueueBenchmark}. With half an impact per body the two are equal at about 8 bodies, in turns without
+     * impacts at about 32; at 24 bodies the queue costs a quarter more without impacts, and a third or less of the scan
+     * with them.
      */
     static final int FEWEST_FOR_CELLS = 24;
 
@@ -43,13 +46,13 @@ public record Accuracy(Way way, int steps, Arithmetic arithmetic) {
         /** In fixed steps. */
         STEP;
 
-        /** As it is written in a scene. */
+        /** Its name in a scene. */
         public String text() {
             return name().toLowerCase(Locale.ROOT);
         }
     }
 
-    /** @throws IllegalArgumentException if the values do not go together */
+    /** @throws IllegalArgumentException if the values contradict each other */
     public Accuracy {
         if (way == Way.EVENT && steps != 0) {
             throw new IllegalArgumentException("accuracy: steps " + steps + ", expected 0 with advance event");
@@ -64,7 +67,7 @@ public record Accuracy(Way way, int steps, Arithmetic arithmetic) {
         }
     }
 
-    /** Why steps have no choice of arithmetic. */
+    /** The arithmetic expected with steps, with the reason; for errors. */
     static final String ONLY_DOUBLE = "\"double\", because steps look for overlaps and compute no times of impact";
 
     /** From impact to impact. */
@@ -72,7 +75,7 @@ public record Accuracy(Way way, int steps, Arithmetic arithmetic) {
         return new Accuracy(Way.EVENT, 0, arithmetic);
     }
 
-    /** So many steps a turn. */
+    /** {@code steps} steps per turn. */
     public static Accuracy step(int steps) {
         return new Accuracy(Way.STEP, steps, Arithmetic.DOUBLE);
     }
@@ -94,7 +97,7 @@ public record Accuracy(Way way, int steps, Arithmetic arithmetic) {
      * A rung from its short form: {@code event/ARITHMETIC}, {@code step/K}, or an arithmetic alone, which means
      * {@code event}; {@code event} alone means {@code event/double}.
      *
-     * @throws IllegalArgumentException with what was found and expected, and the nearest name
+     * @throws IllegalArgumentException with what was found, what was expected and the nearest name
      */
     public static Accuracy parse(String text) {
         Map<String, Arithmetic> arithmetics = arithmetics();
@@ -117,7 +120,7 @@ public record Accuracy(Way way, int steps, Arithmetic arithmetic) {
         known.addAll(arithmetics.keySet());
         throw refusal(text, "event/ARITHMETIC, step/K or "
             + Wording.oneOf(arithmetics.keySet())
-            + Nearest.of(way, known).map(near -> "; did you mean \"" + near + "\"?").orElse(""));
+            + NearestName.of(way, known).map(near -> "; did you mean \"" + near + "\"?").orElse(""));
     }
 
     private static int parseSteps(String text, String steps) {
@@ -146,9 +149,9 @@ public record Accuracy(Way way, int steps, Arithmetic arithmetic) {
         return text();
     }
 
-    /** The block of a scene that says so. */
+    /** The block {@code accuracy} of a scene that states this rung. */
     JsonObject json() {
-        Place nowhere = new Place(1, 1);
+        SourcePosition nowhere = new SourcePosition(1, 1);
         Map<String, Entry> entries = new LinkedHashMap<>();
         entries.put("advance", new Entry(nowhere, new JsonText(nowhere, way.text())));
         if (way == Way.STEP) {
@@ -158,28 +161,28 @@ public record Accuracy(Way way, int steps, Arithmetic arithmetic) {
         return new JsonObject(nowhere, entries);
     }
 
-    /** The way to advance so many bodies with this care: the cheapest of those that end with the same impacts. */
+    /** The cheapest advance for {@code bodies} bodies on this rung: all candidates give the same impacts. */
     public Advance advance(PhysicsParts parts, int bodies) {
-        return looksAtNeighbours(parts.law(), bodies) ? new QueueAdvance(parts)
-            : setsPairsAside(parts, bodies) ? new OfficialAdvance(parts) : advance(parts);
+        return usesCells(parts.law(), bodies) ? new QueueAdvance(parts)
+            : usesOfficialLoop(parts, bodies) ? new OfficialAdvance(parts) : advance(parts);
     }
 
-    /** Whether that is by cells and a queue of events, not by a look at all pairs. */
-    boolean looksAtNeighbours(ImpactLaw law, int bodies) {
+    /** Whether that is {@link QueueAdvance}: cells and an event queue instead of a scan of all pairs. */
+    boolean usesCells(ImpactLaw law, int bodies) {
         return way == Way.EVENT && bodies >= FEWEST_FOR_CELLS && QueueAdvance.refusal(law) == null;
     }
 
-    /** Whether that is by the loop made for the official law alone. */
-    boolean setsPairsAside(PhysicsParts parts, int bodies) {
+    /** Whether that is {@link OfficialAdvance}. */
+    boolean usesOfficialLoop(PhysicsParts parts, int bodies) {
         return way == Way.EVENT && bodies > 0 && bodies <= OfficialAdvance.MOST_BODIES && OfficialAdvance.fits(parts);
     }
 
-    /** The way to advance with this care that looks at all pairs, each time: for few bodies. */
+    /** The advance on this rung that scans all pairs each time: for few bodies. */
     public Advance advance(PhysicsParts parts) {
         return way == Way.STEP ? new StepAdvance(parts, steps) : new EventAdvance(parts);
     }
 
-    /** The arithmetics by their names, in the order of care. */
+    /** The arithmetics by their names, in the order of accuracy. */
     static Map<String, Arithmetic> arithmetics() {
         Map<String, Arithmetic> names = new LinkedHashMap<>();
         for (Arithmetic arithmetic : Arithmetic.values()) {

@@ -9,33 +9,39 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import steward.Internal;
+import steward.scene.json.Block;
+import steward.scene.json.JsonTree;
+import steward.scene.json.SceneException;
+import steward.scene.json.Wording;
 
 /**
- * How far off each rung was in the states of a scene that a calibration has seen, and how much work it was: read from
- * JSON, to look up which rung meets a demand. Figures belong to a scene by its {@link SceneKey} and to a version of the
- * physics by its {@link PhysicsFingerprint}.
+ * The measured position errors and the work of each rung in the states of a scene's calibration. Read from JSON, to
+ * find the rung that meets a demand. Figures belong to a scene by its {@link SceneKey} and to a version of the physics
+ * by its {@link PhysicsFingerprint}.
  *
- * <p>Those of the shipped scenes come with the program; those of another lie beside the scene file: for
+ * <p>The figures of shipped scenes are resources of the program; those of another scene are beside the scene file: for
  * {@code my.json} in {@code my.accuracy.json}.
  *
- * @param source  where they were read, for people
- * @param physics the fingerprint of the physics that they are about
- * @param key     of the scene that they are about
- * @param sample  a hash of what the first states have shown
- * @param states  how many states were seen
+ * @param source  where the figures were read, for people
+ * @param physics the fingerprint of the physics that was measured
+ * @param key     of the scene that was measured
+ * @param sample  a hash of the results of the first states
+ * @param states  number of states
  * @param rungs   the figures, cheapest rung first
  */
+@Internal
 public record AccuracyFigures(String source, String physics, String key, String sample, int states,
                               List<OfRung> rungs) {
 
     /** The format that is read and written. */
     public static final int FORMAT = 1;
     /**
-     * The shares of states for which an error is kept, as fields are named; a demand for a share between two of them
-     * is held against the next higher one.
+     * The shares of states for which an error is kept, as fields are named; a demand for a share between two of them is
+     * compared with the next higher one.
      */
     public static final List<String> SHARES = List.of("0.5", "0.9", "0.99", "0.999", "0.9999", "1");
-    /** In place of an error: a state where the rung, or the oracle it was held against, came to no end. */
+    /** In place of an error: in a state the rung, or the oracle it was compared with, did not finish. */
     public static final String UNKNOWN = "unknown";
 
     private static final String SUFFIX = ".json";
@@ -45,12 +51,12 @@ public record AccuracyFigures(String source, String physics, String key, String 
      * Figures of one rung.
      *
      * @param rung   on the ladder
-     * @param work   counted, per turn, in pair tests of the cheapest kind
-     * @param errors in u, for each of {@link #SHARES}: so many states were off by at most this
+     * @param work   counted per turn, in units of one pair test of the cheapest kind
+     * @param errors in u, for each of {@link #SHARES}: the error that this share of the states does not exceed
      */
     public record OfRung(Accuracy rung, double work, List<Double> errors) {
 
-        /** The error at the share, or at the next higher one that is kept. */
+        /** The error at a share, or at the next higher one that is kept. */
         double error(double share) {
             int k = 0;
             while (Double.parseDouble(SHARES.get(k)) < share) {
@@ -60,7 +66,7 @@ public record AccuracyFigures(String source, String physics, String key, String 
         }
     }
 
-    /** Where figures for a scene file are looked for. */
+    /** The file with the figures of a scene file. */
     public static Path beside(Path scene) {
         String name = scene.getFileName().toString();
         String base = name.endsWith(SUFFIX) ? name.substring(0, name.length() - SUFFIX.length()) : name;
@@ -75,7 +81,7 @@ public record AccuracyFigures(String source, String physics, String key, String 
     /**
      * @param text   the file
      * @param source names it in errors
-     * @throws SceneException if it is no such file, or of another format
+     * @throws SceneException if it does not hold such figures, or is of another format
      */
     public static AccuracyFigures read(String text, String source) {
         Block root = new Block(source, "", JsonTree.read(text, source, "the figures of a scene's accuracy"));
@@ -116,7 +122,7 @@ public record AccuracyFigures(String source, String physics, String key, String 
         return rungs.stream().filter(rung -> rung.error(demand.share()) <= demand.maxPositionError()).findFirst();
     }
 
-    /** The rung that is off the least at a share, the cheapest of those that are. */
+    /** The rung with the smallest error at a share; of several, the cheapest. */
     OfRung best(double share) {
         return rungs.stream().min(Comparator.comparingDouble(rung -> rung.error(share))).get();
     }
@@ -126,7 +132,8 @@ public record AccuracyFigures(String source, String physics, String key, String 
      *
      * @param scene  the whole file
      * @param figures where its own figures may be
-     * @throws SceneException if there are no figures, they are of another scene or physics, or no rung meets the demand
+     * @throws SceneException if there are no figures, if they belong to another scene or physics, or if no rung meets
+     *                        the demand
      */
     static AccuracyChoice choose(AccuracyDemand demand, Block scene, Optional<Path> figures) {
         AccuracyFigures found = find(scene, figures);
@@ -144,7 +151,7 @@ public record AccuracyFigures(String source, String physics, String key, String 
             + Wording.number(rung.error(demand.share())) + " u, seen in " + found.states + " (" + found.source + ")");
     }
 
-    /** Figures with the scene's key: those that lie beside it, else those of a shipped scene that says the same. */
+    /** Figures with the scene's key: those beside the scene file, else those of a shipped scene with the same key. */
     private static AccuracyFigures find(Block scene, Optional<Path> figures) {
         String key = SceneKey.of(scene);
         Optional<AccuracyFigures> own = figures.filter(Files::exists).map(AccuracyFigures::load);
@@ -152,9 +159,9 @@ public record AccuracyFigures(String source, String physics, String key, String 
             return own.get();
         }
         for (String shipped : SceneFiles.shipped()) {
-            Optional<AccuracyFigures> packed = packed(shipped).filter(each -> each.key.equals(key));
-            if (packed.isPresent()) {
-                return packed.get();
+            Optional<AccuracyFigures> figuresOfShipped = loadShipped(shipped).filter(each -> each.key.equals(key));
+            if (figuresOfShipped.isPresent()) {
+                return figuresOfShipped.get();
             }
         }
         throw unusable(scene, own.isPresent()
@@ -177,7 +184,7 @@ public record AccuracyFigures(String source, String physics, String key, String 
     }
 
     /** The figures of a shipped scene, if it has been calibrated. */
-    static Optional<AccuracyFigures> packed(String shipped) {
+    static Optional<AccuracyFigures> loadShipped(String shipped) {
         try (InputStream in = AccuracyFigures.class.getResourceAsStream(resource(shipped))) {
             String source = resource(shipped).substring(1);
             return in == null ? Optional.empty()

@@ -5,9 +5,11 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import steward.physics.Arithmetic;
-import steward.physics.StepAdvance;
+import steward.physics.event.StepAdvance;
+import steward.scene.json.Block;
+import steward.scene.json.SceneException;
 
-/** Reads the block {@code accuracy} of a scene: a rung of the ladder, or a demand that a rung is then found for. */
+/** Reads the block {@code accuracy} of a scene: a rung of the ladder, or a demand for which a rung is chosen. */
 final class AccuracyReader {
 
     private static final String ERROR = "maxPositionError";
@@ -19,31 +21,31 @@ final class AccuracyReader {
     /**
      * @param scene   the whole file
      * @param figures where figures of this scene's accuracy may be
-     * @param instead a rung in place of what the file says, or {@code null}
+     * @param instead a rung that replaces the one of the file, or {@code null}
      * @throws SceneException if there is no such rung, or none is known to meet the demand
      */
     static AccuracyChoice read(Block scene, Optional<Path> figures, Accuracy instead) {
         Block block = scene.block("accuracy");
-        if (block.isThere(ERROR) || block.isThere(SHARE)) {
+        if (block.contains(ERROR) || block.contains(SHARE)) {
             AccuracyDemand demand = new AccuracyDemand(positive(block, ERROR, Double.POSITIVE_INFINITY),
                 positive(block, SHARE, 1));
             block.done();
             return instead == null ? AccuracyFigures.choose(demand, scene, figures)
-                : called(instead, demand.text());
+                : overridden(instead, demand.text());
         }
         Accuracy rung = rung(block);
         if (instead == null) {
             return AccuracyChoice.stated(rung);
         }
         block.done();
-        return called(instead, rung.text());
+        return overridden(instead, rung.text());
     }
 
-    private static AccuracyChoice called(Accuracy instead, String inFile) {
+    private static AccuracyChoice overridden(Accuracy instead, String inFile) {
         return new AccuracyChoice(instead, false, "as the call says; the scene's own is " + inFile);
     }
 
-    /** However small: a scene of short lengths may ask for less than others can have. */
+    /** A number above 0, however small: a scene of short lengths may demand less than others can have. */
     private static double positive(Block block, String name, double high) {
         double value = block.number(name, 0, high);
         if (value == 0) {

@@ -4,7 +4,7 @@ import java.util.List;
 import steward.physics.Wall;
 
 /**
- * The field from (0, 0) to (width, height) and what stands on it.
+ * The field from (0, 0) to (width, height) with its walls and bumpers.
  *
  * @param width   above 0, in u
  * @param height  above 0, in u

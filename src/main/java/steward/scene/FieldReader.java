@@ -8,6 +8,7 @@ import steward.physics.Arena;
 import steward.physics.HalfPlane;
 import steward.physics.Segment;
 import steward.physics.Wall;
+import steward.scene.json.Block;
 
 /** Reads the block {@code field}. */
 final class FieldReader {
@@ -82,7 +83,7 @@ final class FieldReader {
     }
 
     private static double finite(Block block, String name) {
-        return block.number(name, -Block.MOST, Block.MOST);
+        return block.number(name, -Block.MAXIMUM, Block.MAXIMUM);
     }
 
     private static double restitution(Block block) {

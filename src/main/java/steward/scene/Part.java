@@ -6,23 +6,23 @@ package steward.scene;
  * @param name what it is
  * @param in   whether the scene needs it; what is left out costs nothing
  * @param why  what in the scene asks for it, or what is absent
- * @param when in a turn it has its work
+ * @param when the phase of a turn in which it works
  */
 public record Part(String name, boolean in, String why, When when) {
 
-    /** Bodies run into each other. */
+    /** Bodies have impacts with each other. */
     public static final String PAIR_IMPACTS = "pair impacts";
-    /** Bodies run into what never moves. */
+    /** Bodies have impacts with walls. */
     public static final String WALLS = "walls";
-    /** Some impacts give back less than all of an approach. */
+    /** Some impacts have a restitution below 1. */
     public static final String RESTITUTION = "restitution";
-    /** Weak impacts are made stronger. */
+    /** Weak impacts get a minimum impulse. */
     public static final String MINIMUM_IMPULSE = "minimum impulse";
-    /** Those that overlap are pushed apart. */
+    /** Positional correction: overlapping bodies are moved apart. */
     public static final String PUSH_OUT = "push-out";
     /** Separating pairs react, and impacts close in time react together. */
     public static final String BATCH_WINDOW = "batch window";
-    /** Some bodies are moved by no impulse. */
+    /** No impulse moves some bodies. */
     public static final String INFINITE_MASSES = "infinite masses";
     /** Bodies lose a share of their speed each turn. */
     public static final String DRAG = "drag";
@@ -30,18 +30,18 @@ public record Part(String name, boolean in, String why, When when) {
     public static final String VELOCITY_ROUNDING = "velocity rounding";
     /** Positions end a turn as whole numbers. */
     public static final String POSITION_ROUNDING = "position rounding";
-    /** Some contacts ask the game. */
+    /** The game decides some contacts. */
     public static final String REACTIONS = "reactions";
     /** Pairs that cannot meet are set aside without a time of impact. */
     public static final String BROAD_PHASE = "broad phase";
 
-    /** When in a turn a part has its work. */
+    /** The phase of a turn in which a part works. */
     public enum When {
-        /** In the game, when commands are carried out, before bodies fly. */
+        /** In the game, when commands are applied, before the advance. */
         COMMANDS,
-        /** In the physics. */
+        /** In the advance. */
         PHYSICS,
-        /** In the game, after bodies have flown. */
+        /** In the game, after the advance. */
         OUTCOME
     }
 

@@ -3,6 +3,7 @@ package steward.scene;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
+import steward.Internal;
 import steward.numerics.SplitMix64;
 import steward.numerics.StateHash;
 import steward.physics.Advance;
@@ -16,10 +17,11 @@ import steward.physics.TurnSink;
 import steward.physics.Wall;
 
 /**
- * The version of the physics, found by trying it: a hash of what small heaps of bodies do on every rung, under both
- * kinds of laws and among walls. It changes when the bits of a result change, and with nothing else; what was measured
- * with another one is out of date.
+ * The version of the physics, from its results: a hash of turns of a few bodies on every rung, under two laws, one of
+ * them with walls. It changes exactly when the bits of a result change; figures measured with another fingerprint are
+ * out of date.
  */
+@Internal
 public final class PhysicsFingerprint {
 
     private static final long SEED = 4;
@@ -51,7 +53,7 @@ public final class PhysicsFingerprint {
     private static void play(Accuracy rung, ImpactLaw law, List<Wall> walls, StateHash hash) {
         Advance advance = rung.advance(
             new PhysicsParts(law, rung.arithmetic(), new Contacts(1), walls, null, false));
-        Bodies bodies = heap(new SplitMix64(SEED));
+        Bodies bodies = closeBodies(new SplitMix64(SEED));
         for (int turn = 0; turn < TURNS; turn++) {
             advance.turn(bodies, TurnSink.NONE);
             for (int k = 0; k < bodies.size(); k++) {
@@ -60,8 +62,8 @@ public final class PhysicsFingerprint {
         }
     }
 
-    /** Near enough to each other that several meet in every turn. */
-    private static Bodies heap(SplitMix64 random) {
+    /** Bodies near enough to each other that several have impacts in every turn. */
+    private static Bodies closeBodies(SplitMix64 random) {
         Bodies bodies = new Bodies(BODIES);
         for (int k = 0; k < BODIES; k++) {
             bodies.add(900 + 300 * (k % 3) + 90 * random.nextDouble(), 900 + 320 * (k / 3) + 90 * random.nextDouble(),

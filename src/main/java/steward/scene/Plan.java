@@ -5,15 +5,16 @@ import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import steward.physics.Advance;
 import steward.physics.Contacts;
-import steward.physics.ImpactLaw.Restitution;
 import steward.physics.ImpactLaw;
+import steward.physics.ImpactLaw.Restitution;
 import steward.physics.Motion;
 import steward.physics.PhysicsParts;
-import steward.physics.QueueAdvance;
 import steward.physics.Reaction;
 import steward.physics.Wall;
+import steward.physics.queue.QueueAdvance;
+import steward.scene.json.Wording;
 
-/** Which parts of the engine a scene needs and why, and the physics made of just these. */
+/** Which parts of the engine a scene needs and why, and the physics built from just these. */
 public final class Plan {
 
     private final Scene scene;
@@ -45,7 +46,7 @@ public final class Plan {
      * @param contacts          what contacts between the game's kinds of bodies mean, bumpers included
      * @param lowestRestitution of the game's bodies, without bumpers and walls
      * @param infiniteMasses    whether bodies of the game can have infinite mass; bumpers count without it
-     * @param gameParts         what the game itself takes or leaves out
+     * @param gameParts         the parts of the game itself, needed or left out
      */
     public static Plan of(Scene scene, Contacts contacts, double lowestRestitution, boolean infiniteMasses,
                           List<Part> gameParts) {
@@ -55,14 +56,14 @@ public final class Plan {
     /**
      * The same for a game that may have many bodies.
      *
-     * @param bodies how many there are, bumpers included; where the number changes, the most that there can be
+     * @param bodies number of bodies, bumpers included; where it changes, the maximum
      */
     public static Plan of(Scene scene, Contacts contacts, double lowestRestitution, boolean infiniteMasses, int bodies,
                           List<Part> gameParts) {
         return new Plan(scene, contacts, lowestRestitution, infiniteMasses, bodies, gameParts);
     }
 
-    /** How many bodies the scene has, bumpers included, or can have; 0 if it was not said. */
+    /** The number of bodies, bumpers included, or its maximum; 0 if it was not stated. */
     public int bodies() {
         return bodies;
     }
@@ -73,8 +74,8 @@ public final class Plan {
     }
 
     /**
-     * @param reaction answers the contacts that ask; {@code null} when none does
-     * @throws IllegalArgumentException if contacts ask and there is no reaction, or the other way round
+     * @param reaction answers {@code ASK} contacts; {@code null} if there are none
+     * @throws IllegalArgumentException if there are {@code ASK} contacts without a reaction, or a reaction without them
      */
     public PhysicsParts physics(Reaction reaction) {
         Restitution restitution = lowestRestitution < 1 ? Restitution.MINIMUM : Restitution.ELASTIC;
@@ -83,13 +84,13 @@ public final class Plan {
     }
 
     /**
-     * The way to advance a turn that the scene's accuracy asks for.
+     * The advance that the scene's accuracy requires.
      *
      * @param reaction as in {@link #physics}
      */
     public Advance advance(Reaction reaction) {
         PhysicsParts physics = physics(reaction);
-        return scene.onlooker().look(physics, scene.accuracy().advance(physics, bodies));
+        return scene.observer().observe(physics, scene.accuracy().advance(physics, bodies));
     }
 
     /** The rung that the scene is computed on, and why that one. */
@@ -166,16 +167,16 @@ public final class Plan {
     }
 
     private Part reactions() {
-        boolean in = contacts.ask();
+        boolean in = contacts.containsAsk();
         return new Part(Part.REACTIONS, in, in ? "some contacts ask the game" : "no contact asks the game");
     }
 
     private Part broadPhase() {
         Accuracy rung = scene.accuracy();
-        if (rung.looksAtNeighbours(scene.law(), bodies)) {
+        if (rung.usesCells(scene.law(), bodies)) {
             return new Part(Part.BROAD_PHASE, true, bodies + " bodies: cells and an event queue");
         }
-        if (!contacts.ask() && rung.setsPairsAside(physics(null), bodies)) {
+        if (!contacts.containsAsk() && rung.usesOfficialLoop(physics(null), bodies)) {
             return new Part(Part.BROAD_PHASE, true, "pairs of " + bodies + " that cannot meet are set aside");
         }
         String all = "advance " + rung.way().text() + " looks at all pairs";

@@ -2,8 +2,10 @@ package steward.scene;
 
 import java.util.function.BiFunction;
 import java.util.function.Function;
+import steward.Internal;
 
-/** A plan as text: one line per part with in or out, perhaps its price, its name and why. */
+/** A plan as text: one line per part with in or out, optionally its price, its name and the reason. */
+@Internal
 public final class PlanTable {
 
     private PlanTable() {
@@ -15,10 +17,10 @@ public final class PlanTable {
     }
 
     /**
-     * @param price a word for each part, put in a column of its own; there is none where all are empty
-     * @param dress adds colour, or whatever else, to the line of a part; columns are already in place
+     * @param price    a word for each part, in a column of its own; no column if all are empty
+     * @param decorate changes the line of a part after the columns are aligned, for example by colour
      */
-    public static String of(Plan plan, Function<Part, String> price, BiFunction<Part, String, String> dress) {
+    public static String of(Plan plan, Function<Part, String> price, BiFunction<Part, String, String> decorate) {
         int width = plan.parts().stream().mapToInt(part -> part.name().length()).max().orElse(1);
         int prices = plan.parts().stream().mapToInt(part -> price.apply(part).length()).max().orElse(0);
         String column = prices == 0 ? "%s" : "%" + prices + "s  ";
@@ -26,7 +28,7 @@ public final class PlanTable {
         for (Part part : plan.parts()) {
             String line = String.format("%-3s  " + column + "%-" + width + "s  %s", part.in() ? "in" : "out",
                 price.apply(part), part.name(), part.why());
-            table.append(dress.apply(part, line)).append('\n');
+            table.append(decorate.apply(part, line)).append('\n');
         }
         return table.toString();
     }

@@ -2,42 +2,42 @@ package steward.scene;
 
 import java.util.Optional;
 import steward.physics.ImpactLaw;
+import steward.scene.json.Block;
 
 /**
- * What a scene file says, apart from the blocks of the game. Two scenes are equal when their files say the same in the
- * same words.
+ * The contents of a scene file, except the blocks of the game. Two scenes are equal when their {@link #json()} is.
  *
  * @param name             its name
- * @param gameId           which game is played
- * @param players          how many, 1..16
+ * @param gameId           the id of the game
+ * @param players          number of players, 1..16
  * @param field            the field with its walls and bumpers, if there is one
- * @param law              how impacts go; its restitution is elastic here, {@link Plan#physics} decides it
+ * @param law              the law of impact; its restitution is elastic here and is decided by {@link Plan#physics}
  * @param drag             the share of its speed that a body loses at the end of a turn, 0..1
- * @param truncateVelocity whether speeds are cut to whole numbers at the end of a turn
+ * @param truncateVelocity whether velocities are truncated to whole numbers at the end of a turn
  * @param roundPosition    whether positions are rounded at the end of a turn
- * @param time             how long a player may take
- * @param choice           with how much care it is computed, and why so
- * @param onlooker         sees the ways to advance that games of this scene take from their plan
- * @param root             the whole file, for the game to read its own blocks from and then to call
- *                         {@link Block#done()} on
+ * @param time             time limits of the players
+ * @param choice           the rung it is computed on, and how it was chosen
+ * @param observer         observes the advances that games of this scene take from their plan
+ * @param root             the whole file, from which the game reads its own blocks; the game calls {@link Block#done()}
+ *                         at the end
  */
 public record Scene(String name, String gameId, int players, Optional<Field> field, ImpactLaw law, double drag,
                     boolean truncateVelocity, boolean roundPosition, Time time, AccuracyChoice choice,
-                    Onlooker onlooker, Block root) {
+                    PhysicsObserver observer, Block root) {
 
-    /** With how much care it is computed. */
+    /** The rung that it is computed on. */
     public Accuracy accuracy() {
         return choice.rung();
     }
 
-    /** The same scene, its games watched: for measuring turns from within. */
-    public Scene withOnlooker(Onlooker other) {
+    /** The same scene with another observer, for measurements inside turns. */
+    public Scene withObserver(PhysicsObserver other) {
         return new Scene(name, gameId, players, field, law, drag, truncateVelocity, roundPosition, time, choice, other,
             root);
     }
 
     /**
-     * The whole file on one line, fields in the same order and numbers in the same words; characters beyond ASCII are
+     * The whole file on one line, with the order of fields and the text of numbers kept; characters beyond ASCII are
      * escaped. Reading it gives an equal scene.
      */
     public String json() {

@@ -11,11 +11,13 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import steward.scene.json.SceneException;
+import steward.scene.json.Wording;
 
-/** Finds scene files: by path, or by the name of one that comes with the program. */
+/** Finds scene files: by path, or by the name of a shipped scene. */
 public final class SceneFiles {
 
-    /** The scenes that come with the program; a test holds the list against the folder they are kept in. */
+    /** The scenes that come with the program; a test compares the list with their folder. */
     static final List<String> SHIPPED = List.of("duel", "mad-pod-racing-silver", "mad-pod-racing", "walled-race");
 
     private static final String SUFFIX = ".json";
@@ -52,14 +54,14 @@ public final class SceneFiles {
             ? pathOrName.substring(0, pathOrName.length() - SUFFIX.length()) : pathOrName;
         List<String> shipped = shipped();
         if (shipped.contains(name)) {
-            return packed(name);
+            return loadShipped(name);
         }
         throw new SceneException((pathOrName.isEmpty() ? "\"\"" : pathOrName) + ": found "
             + (folder ? "a folder" : "no such file") + ", expected a scene file"
             + (shipped.isEmpty() ? "" : " or " + Wording.choice(name, shipped)));
     }
 
-    private static SceneText packed(String name) {
+    private static SceneText loadShipped(String name) {
         String source = resource(name).substring(1);
         try (InputStream in = SceneFiles.class.getResourceAsStream(resource(name))) {
             return new SceneText(decode(in.readAllBytes(), source), source);
@@ -73,7 +75,7 @@ public final class SceneFiles {
         return "/scenes/" + name + SUFFIX;
     }
 
-    /** Strict, unlike {@code new String}; a byte order mark is left out. */
+    /** Strict decoding, unlike {@code new String}; a byte order mark is removed. */
     static String decode(byte[] bytes, String source) {
         try {
             String text = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();

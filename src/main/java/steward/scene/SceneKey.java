@@ -2,16 +2,20 @@ package steward.scene;
 
 import java.util.List;
 import java.util.TreeMap;
+import steward.Internal;
 import steward.numerics.StateHash;
-import steward.scene.JsonValue.JsonArray;
-import steward.scene.JsonValue.JsonNumber;
-import steward.scene.JsonValue.JsonObject;
-import steward.scene.JsonValue.JsonText;
+import steward.scene.json.Block;
+import steward.scene.json.JsonValue;
+import steward.scene.json.JsonValue.JsonArray;
+import steward.scene.json.JsonValue.JsonNumber;
+import steward.scene.json.JsonValue.JsonObject;
+import steward.scene.json.JsonValue.JsonText;
 
 /**
- * A key of everything in a scene that decides what happens in its games: all but its name, the times players have, and
- * its accuracy. Neither the order of fields nor the spelling of numbers matters (1, 1.0, 1e0).
+ * A key of everything in a scene that decides what happens in its games: all except its name, the time limits and its
+ * accuracy. Neither the order of fields nor the notation of numbers matters (1, 1.0, 1e0).
  */
+@Internal
 public final class SceneKey {
 
     private static final List<String> LEFT_OUT = List.of("name", "time", "accuracy");
@@ -36,7 +40,7 @@ public final class SceneKey {
         return StateHash.toHex(hash.value());
     }
 
-    /** Lengths and brackets keep different values from reading the same. */
+    /** Lengths and brackets make the text of different values different. */
     private static void append(StringBuilder text, JsonValue value) {
         if (value instanceof JsonObject object) {
             text.append('{');

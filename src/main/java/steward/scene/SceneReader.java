@@ -5,6 +5,9 @@ import java.util.Optional;
 import steward.physics.ImpactLaw;
 import steward.physics.ImpactLaw.Restitution;
 import steward.physics.ImpactLaw.ScanOrder;
+import steward.scene.json.Block;
+import steward.scene.json.JsonTree;
+import steward.scene.json.SceneException;
 
 /** Reads the fields and blocks that scenes of all games have in common. */
 public final class SceneReader {
@@ -18,7 +21,7 @@ public final class SceneReader {
     }
 
     /**
-     * Leaves the game's blocks unread: whoever reads them calls {@link Block#done()} on the scene's root at the end.
+     * Leaves the game's blocks unread: their reader calls {@link Block#done()} on the scene's root at the end.
      *
      * @param text   the file
      * @param source names it in errors
@@ -29,10 +32,10 @@ public final class SceneReader {
     }
 
     /**
-     * The same for a file, whose figures of accuracy may lie beside it. The scene that is read states the rung that it
-     * is computed on, whatever the file says: a replay of it needs no figures.
+     * The same for a file that may have figures of accuracy beside it. The scene returned states the rung that it is
+     * computed on, even if the file states a demand: a replay of it needs no figures.
      *
-     * @param instead a rung in place of what the file says, or {@code null}
+     * @param instead a rung that replaces the one of the file, or {@code null}
      */
     public static Scene read(SceneText text, Accuracy instead) {
         Block root = new Block(text.source(), "", JsonTree.read(text.text(), text.source(), "a scene"));
@@ -52,19 +55,19 @@ public final class SceneReader {
             motion.map(block -> block.choice("velocity", Map.of("truncate", true), false)).orElse(false),
             motion.map(block -> block.choice("position", Map.of("round", true), false)).orElse(false),
             new Time(time.integer("firstAnswerMs", 1, MOST_MS), time.integer("answerMs", 1, MOST_MS)),
-            choice, Onlooker.NOBODY, choice.stated() ? root : root.with("accuracy", choice.rung().json()));
+            choice, PhysicsObserver.NONE, choice.stated() ? root : root.with("accuracy", choice.rung().json()));
     }
 
-    /** What the block does not name stays as in {@link ImpactLaw#PHYSICS}. */
+    /** Fields that are absent are as in {@link ImpactLaw#PHYSICS}. */
     private static ImpactLaw law(Block block) {
-        double minimumImpulse = block.number("minimumImpulse", 0, Block.MOST, 0);
+        double minimumImpulse = block.number("minimumImpulse", 0, Block.MAXIMUM, 0);
         boolean atWalls = block.flag("minimumImpulseAtWalls", false);
-        double deadZone = block.number("deadZone", 0, Block.MOST, Double.NaN);
+        double deadZone = block.number("deadZone", 0, Block.MAXIMUM, Double.NaN);
         boolean react = block.choice("separatingPairs", Map.of("ignore", false, "react", true), false);
         double batchWindow = block.number("batchWindow", 0, 1, 0);
         ScanOrder order = block.choice("scanOrder",
             Map.of("ascending", ScanOrder.ASCENDING, "descending", ScanOrder.DESCENDING), ScanOrder.ASCENDING);
-        double pushOut = block.number("pushOut", 0, Block.MOST, Double.NaN);
+        double pushOut = block.number("pushOut", 0, Block.MAXIMUM, Double.NaN);
         int maximumImpacts = block.integer("maximumImpactsPerTurn", 1, Integer.MAX_VALUE, 0);
         if (minimumImpulse == 0 && !react && (atWalls || !Double.isNaN(deadZone))) {
             throw block.error(atWalls ? "minimumImpulseAtWalls" : "deadZone", "no minimumImpulse to go with it",

@@ -8,11 +8,11 @@ import java.util.Optional;
  *
  * @param text    all of it
  * @param source  how errors name it
- * @param figures where the figures of its accuracy would be, there or not; nothing for a text that is no file
+ * @param figures where the figures of its accuracy would be, existing or not; empty for a text that is not a file
  */
 public record SceneText(String text, String source, Optional<Path> figures) {
 
-    /** A text that is no file. */
+    /** A text that is not a file. */
     public SceneText(String text, String source) {
         this(text, source, Optional.empty());
     }

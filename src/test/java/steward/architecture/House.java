@@ -24,9 +24,15 @@ import java.util.Set;
  */
 final class House {
 
-    /** Lowest first. */
-    static final List<String> ROOMS = List.of("numerics", "physics", "scene", "game", "game.podrace", "bot", "match",
-        "replay", "live", "codingame", "lab", "bench", "league", "cli");
+    /** Lowest first; the root package itself, which holds only what marks the others, is the lowest of all. */
+    static final List<String> ROOMS = List.of("", "numerics", "text", "files",
+        "physics", "physics.time", "physics.impulse", "physics.event", "physics.queue",
+        "scene.json", "scene", "game", "game.podrace", "game.podrace.simulator", "game.podrace.protocol",
+        "bot", "bot.command", "bot.process", "match",
+        "replay", "replay.verify", "replay.feed", "replay.page", "contest", "live", "codingame",
+        "lab.oracle", "lab.trial", "lab.stability.pairs", "lab.stability.crowds", "lab.stability",
+        "lab.calibration", "lab.tradeoff", "lab.tradeoff.report", "bench", "bench.textbook", "bench.section",
+        "cli.shared", "cli.bench", "cli.lab", "cli.replay", "cli.play", "cli");
 
     /** Functions whose last bit is up to the machine; sqrt, fma, floor and the like are exact everywhere. */
     private static final Set<String> INEXACT = Set.of("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp",
@@ -72,13 +78,43 @@ final class House {
 
     private int level(JavaClass type) {
         String name = type.getPackageName();
-        return name.length() <= root.length() ? -1 : ROOMS.indexOf(name.substring(root.length() + 1));
+        return ROOMS.indexOf(name.length() <= root.length() ? "" : name.substring(root.length() + 1));
     }
 
-    /** The command line lists the games; CodinGame's own file formats are those of the pod race. */
+    /** The command line lists the games; CodinGame's own file formats are those of particular games. */
     ArchRule hardlyAnybodyKnowsParticularGames() {
-        return noClasses().that().resideOutsideOfPackages(in("cli"), in("codingame"), in("game.podrace"))
-            .should().dependOnClassesThat().resideInAPackage(in("game.podrace"));
+        return noClasses().that().resideOutsideOfPackages(in("cli"), in("codingame"), in("game.*"))
+            .should().dependOnClassesThat().resideInAPackage(in("game.*"));
+    }
+
+    ArchRule gamesDoNotKnowEachOther() {
+        return classes().that().resideInAPackage(in("game.*")).should(new ArchCondition<>("know no other game") {
+            @Override
+            public void check(JavaClass origin, ConditionEvents events) {
+                for (Dependency dependency : origin.getDirectDependenciesFromSelf()) {
+                    String other = gameOf(dependency.getTargetClass().getBaseComponentType());
+                    if (!other.isEmpty() && !other.equals(gameOf(origin))) {
+                        events.add(SimpleConditionEvent.violated(origin, dependency.getDescription()));
+                    }
+                }
+            }
+        });
+    }
+
+    /** The name of the game that a class belongs to; empty for none. */
+    private String gameOf(JavaClass type) {
+        String games = root + ".game.";
+        return type.getPackageName().startsWith(games)
+            ? type.getPackageName().substring(games.length()).split("\\.")[0] : "";
+    }
+
+    /** What plays many games has no say in how it is shown. */
+    ArchRule contestsKnowNoTerminal() {
+        return noClasses().that().resideInAPackage(in("contest"))
+            .should().dependOnClassesThat().resideInAnyPackage("picocli..", "me.tongfei..")
+            .orShould().accessTargetWhere(describe("reaches the streams of the process", access ->
+                access.getTargetOwner().isEquivalentTo(System.class)
+                    && Set.of("out", "err", "in", "console").contains(access.getTarget().getName())));
     }
 
     ArchRule botsKnowNoRules() {

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
+import steward.bot.process.ScriptedBots;
 
 /** A bot inside this JVM is treated like a bot program. */
 class InProcessPlayerTest {

@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Properties;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 
 /** The bundled bots as programs: lines in, lines out, and when they end. */
@@ -28,7 +29,7 @@ class BotProgramTest {
 
     @Test
     void everyTurnLineGetsOneAnswerLineAndUnknownFieldsAreSkipped() throws IOException {
-        for (PodBot bot : new PodBot[] {new Racer(), new Veteran()}) {
+        for (PodBot bot : new PodBot[] {new Racer(), new Regular(), new Contender(), new Veteran()}) {
             String[] answers = run(bot, SETUP + TURN + TURN + END).split("\n");
             assertEquals(2, answers.length);
             assertTrue(answers[0].startsWith("{\"pods\":[{\"x\":"), answers[0]);
@@ -39,6 +40,39 @@ class BotProgramTest {
     void thePlainBotSteersAtItsNextCheckpoint() throws IOException {
         // Heading 12.5 degrees, checkpoint 1 at atan2(2, 5050) = 0.02 degrees: cos 12.48 = 0.976, thrust 195.
         assertEquals("{\"pods\":[{\"x\":10500,\"y\":3500,\"thrust\":195}]}\n", run(new Racer(), SETUP + TURN));
+    }
+
+    @Test
+    void theRegularAimsAgainstItsDrift() throws IOException {
+        // Three turns of (100, -20) off checkpoint 1: (10200, 3560), seen from (5450, 3498) at atan2(62, 4750) = 0.75
+        // degrees. The heading is 12.5 degrees: cos 11.75 = 0.979, thrust 195.
+        assertEquals("{\"pods\":[{\"x\":10200,\"y\":3560,\"thrust\":195}]}\n",
+            run(new Regular(), SETUP + drifting(5450, 100, -20)));
+    }
+
+    /**
+     * The pod at x = 9200 coasts by 400 and 340 u and so into checkpoint 1 (from x = 9900) within two turns. The
+     * regular still thrusts at it; the contender has tried what comes after, and turns to checkpoint 2 at once, by 18
+     * degrees and with the engine off.
+     * <pre>
+     *      pod -&gt;   (1)        heading 12.5 degrees; y grows downwards
+     *
+     *          (2)
+     * </pre>
+     */
+    @Test
+    void theContenderTurnsToTheCheckpointAfterInTime() throws IOException {
+        assertEquals("{\"pods\":[{\"x\":9300,\"y\":3500,\"thrust\":196}]}\n",
+            run(new Regular(), SETUP + drifting(9200, 400, 0)));
+        // 30.5 degrees, 10000 u away: (9200 + 8616, 3498 + 5075).
+        assertEquals("{\"pods\":[{\"x\":17816,\"y\":8573,\"thrust\":0}]}\n",
+            run(new Contender(), SETUP + drifting(9200, 400, 0)));
+    }
+
+    /** The turn with the pod at another place and in motion. */
+    private static String drifting(int x, int vx, int vy) {
+        String still = "\"x\":5450,\"y\":3498,\"vx\":0,\"vy\":0";
+        return TURN.replace(still, "\"x\":" + x + ",\"y\":3498,\"vx\":" + vx + ",\"vy\":" + vy);
     }
 
     @Test
@@ -76,7 +110,7 @@ class BotProgramTest {
         try (InputStream in = Racer.class.getResourceAsStream("builtin.properties")) {
             list.load(in);
         }
-        assertEquals(2, list.size());
+        assertEquals(Set.of("racer", "regular", "contender", "veteran"), list.stringPropertyNames());
         for (String name : list.stringPropertyNames()) {
             Class.forName(list.getProperty(name)).getMethod("main", String[].class);
         }

@@ -28,9 +28,9 @@ class BotsInMatchesTest {
     @ParameterizedTest
     @ValueSource(strings = {"mad-pod-racing", "walled-race", "duel"})
     void plainBotsFinishEveryRaceWithoutAFault(String name) {
-        GameSetup scene = Matches.scene(name);
+        GameSetup scene = BundledBotMatches.scene(name);
         for (long seed = 1; seed <= 30; seed++) {
-            MatchResult result = Matches.play(scene, seed, new Racer(), new Racer());
+            MatchResult result = BundledBotMatches.play(scene, seed, new Racer(), new Racer());
             assertFalse(result.anyFault(), result.toString());
             assertTrue(result.ending().startsWith("finished"), result.toString());
         }
@@ -40,9 +40,9 @@ class BotsInMatchesTest {
     @Tag("slow")
     @ValueSource(strings = {"mad-pod-racing", "walled-race", "duel"})
     void veteransPlayEachOtherWithoutAFault(String name) {
-        GameSetup scene = Matches.scene(name);
+        GameSetup scene = BundledBotMatches.scene(name);
         for (long seed = 1; seed <= 10; seed++) {
-            MatchResult result = Matches.play(scene, seed, new Veteran(), new Veteran());
+            MatchResult result = BundledBotMatches.play(scene, seed, new Veteran(), new Veteran());
             assertFalse(result.anyFault(), result.toString());
         }
     }
@@ -52,11 +52,11 @@ class BotsInMatchesTest {
     @Tag("slow")
     @ValueSource(strings = {"mad-pod-racing", "walled-race", "duel"})
     void theVeteranBeatsThePlainBotFromBothSides(String name) {
-        GameSetup scene = Matches.scene(name);
+        GameSetup scene = BundledBotMatches.scene(name);
         int won = 0;
         for (long seed = 1; seed <= 20; seed++) {
-            won += Matches.play(scene, seed, new Veteran(), new Racer()).winner() == 0 ? 1 : 0;
-            won += Matches.play(scene, seed, new Racer(), new Veteran()).winner() == 1 ? 1 : 0;
+            won += BundledBotMatches.play(scene, seed, new Veteran(), new Racer()).winner() == 0 ? 1 : 0;
+            won += BundledBotMatches.play(scene, seed, new Racer(), new Veteran()).winner() == 1 ? 1 : 0;
         }
         assertTrue(won >= 36, "won " + won + " of 40 on " + name);
     }
@@ -68,23 +68,23 @@ class BotsInMatchesTest {
             .replace("\"players\": 2", "\"players\": " + players)
             .replace("\"perPlayer\": 2", "\"perPlayer\": " + pods)
             .replace("\"maximumTurns\": 500", "\"maximumTurns\": 60");
-        GameSetup scene = Matches.scene("mad-pod-racing", change);
+        GameSetup scene = BundledBotMatches.scene("mad-pod-racing", change);
         PodBot[] bots = new PodBot[players];
         for (int player = 0; player < players; player++) {
             bots[player] = player % 2 == 0 ? new Veteran() : new Racer();
         }
-        MatchResult result = Matches.play(scene, 5, bots);
+        MatchResult result = BundledBotMatches.play(scene, 5, bots);
         assertFalse(result.anyFault(), result.toString());
         assertEquals(players, result.players().size());
     }
 
     @Test
     void aMatchPlayedTwiceIsTheSameInEveryTurn() {
-        GameSetup scene = Matches.scene("mad-pod-racing");
+        GameSetup scene = BundledBotMatches.scene("mad-pod-racing");
         Hashes once = new Hashes();
         Hashes again = new Hashes();
-        MatchResult result = Matches.play(scene, 77, once, new Veteran(), new Racer());
-        Matches.play(scene, 77, again, new Veteran(), new Racer());
+        MatchResult result = BundledBotMatches.play(scene, 77, once, new Veteran(), new Racer());
+        BundledBotMatches.play(scene, 77, again, new Veteran(), new Racer());
         assertEquals(result.turns(), once.values.size());
         assertEquals(once.values, again.values);
     }

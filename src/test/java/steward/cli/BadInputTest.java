@@ -15,6 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import steward.cli.shared.ExitStatus;
 import steward.scene.SceneFiles;
 
 /** Calls and inputs that cannot be used: each with its message on stderr, status 2, and nothing played or written. */
@@ -44,8 +45,10 @@ class BadInputTest {
             Arguments.of("column 1: the single quote is never closed", "match --bot sh --bot \"'sh\""),
             Arguments.of("--json and --quiet exclude each other", "match --bot sh --bot sh --json --quiet"),
             Arguments.of("--games: found 0, expected 1", "match --bot sh --bot sh --games 0"),
-            Arguments.of("--threads: found 0, expected 1 to 256", "match --bot sh --bot sh --games 2 --threads 0"),
-            Arguments.of("--threads: found 257, expected 1 to 256", "match --bot sh --bot sh --games 2 --threads 257"),
+            Arguments.of("--threads: found '0', expected 1 to 256, or auto",
+                "match --bot sh --bot sh --games 2 --threads 0"),
+            Arguments.of("--threads: found '257', expected 1 to 256, or auto",
+                "match --bot sh --bot sh --games 2 --threads 257"),
             Arguments.of("--threads is for many games", "match --bot sh --bot sh --threads 2"),
             Arguments.of("--time-factor: found 0.0, expected", "match --bot sh --bot sh --time-factor 0"),
             Arguments.of("--time-factor: found NaN, expected", "match --bot sh --bot sh --time-factor NaN"),

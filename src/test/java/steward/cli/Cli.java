@@ -2,6 +2,7 @@ package steward.cli;
 
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
+import steward.cli.shared.Streams;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -12,15 +13,15 @@ import tools.jackson.databind.json.JsonMapper;
  * @param out    what it wrote to its standard output
  * @param err    what it wrote to its standard error
  */
-record Cli(int status, String out, String err) {
+public record Cli(int status, String out, String err) {
 
     /** Calls the program as if neither output were a terminal. */
-    static Cli run(String... arguments) {
+    public static Cli run(String... arguments) {
         return run(false, arguments);
     }
 
     /** @param terminal whether both outputs are to be taken for terminals */
-    static Cli run(boolean terminal, String... arguments) {
+    public static Cli run(boolean terminal, String... arguments) {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         ByteArrayOutputStream err = new ByteArrayOutputStream();
         int status = Main.run(new Streams(out, err, terminal, terminal), arguments);
@@ -28,7 +29,7 @@ record Cli(int status, String out, String err) {
     }
 
     /** The output, which must be one JSON value on one line. */
-    JsonNode json() {
+    public JsonNode json() {
         if (out.indexOf('\n') != out.length() - 1) {
             throw new AssertionError("not one line: " + out + err);
         }

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import steward.cli.shared.ExitStatus;
 import steward.scene.SceneFiles;
 
 /** The program as a whole: help, version, completion, and how a call is taken apart. */

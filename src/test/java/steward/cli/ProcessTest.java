@@ -15,29 +15,29 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import steward.bot.CommandLine;
+import steward.bot.command.CommandLine;
 
 /** The program as a process of its own: what its streams and signals do. */
 @Tag("process")
 @Timeout(60)
-class ProcessTest {
+public class ProcessTest {
 
     @TempDir
     private Path folder;
 
     @BeforeEach
-    void shell() {
+    public void shell() {
         assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
     }
 
-    static String steward(String... arguments) {
+    public static String steward(String... arguments) {
         String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
         return CommandLine.quote(List.of(java, "-XX:TieredStopAtLevel=1", "-cp",
             System.getProperty("java.class.path"), Main.class.getName())) + " " + CommandLine.quote(List.of(arguments));
     }
 
     /** Runs a line of shell; what it writes to either stream, then its status. */
-    static String shell(String line) throws IOException, InterruptedException {
+    public static String shell(String line) throws IOException, InterruptedException {
         Process process = new ProcessBuilder("sh", "-c", "( " + line + "\n) 2>&1; echo status $?").start();
         process.getOutputStream().close();
         String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);

@@ -8,6 +8,7 @@ import java.util.regex.Pattern;
 import steward.bot.Bot;
 import steward.bot.InProcessPlayer;
 import steward.bot.Player;
+import steward.cli.shared.Games;
 import steward.game.GameSetup;
 import steward.match.MatchResult;
 import steward.match.Referee;
@@ -22,7 +23,7 @@ import steward.replay.ReplayWriter;
  * @param sent   per player the lines it was sent, each with its line end
  * @param result how it ended
  */
-record Recorded(byte[] bytes, List<StringBuilder> sent, MatchResult result) {
+public record Recorded(byte[] bytes, List<StringBuilder> sent, MatchResult result) {
 
     private static final Pattern CHECKPOINT = Pattern.compile("\\{\"x\":(\\d+),\"y\":(\\d+)\\}");
 
@@ -78,15 +79,15 @@ record Recorded(byte[] bytes, List<StringBuilder> sent, MatchResult result) {
     }
 
     /** Two bots that both drive well. */
-    static Recorded duel(long seed) {
-        return play(Contest.openScene("duel"), seed, "dd", 0);
+    public static Recorded duel(long seed) {
+        return play(Games.open("duel"), seed, "dd", 0);
     }
 
     /**
      * @param ways    per player {@code d} to drive, {@code s} to stand, {@code f} to drive and fail
      * @param failing the turn of the failure
      */
-    static Recorded play(GameSetup setup, long seed, String ways, int failing) {
+    public static Recorded play(GameSetup setup, long seed, String ways, int failing) {
         ByteArrayOutputStream file = new ByteArrayOutputStream();
         List<StringBuilder> sent = new ArrayList<>();
         List<Player> players = new ArrayList<>();

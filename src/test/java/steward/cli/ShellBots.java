@@ -5,10 +5,10 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import steward.bot.CommandLine;
+import steward.bot.command.CommandLine;
 
 /** Bot programs for tests: shell scripts, which start at once. They play with one pod. */
-final class ShellBots {
+public final class ShellBots {
 
     private static final String ANSWER = """
         #!/bin/sh
@@ -24,14 +24,14 @@ final class ShellBots {
         """;
 
     /** A place that no pod of the scene {@code duel} passes a checkpoint on the way to, from the start. */
-    static final String NOWHERE = "5000 99000";
+    public static final String NOWHERE = "5000 99000";
     /** The first checkpoint of the scene {@code duel} to be passed. */
-    static final String CHECKPOINT = "10500 3500";
+    public static final String CHECKPOINT = "10500 3500";
 
     private final Path script;
 
     /** @param folder the scripts go there */
-    ShellBots(Path folder) {
+    public ShellBots(Path folder) {
         script = folder.resolve("pod.sh");
         try {
             Files.writeString(script, ANSWER);
@@ -41,7 +41,7 @@ final class ShellBots {
     }
 
     /** A bot that drives to a place and stays there. */
-    String driver(String name, String place) {
+    public String driver(String name, String place) {
         return name + "=sh " + CommandLine.quote(List.of(script.toString())) + " " + place + " 0";
     }
 
@@ -50,13 +50,13 @@ final class ShellBots {
      *
      * @param nonsense the turn in which it fails, or 0
      */
-    String witness(String name, String place, int nonsense, Path file) {
+    public String witness(String name, String place, int nonsense, Path file) {
         return name + "=sh " + CommandLine.quote(List.of(script.toString())) + " " + place + " " + nonsense + " "
             + CommandLine.quote(List.of(file.toString()));
     }
 
     /** Whether the scripts can run here. */
-    static boolean runnable() {
+    public static boolean runnable() {
         return Files.isExecutable(Path.of("/bin/sh"));
     }
 }

@@ -6,7 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /** Bot programs in shell that speak the text protocol of one pod each, for the scene {@code duel}. */
-final class TextShellBots {
+public final class TextShellBots {
 
     private static final String SCRIPT = """
         #!/bin/sh
@@ -24,7 +24,7 @@ final class TextShellBots {
     private final Path script;
 
     /** @param folder the script goes there */
-    TextShellBots(Path folder) {
+    public TextShellBots(Path folder) {
         script = folder.resolve("text pod.sh");
         try {
             Files.writeString(script, SCRIPT);
@@ -34,12 +34,12 @@ final class TextShellBots {
     }
 
     /** Races. */
-    String driver() {
+    public String driver() {
         return "sh '" + script + "' drive 0";
     }
 
     /** Never moves, and fails in this turn if it is not 0. */
-    String idler(int fails) {
+    public String idler(int fails) {
         return "sh '" + script + "' stay " + fails;
     }
 }

@@ -18,8 +18,8 @@ import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 import steward.codingame.GameRecordingImport.Imported;
 import steward.match.TestScenes;
-import steward.replay.Difference;
-import steward.replay.Verification;
+import steward.replay.verify.Difference;
+import steward.replay.verify.Verification;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
@@ -30,8 +30,8 @@ import tools.jackson.databind.node.ObjectNode;
 class GameRecordingImportTest {
 
     private static final OfficialGame GAME = OfficialGame.play(12);
-    /** Lines of a key frame's view: the first line, the pods, the players. */
-    private static final int FIRST_IMPACT = 1 + 8 + 2;
+    /** Lines of a key frame's view: the first line, the pods, the counters. */
+    private static final int FIRST_IMPACT = 1 + 8 + 1;
 
     private final ByteArrayOutputStream replay = new ByteArrayOutputStream();
 
@@ -153,6 +153,25 @@ class GameRecordingImportTest {
         assertFound(turn, "impacts[0].impulse", spoilt(frame, FIRST_IMPACT, word(8, GameRecordingImportTest::bit)));
         assertFound(turn, "impacts[0].a", spoilt(frame, FIRST_IMPACT, word(2, a -> a.equals("3") ? "2" : "3")));
         assertFound(turn, "impacts[0].b", spoilt(frame, FIRST_IMPACT, word(5, b -> b.equals("3") ? "2" : "3")));
+        assertFound(turn, "impacts[0].ax", spoilt(frame, FIRST_IMPACT, word(3, GameRecordingImportTest::plusOne)));
+        assertFound(turn, "impacts[0].ay", spoilt(frame, FIRST_IMPACT, word(4, GameRecordingImportTest::plusOne)));
+        assertFound(turn, "impacts[0].bx", spoilt(frame, FIRST_IMPACT, word(6, GameRecordingImportTest::plusOne)));
+        assertFound(turn, "impacts[0].by", spoilt(frame, FIRST_IMPACT, word(7, GameRecordingImportTest::plusOne)));
+        assertFound(turn, "impacts[0].meanVx", spoilt(frame, FIRST_IMPACT, word(9, GameRecordingImportTest::plusOne)));
+        assertFound(turn, "impacts[0].meanVy", spoilt(frame, FIRST_IMPACT, word(10, GameRecordingImportTest::plusOne)));
+    }
+
+    @Test
+    void theCountersOfBothPlayersAreCompared() {
+        int frame = OfficialGame.keyFrame(40);
+        int counters = FIRST_IMPACT - 1;
+        UnaryOperator<String> otherTurns = counter -> counter.substring(0, 2) + "77";
+        UnaryOperator<String> otherRank = counter -> (counter.charAt(0) == '1' ? '2' : '1') + counter.substring(1);
+        assertFound(40, "state.turnsLeft[0]", spoilt(frame, counters, word(0, otherTurns)));
+        assertFound(40, "state.turnsLeft[1]", spoilt(frame, counters, word(1, otherTurns)));
+        assertFound(40, "ranks[0]", spoilt(frame, counters, word(0, otherRank)));
+        assertFound(40, "ranks[1]", spoilt(frame, counters, word(1, otherRank)));
+        assertFound(0, "start.state.turnsLeft[1]", spoilt(0, 5 + 8, word(1, otherTurns)));
     }
 
     @Test
@@ -291,8 +310,11 @@ class GameRecordingImportTest {
         assertFound(30, "result", cut(30, "as it was", "as it was").toString());
         ObjectNode game = GAME.gameResult();
         ArrayNode frames = (ArrayNode) game.get("frames");
-        frames.add(frames.get(frames.size() - 2));
-        frames.add(frames.get(frames.size() - 2));
+        for (int more = 0; more < 2; more++) {
+            ObjectNode frame = ((ObjectNode) frames.get(frames.size() - 2)).deepCopy();
+            frame.put("view", frame.get("view").stringValue().replaceFirst("[0-9]+", "" + frames.size()));
+            frames.add(frame);
+        }
         assertFound(GAME.turns(), "turns", game.toString());
     }
 

@@ -35,7 +35,8 @@ class LeagueJsonTest {
         MatchResult result = new MatchResult(9, "over", List.of(player(1, "late", Map.of("depth", "12.50")),
             player(0, null, Map.of())), Map.of("map", "a\"b", "seed", "99"));
 
-        assertEquals("{\"ranks\":[1,0],\"errors\":[1,0],\"test_data\":{\"seed\":-7,\"map\":\"a\\\"b\"},"
+        assertEquals("{\"ranks\":[1,0],\"errors\":[1,0],\"faults\":[\"late\",null],"
+            + "\"test_data\":{\"seed\":-7,\"map\":\"a\\\"b\"},"
             + "\"player_data\":[{\"depth\":\"12.50\"},{}],\"attributes\":["
             + "{\"name\":\"map\",\"player\":null,\"turn\":null,\"value\":\"a\\\"b\"},"
             + "{\"name\":\"depth\",\"player\":0,\"turn\":null,\"value\":\"12.50\"}]}",
@@ -62,8 +63,10 @@ class LeagueJsonTest {
             default -> null;
         }, 0, 3);
 
-        assertEquals("{\"ranks\":[0,1],\"errors\":[0,1],\"test_data\":{\"seed\":7},\"player_data\":[{\"k\":1},{}],"
-            + "\"attributes\":[{\"name\":\"k\",\"player\":0,\"turn\":null,\"value\":\"1\"},"
+        assertEquals("{\"ranks\":[0,1],\"errors\":[0,1],\"faults\":[null,\"line 1 of 2: found \\\"nonsense\\\", "
+            + "expected X Y and a thrust, SHIELD or BOOST; received: nonsense?nonsense\"],\"test_data\":{\"seed\":7},"
+            + "\"player_data\":[{\"k\":1},{}],\"attributes\":["
+            + "{\"name\":\"k\",\"player\":0,\"turn\":null,\"value\":\"1\"},"
             + "{\"name\":\"money\",\"player\":0,\"turn\":1,\"value\":\"5\"},"
             + "{\"name\":\"cells\",\"player\":null,\"turn\":2,\"value\":\"3 of 4\"}]}", json(7, result, attributes));
     }

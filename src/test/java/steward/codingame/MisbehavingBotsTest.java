@@ -12,7 +12,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import steward.bot.BotProcess;
+import steward.bot.process.BotProcess;
 import steward.game.GameSetup;
 import steward.match.Protocol;
 import steward.match.Seat;

@@ -32,9 +32,6 @@ import tools.jackson.databind.node.ObjectNode;
 public final class OfficialGame implements MatchListener {
 
     private static final int PODS = 4;
-    /** What a view has before its pods: in frame 0 the checkpoints stand in the fourth line. */
-    private static final String KEY_FRAME = "KEY_FRAME ";
-
     private final ObjectNode result = JsonMapper.shared().createObjectNode();
     private final ArrayNode frames = result.putArray("frames");
     private final List<Integer> impactTurns = new ArrayList<>();
@@ -117,11 +114,16 @@ public final class OfficialGame implements MatchListener {
     public void start(Game game, FrameCodec gameCodec) {
         race = (PodRace) game;
         codec = gameCodec;
-        StringBuilder view = new StringBuilder(KEY_FRAME + "0\n16000 9000\n600\n");
+        StringBuilder view = new StringBuilder(" 0\nCodersStrikeBack\n16000 9000 400 600 4 0.3141592653589793\n");
         for (double[] checkpoint : race.checkpoints()) {
-            view.append(word(checkpoint[0])).append(' ').append(word(checkpoint[1])).append(' ');
+            view.append(view.charAt(view.length() - 1) == '\n' ? "" : " ").append(word(checkpoint[0])).append(' ')
+                .append(word(checkpoint[1]));
         }
-        view.append("\n3\n");
+        for (int k = 0; k < PODS; k++) {
+            view.append(k == 0 ? "\n" : " ").append(k / 2).append(' ').append(race.pod(k).x()).append(' ')
+                .append(race.pod(k).y());
+        }
+        view.append('\n');
         pods(view);
         frames.addObject().put("view", view.toString()).put("keyframe", true).put("agentId", -1);
     }
@@ -148,8 +150,8 @@ public final class OfficialGame implements MatchListener {
     public void played(Turn turn) {
         turns = turn.number();
         frames.addObject().put("stdout", said.get(0)).put("keyframe", false).put("agentId", 0)
-            .put("view", (2 * turns - 1) + "\n");
-        StringBuilder view = new StringBuilder(KEY_FRAME + 2 * turns + "\n");
+            .put("view", " " + (2 * turns - 1) + "\n");
+        StringBuilder view = new StringBuilder(" " + 2 * turns + (race.isOver() ? " endReached\n" : "\n"));
         pods(view);
         if (race.log().impacts() > 0) {
             impactTurns.add(turns);
@@ -159,13 +161,15 @@ public final class OfficialGame implements MatchListener {
             view.append(k).append(' ').append(impact.time()).append(' ').append(impact.a()).append(' ')
                 .append(Math.round(impact.ax())).append(' ').append(Math.round(impact.ay())).append(' ')
                 .append(impact.b()).append(' ').append(Math.round(impact.bx())).append(' ')
-                .append(Math.round(impact.by())).append(' ').append(impact.impulse()).append(" 1 -2\n");
+                .append(Math.round(impact.by())).append(' ').append(impact.impulse()).append(' ')
+                .append(Math.round((impact.vaxBefore() + impact.vbxBefore()) / 2)).append(' ')
+                .append(Math.round((impact.vayBefore() + impact.vbyBefore()) / 2)).append('\n');
         }
         frames.addObject().put("stdout", said.get(1)).put("keyframe", true).put("agentId", 1)
             .put("view", view.toString());
     }
 
-    /** Two lines a pod, then one a player. */
+    /** Two lines a pod, then one for both players: of the first and the last turn as the server, as far as is known. */
     private void pods(StringBuilder view) {
         int count = race.checkpoints().length;
         int all = race.settings().laps() * count;
@@ -178,7 +182,9 @@ public final class OfficialGame implements MatchListener {
                 .append(shield[k] ? 1 : 0).append(' ').append(next).append(' ').append(0).append('\n')
                 .append("\"go: ").append(k).append("\"\n");
         }
-        view.append("0:").append(race.turnsLeft(0)).append("\n1:").append(race.turnsLeft(1)).append('\n');
+        int[] ranks = race.turn() == 0 ? new int[2] : race.ranks();
+        view.append(ranks[0] + 1).append(':').append(race.isOver() ? -1 : race.turnsLeft(0)).append(' ')
+            .append(ranks[1] + 1).append(':').append(race.isOver() ? -1 : race.turnsLeft(1)).append('\n');
     }
 
     private static String word(double value) {

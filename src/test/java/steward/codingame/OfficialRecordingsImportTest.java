@@ -16,9 +16,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
 import steward.game.TextCodec;
 import steward.game.podrace.PodRace;
-import steward.game.podrace.PodRaceType;
+import steward.game.podrace.protocol.PodRaceType;
 import steward.match.TestScenes;
-import steward.replay.Verification;
+import steward.replay.verify.Verification;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
@@ -71,7 +71,8 @@ class OfficialRecordingsImportTest {
         ObjectNode game = JsonMapper.shared().createObjectNode();
         ArrayNode frames = game.putArray("frames");
         frames.addObject().put("keyframe", true)
-            .put("view", "KEY_FRAME 0\na\nb\n" + map + "\nc\n" + pods(in.subList(0, PODS), race));
+            .put("view", " 0\nCodersStrikeBack\n16000 9000 400 600 4 0.3141592653589793\n" + map + "\nstarts\n"
+                + pods(in.subList(0, PODS), race));
         for (int from = 0; from < moves.size(); from += PODS) {
             for (int player = 0; player < 2; player++) {
                 String said = moves.get(from + 2 * player) + "\n" + moves.get(from + 2 * player + 1);
@@ -81,7 +82,7 @@ class OfficialRecordingsImportTest {
             }
             race.play();
             ((ObjectNode) frames.get(frames.size() - 1)).put("view",
-                "KEY_FRAME 1\n" + pods(out.subList(from, from + PODS), race) + "0:100\n1:100\n");
+                " " + (frames.size() - 1) + "\n" + pods(out.subList(from, from + PODS), race));
         }
         if (race.isOver()) {
             ArrayNode ranks = game.putArray("ranks");

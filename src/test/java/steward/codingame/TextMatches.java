@@ -7,9 +7,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
 import steward.bot.Bot;
-import steward.bot.BotProcess;
 import steward.bot.InProcessPlayer;
 import steward.bot.Player;
+import steward.bot.process.BotProcess;
 import steward.bots.PodBot;
 import steward.bots.Racer;
 import steward.game.GameSetup;
@@ -22,7 +22,7 @@ import steward.match.TimeControl;
 import steward.replay.ReplayHeader;
 import steward.replay.ReplayReader;
 import steward.replay.ReplayWriter;
-import steward.replay.Verification;
+import steward.replay.verify.Verification;
 
 /**
  * Matches between bots that speak lines and bots that speak JSON, recorded in memory.

@@ -57,7 +57,7 @@ class RefereeTest {
 
         assertEquals(List.of("A setup", "B setup", "C setup", "A ask 1", "B ask 1", "C ask 1",
             "A ask 2", "A close", "B ask 2", "C ask 2",
-            "B ask 3", "C ask 3", "C close", "B farewell", "B end"), log);
+            "B ask 3", "C ask 3", "C close", "B last", "B end"), log);
     }
 
     @Test
@@ -123,7 +123,7 @@ class RefereeTest {
     void allAreToldTheEndBeforeAnyIsWaitedFor() throws InterruptedException {
         play(2, startingWith(0, aboutToFinish()), player("A", ScriptedPlayer::idle), player("B", ScriptedPlayer::idle));
 
-        assertEquals(List.of("A farewell", "B farewell", "A end", "B end"), log.subList(log.size() - 4, log.size()));
+        assertEquals(List.of("A last", "B last", "A end", "B end"), log.subList(log.size() - 4, log.size()));
     }
 
     @Test
@@ -136,11 +136,11 @@ class RefereeTest {
     }
 
     @Test
-    void threePlayersAreRankedByTheTurnInWhichTheyFailed() throws InterruptedException {
+    void ofThreePlayersThoseWhoFailedShareTheLastRank() throws InterruptedException {
         MatchResult result = play(3, NOBODY, player("A", k -> k < 3 ? ScriptedPlayer.idle(k) : LATE),
             player("B", k -> k < 2 ? ScriptedPlayer.idle(k) : LATE), player("C", ScriptedPlayer::idle));
 
-        assertEquals(List.of(1, 2, 0), result.players().stream().map(MatchResult.PlayerResult::rank).toList());
+        assertEquals(List.of(1, 1, 0), result.players().stream().map(MatchResult.PlayerResult::rank).toList());
         assertEquals(2, result.winner());
     }
 

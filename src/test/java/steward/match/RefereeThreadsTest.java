@@ -155,7 +155,7 @@ class RefereeThreadsTest {
 
         MatchResult result = referee(new MatchListener() { }, idle("A"), stuck, last).play();
 
-        assertEquals(List.of(0, 2, 1), result.players().stream().map(MatchResult.PlayerResult::rank).toList());
+        assertEquals(List.of(0, 1, 1), result.players().stream().map(MatchResult.PlayerResult::rank).toList());
         assertEquals("no answer within 75 ms, and it cannot be stopped", result.players().get(1).fault());
         assertEquals(stuckAt + 3, result.turns());
         assertEquals(stuckAt, result.players().get(1).answers());

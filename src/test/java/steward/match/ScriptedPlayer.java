@@ -10,8 +10,7 @@ import steward.bot.Player;
 
 /**
  * A player that answers by a script and writes down, in a list it may share with others, what is done to it:
- * {@code A setup}, {@code A ask 1}, {@code A farewell}, {@code A end}, {@code A
- * close}.
+ * {@code A setup}, {@code A ask 1}, {@code A last}, {@code A end}, {@code A close}.
  */
 class ScriptedPlayer implements Player {
 
@@ -80,9 +79,9 @@ class ScriptedPlayer implements Player {
     }
 
     @Override
-    public void farewell(byte[] lines, int length) {
+    public void sendLastLines(byte[] lines, int length) {
         if (!over) {
-            log.add(name + " farewell");
+            log.add(name + " last");
         }
     }
 

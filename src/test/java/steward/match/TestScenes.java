@@ -3,7 +3,7 @@ package steward.match;
 import java.util.List;
 import steward.game.GameSetup;
 import steward.game.GameTypes;
-import steward.game.podrace.PodRaceType;
+import steward.game.podrace.protocol.PodRaceType;
 import steward.scene.SceneFiles;
 
 /** The scenes that tests play: the shipped ones, and the duel changed a little. */

@@ -10,9 +10,9 @@ import steward.numerics.StateHash;
 import steward.physics.Advance;
 import steward.physics.Arena;
 import steward.physics.Bodies;
-import steward.physics.EventAdvance;
 import steward.physics.Motion;
 import steward.physics.TurnLog;
+import steward.physics.event.EventAdvance;
 import steward.scene.Plan;
 import steward.scene.Scene;
 

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import steward.bot.Bot;
 import steward.match.MatchResult;
 import steward.minigame.PondMatches.Played;
-import steward.replay.Verification;
+import steward.replay.verify.Verification;
 
 /** Whole matches of the pond through the referee, the bots in process, recorded, replayed and verified. */
 class PondMatchTest {

@@ -19,7 +19,7 @@ import steward.match.TimeControl;
 import steward.replay.ReplayHeader;
 import steward.replay.ReplayReader;
 import steward.replay.ReplayWriter;
-import steward.replay.Verification;
+import steward.replay.verify.Verification;
 
 /** Opens the pond's scene and plays recorded matches in it. */
 final class PondMatches {

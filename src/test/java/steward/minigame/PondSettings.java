@@ -1,8 +1,8 @@
 package steward.minigame;
 
 import steward.physics.Arena;
-import steward.scene.Block;
 import steward.scene.Scene;
+import steward.scene.json.Block;
 
 /**
  * The block {@code pond} of a scene, and its arena.

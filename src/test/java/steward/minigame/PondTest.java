@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import steward.game.TurnEvent;
 import steward.physics.Bodies;
 import steward.physics.Impact;
-import steward.scene.SceneException;
+import steward.scene.json.SceneException;
 
 /**
  * The rules of the pond, one touch at a time. Hunters have mass 10 and radius 15 sqrt(10) = 47.4, stand still unless

@@ -68,7 +68,7 @@ class ErrorFreeTest {
     /** Which way is taken is the JVM's answer, and it is the same answer every time. */
     @Test
     void theMachineKnowsItself() {
-        assertEquals(Machine.hasFastFma(), Machine.hasFastFma());
+        assertEquals(FusedMultiplyAdd.hasFastFma(), FusedMultiplyAdd.hasFastFma());
         assertEquals(Math.fma(0.1, 0.1, -(0.1 * 0.1)), ErrorFree.productError(0.1, 0.1, 0.1 * 0.1));
     }
 }

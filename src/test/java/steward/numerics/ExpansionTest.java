@@ -14,7 +14,7 @@ class ExpansionTest {
         BigDecimal sum = BigDecimal.ZERO;
         DoubleDouble part = new DoubleDouble();
         for (int k = 0; k < 200 && expansion.sign() != 0; k++) {
-            expansion.to(part);
+            expansion.roundTo(part);
             sum = sum.add(Numbers.of(part));
             expansion.add(-part.high()).add(-part.low());
         }
@@ -35,7 +35,7 @@ class ExpansionTest {
                 exact = exact.add(Numbers.of(a).multiply(Numbers.of(b))).add(Numbers.of(a));
             }
             assertEquals(exact.signum(), sum.sign(), "case " + k);
-            assertTrue(Numbers.error(sum.to(new DoubleDouble()), exact) < 8, "case " + k);
+            assertTrue(Numbers.error(sum.roundTo(new DoubleDouble()), exact) < 8, "case " + k);
             assertEquals(0, exact.compareTo(value(sum)), "case " + k);
         }
     }
@@ -53,7 +53,7 @@ class ExpansionTest {
             assertEquals(0, sum.sign(), "case " + k);
             assertEquals(1, sum.add(0x1p-400).sign());
             assertEquals(-1, sum.add(-0x1p-399).sign());
-            assertEquals(-0x1p-400, sum.to(new DoubleDouble()).high());
+            assertEquals(-0x1p-400, sum.roundTo(new DoubleDouble()).high());
         }
     }
 }

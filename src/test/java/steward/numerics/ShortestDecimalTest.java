@@ -12,11 +12,11 @@ import tools.jackson.core.io.NumberOutput;
 /** The same digits as Jackson's writer, whose own tests know the answers; and nothing where another must write. */
 class ShortestDecimalTest {
 
-    private final char[] digits = new char[ShortestDecimal.MOST];
+    private final char[] digits = new char[ShortestDecimal.MAXIMUM_LENGTH];
 
     private String text(double value) {
         int count = ShortestDecimal.write(value, digits);
-        return count == ShortestDecimal.NOT_HERE ? "elsewhere" : new String(digits, 0, count);
+        return count == ShortestDecimal.UNSUPPORTED ? "elsewhere" : new String(digits, 0, count);
     }
 
     @ParameterizedTest
@@ -46,7 +46,7 @@ class ShortestDecimalTest {
                 case 2 -> -random.nextInt(1_000_000) / 1000.0;
                 default -> Math.nextUp(random.nextInt(1, 100_000) / (double) (1 << random.nextInt(10)));
             };
-            if (ShortestDecimal.write(value, digits) != ShortestDecimal.NOT_HERE) {
+            if (ShortestDecimal.write(value, digits) != ShortestDecimal.UNSUPPORTED) {
                 assertEquals(NumberOutput.toString(value, true), text(value), "seed 20, number " + k);
                 written++;
             }

@@ -93,7 +93,7 @@ class ImpactLawTest {
         assertEquals(Contacts.Meaning.BOUNCE, contacts.between(1, 2));
         assertEquals(Contacts.Meaning.ASK, contacts.withWall(1));
         assertEquals(Contacts.Meaning.BOUNCE, contacts.withWall(0));
-        assertEquals(true, contacts.ask());
+        assertEquals(true, contacts.containsAsk());
         assertEquals(false, contacts.allBounce());
         assertEquals(true, new Contacts(3).allBounce());
     }

@@ -19,6 +19,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import steward.bot.Bot;
 import steward.match.SeededBot;
 import steward.match.TestScenes;
+import steward.replay.verify.Verification;
 
 /** A replay whose writer was killed: whatever is left of it is read and verified up to the cut. */
 @Execution(ExecutionMode.CONCURRENT)

@@ -9,7 +9,7 @@ import tools.jackson.core.ObjectReadContext;
 import tools.jackson.core.json.JsonFactory;
 
 /** Where every scalar of a JSON line stands, for tests that edit one. */
-final class JsonLeaves {
+public final class JsonLeaves {
 
     /**
      * A scalar value.
@@ -18,13 +18,13 @@ final class JsonLeaves {
      * @param from first byte
      * @param to   the byte behind the last
      */
-    record Leaf(String path, int from, int to) {
+    public record Leaf(String path, int from, int to) {
     }
 
     private JsonLeaves() {
     }
 
-    static List<Leaf> of(String line) {
+    public static List<Leaf> of(String line) {
         byte[] bytes = line.getBytes(StandardCharsets.UTF_8);
         List<Leaf> leaves = new ArrayList<>();
         try (JsonParser in = new JsonFactory().createParser(ObjectReadContext.empty(), bytes, 0, bytes.length)) {

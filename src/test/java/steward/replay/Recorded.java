@@ -14,6 +14,7 @@ import steward.match.Referee;
 import steward.match.SeededBot;
 import steward.match.TestScenes;
 import steward.match.TimeControl;
+import steward.replay.verify.Verification;
 
 /**
  * A match played and recorded in memory.
@@ -72,7 +73,7 @@ public record Recorded(byte[] bytes, MatchResult result) {
     }
 
     /** The replay without anything measured. */
-    String withoutTimes() {
+    public String withoutTimes() {
         StringBuilder kept = new StringBuilder();
         for (String line : lines()) {
             kept.append(line.replaceAll(",\"times\":\\{[^}]*}}$", "}")).append('\n');
@@ -80,21 +81,21 @@ public record Recorded(byte[] bytes, MatchResult result) {
         return kept.toString();
     }
 
-    Verification verify() {
+    public Verification verify() {
         return verify(bytes);
     }
 
-    static Verification verify(byte[] replay) {
+    public static Verification verify(byte[] replay) {
         try (ReplayReader reader = reader(replay)) {
             return Verification.of(reader, TestScenes.TYPES);
         }
     }
 
-    static Verification verify(String replay) {
+    public static Verification verify(String replay) {
         return verify(replay.getBytes(StandardCharsets.UTF_8));
     }
 
-    static ReplayReader reader(byte[] replay) {
+    public static ReplayReader reader(byte[] replay) {
         return new ReplayReader(new ByteArrayInputStream(replay), "r.jsonl");
     }
 }

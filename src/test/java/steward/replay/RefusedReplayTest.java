@@ -16,7 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import steward.scene.SceneException;
+import steward.scene.json.SceneException;
 
 /** Files that are no replays, or damaged ones: refused with the place, what was found and what was expected. */
 class RefusedReplayTest {

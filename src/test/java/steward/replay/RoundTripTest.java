@@ -17,6 +17,7 @@ import steward.bot.Bot;
 import steward.game.GameSetup;
 import steward.match.SeededBot;
 import steward.match.TestScenes;
+import steward.replay.verify.Verification;
 
 /** What is written is read back, verifies, and is the same when the match is played again. */
 class RoundTripTest {

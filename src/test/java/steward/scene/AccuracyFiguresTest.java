@@ -12,6 +12,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import steward.scene.json.Block;
+import steward.scene.json.JsonTree;
+import steward.scene.json.SceneException;
 
 /** A scene that states what error it can bear, and the figures that say which rung it gets. */
 class AccuracyFiguresTest {

@@ -144,7 +144,7 @@ class PlanTest {
     private static String broadPhase(String arithmetic, String blocks, int bodies) {
         Plan plan = Plan.of(scene(arithmetic, blocks), ALL, 1, false, bodies, List.of());
         Part part = plan.parts().stream().filter(p -> p.name().equals(Part.BROAD_PHASE)).findFirst().orElseThrow();
-        assertEquals(part.in(), !(plan.advance(null) instanceof steward.physics.EventAdvance));
+        assertEquals(part.in(), !(plan.advance(null) instanceof steward.physics.event.EventAdvance));
         return (part.in() ? "in " : "out ") + part.why();
     }
 

@@ -11,6 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import steward.scene.json.SceneException;
 
 /**
  * Every kind of mistake in the common part of a scene ends in an error with its exact place and words. A row of a

@@ -17,6 +17,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import steward.physics.Arithmetic;
 import steward.physics.ImpactLaw;
+import steward.scene.json.Block;
+import steward.scene.json.SceneException;
 
 /** Scene files are found by path or by name, and the shipped ones are whole. */
 class SceneFilesTest {

@@ -16,6 +16,7 @@ import steward.physics.ImpactLaw.Restitution;
 import steward.physics.ImpactLaw.ScanOrder;
 import steward.physics.Segment;
 import steward.physics.Wall;
+import steward.scene.json.SceneException;
 
 /** What the common part of a scene file becomes. */
 class SceneReaderTest {

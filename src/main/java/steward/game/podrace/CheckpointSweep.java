@@ -2,14 +2,17 @@ package steward.game.podrace;
 
 import steward.physics.TurnLog;
 
-/** Whether a pod's path inside a turn, a polyline, comes near enough to a checkpoint. Allocates nothing. */
-final class CheckpointSweep {
+/**
+ * Whether a pod's path inside a turn, a polyline, comes near enough to a checkpoint. The path has one corner per impact,
+ * the place after positional correction; a later impact at the same time replaces it. Allocates nothing.
+ */
+public final class CheckpointSweep {
 
     private CheckpointSweep() {
     }
 
     /**
-     * @param log    holds the corners of the path between start and end, those of all bodies
+     * @param log    holds the knots of the path between start and end, those of all bodies
      * @param bodyId whose path
      * @param radius distances up to and including this count
      */
@@ -17,28 +20,56 @@ final class CheckpointSweep {
                           double checkpointX, double checkpointY, double radius) {
         double fromX = startX;
         double fromY = startY;
+        int corner = -1;
         for (int k = 0; k < log.knots(); k++) {
             if (log.knotBody(k) == bodyId) {
-                double toX = log.knotX(k);
-                double toY = log.knotY(k);
-                if (distance(checkpointX, checkpointY, fromX, fromY, toX, toY) <= radius) {
-                    return true;
+                if (corner >= 0 && log.knotTime(corner) != log.knotTime(k)) {
+                    double toX = log.knotX(corner);
+                    double toY = log.knotY(corner);
+                    if (distance(checkpointX, checkpointY, fromX, fromY, toX, toY) <= radius) {
+                        return true;
+                    }
+                    fromX = toX;
+                    fromY = toY;
                 }
-                fromX = toX;
-                fromY = toY;
+                corner = k;
             }
+        }
+        if (corner >= 0) {
+            double toX = log.knotX(corner);
+            double toY = log.knotY(corner);
+            if (distance(checkpointX, checkpointY, fromX, fromY, toX, toY) <= radius) {
+                return true;
+            }
+            fromX = toX;
+            fromY = toY;
         }
         return distance(checkpointX, checkpointY, fromX, fromY, endX, endY) <= radius;
     }
 
-    /** Distance of a point from the segment a-b, which may be a single point. */
-    static double distance(double x, double y, double ax, double ay, double bx, double by) {
+    /*
+     * The official referee takes the distance from the JDK, java.awt.geom.Line2D.ptSegDist, whose documented behaviour
+     * fixes its bits. With d = b - a and e = p - a the projection of e on d has the square (e.d)^2 / d.d, and by
+     * Pythagoras the square of the distance is e.e less that; beyond an end (e.d <= 0, seen from a or from b) the
+     * distance is that from the end. The difference is never below 0.
+     */
+
+    /** Distance of a point from the segment a-b, which may be a single point; the bits of the official referee. */
+    public static double distance(double x, double y, double ax, double ay, double bx, double by) {
         double dx = bx - ax;
         double dy = by - ay;
-        double square = dx * dx + dy * dy;
-        double share = square == 0 ? 0 : Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / square));
-        double offX = ax + share * dx - x;
-        double offY = ay + share * dy - y;
-        return Math.sqrt(offX * offX + offY * offY);
+        double ex = x - ax;
+        double ey = y - ay;
+        double projected = 0;
+        double along = ex * dx + ey * dy;
+        if (along > 0) {
+            ex = dx - ex;
+            ey = dy - ey;
+            along = ex * dx + ey * dy;
+            if (along > 0) {
+                projected = along * along / (dx * dx + dy * dy);
+            }
+        }
+        return Math.sqrt(Math.max(0, ex * ex + ey * ey - projected));
     }
 }

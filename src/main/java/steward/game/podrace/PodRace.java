@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import steward.game.Game;
 import steward.game.TurnEvent;
+import steward.numerics.SineCosine;
 import steward.numerics.SplitMix64;
 import steward.numerics.StateHash;
 import steward.numerics.StrictAngles;
@@ -17,24 +18,26 @@ import steward.scene.Plan;
 import steward.scene.Scene;
 
 /**
- * The rules of the pod race, free of JSON. Pods are the bodies 0..pods-1 in the order of players; bumpers come behind
- * them. Sources: the published official referee and official recordings of 2016 and 2026; with the official law and
+ * The rules of the pod race, free of JSON. Pods are the bodies 0..pods-1 in the order of players; bumpers follow.
+ * Sources: the published official referee and official recordings of 2016 and 2026; with the official law and
  * arithmetic, positions, speeds, headings, impact times and impulses agree with them to the last bit.
  *
- * <p>A player who is out keeps the pods on the field: they get no commands, drift, and can be hit.
+ * <p>The pods of an eliminated player stay on the field: they get no commands, drift, and can be hit; a pod whose shield
+ * was raised stays heavy. Commands that stand in a faulty answer before the fault take effect in that turn.
  *
- * <p>A little over 400 lines, because the steps of a turn belong side by side and half of it is read by codecs.
+ * <p>A little over 400 lines, because the steps of a turn belong together and half of the class are accessors for
+ * codecs.
  */
 public final class PodRace implements Game {
 
     private static final int NOT_OUT = Integer.MAX_VALUE;
 
     /** Pseudo-thrust of a pod whose player gave no command. */
-    static final int NO_COMMAND = -1;
+    public static final int NO_COMMAND = -1;
     /** Pseudo-thrust of a SHIELD command. */
-    static final int SHIELD = -2;
+    public static final int SHIELD = -2;
     /** Pseudo-thrust of a BOOST command. */
-    static final int BOOST = -3;
+    public static final int BOOST = -3;
 
     private final PodRaceSettings settings;
     private final double[][] checkpoints;
@@ -44,7 +47,7 @@ public final class PodRace implements Game {
     private final TurnLog log = new TurnLog();
     private final List<TurnEvent> events = new ArrayList<>();
     private final StateHash hash = new StateHash();
-    private final StrictAngles angles = new StrictAngles();
+    private final SineCosine direction = new SineCosine();
     private final RaceStanding standing = new RaceStanding(this);
 
     private final double[] heading;
@@ -67,17 +70,17 @@ public final class PodRace implements Game {
      * A race before its first turn. Draws, in this order: the map, 0..maps-1; if the scene shifts, the first
      * checkpoint, 0..n-1; if it jitters, for each checkpoint in the shifted order x, then y, -jitter..jitter.
      */
-    PodRace(PodRaceSettings settings, Scene scene, Plan plan, long seed) {
+    public PodRace(PodRaceSettings settings, Scene scene, Plan plan, long seed) {
         this(settings, scene, plan, settings.drawMap(new SplitMix64(seed)));
     }
 
     /** A race on a given map, {@code [n][x, y]}. */
-    PodRace(PodRaceSettings settings, Scene scene, Plan plan, double[][] checkpoints) {
+    public PodRace(PodRaceSettings settings, Scene scene, Plan plan, double[][] checkpoints) {
         this(settings, scene, plan, checkpoints, plan.advance(null));
     }
 
-    /** The same with a given way to advance. */
-    PodRace(PodRaceSettings settings, Scene scene, Plan plan, double[][] checkpoints, Advance advance) {
+    /** The same with a given advance. */
+    public PodRace(PodRaceSettings settings, Scene scene, Plan plan, double[][] checkpoints, Advance advance) {
         this.settings = settings;
         this.checkpoints = checkpoints;
         List<Bumper> bumpers = scene.field().map(field -> field.bumpers()).orElse(List.of());
@@ -122,7 +125,7 @@ public final class PodRace implements Game {
      *
      * @param podThrust 0 to the scene's maximum, {@link #SHIELD} or {@link #BOOST}
      */
-    void command(int pod, double x, double y, int podThrust) {
+    public void command(int pod, double x, double y, int podThrust) {
         targetX[pod] = x;
         targetY[pod] = y;
         thrust[pod] = podThrust;
@@ -139,7 +142,7 @@ public final class PodRace implements Game {
         for (int pod = 0; pod < settings.pods(); pod++) {
             startX[pod] = bodies.x[pod];
             startY[pod] = bodies.y[pod];
-            steer(pod, isIn(playerOf(pod)) ? thrust[pod] : NO_COMMAND);
+            steer(pod, thrust[pod]);
             thrust[pod] = NO_COMMAND;
         }
         advance.turn(bodies, log);
@@ -149,13 +152,19 @@ public final class PodRace implements Game {
                 countCheckpoints(player);
             }
         }
-        judge();
+        decideOutcome();
     }
 
-    /** Shield, boost, heading and thrust of one pod: step 1 of the official turn. */
+    /**
+     * Shield, boost, heading and thrust of one pod: step 1 of the official turn. A pod without a command keeps the mass
+     * it had.
+     */
     private void steer(int pod, int command) {
         shieldTimer[pod] = command == SHIELD ? PodRaceSettings.SHIELD_TURNS : Math.max(0, shieldTimer[pod] - 1);
-        bodies.setMass(pod, command == SHIELD ? PodRaceSettings.SHIELD_MASS_FACTOR * settings.mass() : settings.mass());
+        if (command != NO_COMMAND) {
+            bodies.setMass(pod, command == SHIELD ? PodRaceSettings.SHIELD_MASS_FACTOR * settings.mass()
+                : settings.mass());
+        }
         int power = Math.max(0, command);
         if (command == BOOST) {
             power = boostLeft[pod] ? PodRaceSettings.BOOST_THRUST : settings.maximumThrust();
@@ -168,9 +177,9 @@ public final class PodRace implements Game {
         }
         heading[pod] = Headings.turned(heading[pod], StrictAngles.atan2(dy, dx));
         if (shieldTimer[pod] == 0) {
-            angles.turn(heading[pod]);
-            double cos = angles.cos();
-            double sin = angles.sin();
+            direction.turn(heading[pod]);
+            double cos = direction.cos();
+            double sin = direction.sin();
             double length = Math.sqrt(cos * cos + sin * sin);
             bodies.vx[pod] += cos / length * power;
             bodies.vy[pod] += sin / length * power;
@@ -182,7 +191,7 @@ public final class PodRace implements Game {
         int after = 0;
         for (int pod = player * settings.podsPerPlayer(); pod < (player + 1) * settings.podsPerPlayer(); pod++) {
             before += passed[pod];
-            while (passed[pod] < toFinish() && passesNext(pod)) {
+            for (int most = checkpoints.length; most > 0 && passesNext(pod); most--) {
                 passed[pod]++;
                 markCheckpoint(pod);
             }
@@ -204,8 +213,8 @@ public final class PodRace implements Game {
         events.add(new TurnEvent(TurnEvent.Kind.MARK, 1, pod, bodies.x[pod], bodies.y[pod], text, lap));
     }
 
-    /** Eliminations and the end: step 4 of the official turn. */
-    private void judge() {
+    /** Eliminations and the end of the race: step 4 of the official turn. */
+    private void decideOutcome() {
         int in = 0;
         int finished = 0;
         for (int player = 0; player < settings.players(); player++) {
@@ -269,13 +278,13 @@ public final class PodRace implements Game {
         return standing.ranks();
     }
 
-    /** Checkpoints passed by the best pod; -1 for a player who is out. */
+    /** Checkpoints passed by the best pod; -1 for an eliminated player. */
     @Override
     public double[] scores() {
         return standing.scores();
     }
 
-    Advance advance() {
+    public Advance advance() {
         return advance;
     }
 
@@ -295,15 +304,15 @@ public final class PodRace implements Game {
     }
 
     /**
-     * Order: turn; per pod x, y, vx, vy, heading, shield timer, boost left, checkpoints passed; per player turns left
-     * and the turn of elimination (2^31 - 1 while in).
+     * Order: turn; per pod x, y, vx, vy, heading, shield timer, boost left, checkpoints passed, mass; per player turns
+     * left and the turn of elimination (2^31 - 1 if not eliminated).
      */
     @Override
     public long hash() {
         hash.reset().add(turn);
         for (int pod = 0; pod < settings.pods(); pod++) {
             hash.add(bodies.x[pod]).add(bodies.y[pod]).add(bodies.vx[pod]).add(bodies.vy[pod]).add(heading[pod])
-                .add(shieldTimer[pod]).add(boostLeft[pod]).add(passed[pod]);
+                .add(shieldTimer[pod]).add(boostLeft[pod]).add(passed[pod]).add(bodies.mass[pod]);
         }
         for (int player = 0; player < settings.players(); player++) {
             hash.add(turnsLeft[player]).add(outTurn[player]);
@@ -311,7 +320,7 @@ public final class PodRace implements Game {
         return hash.value();
     }
 
-    /** What the scene says about the race. */
+    /** The settings from the scene. */
     public PodRaceSettings settings() {
         return settings;
     }
@@ -326,78 +335,83 @@ public final class PodRace implements Game {
         return turnsLeft[player];
     }
 
-    /** Everything about one pod. */
+    /** The state of one pod. */
     public PodState pod(int pod) {
         return new PodState(bodies.x[pod], bodies.y[pod], bodies.vx[pod], bodies.vy[pod], heading[pod],
             shieldTimer[pod], boostLeft[pod], passed[pod]);
     }
 
-    /** Puts a pod into a state, for tests of the rules and for simulators. */
+    /**
+     * Sets the state of a pod, for tests of the rules and for simulators. Right after the turn of a shield (timer 4) it
+     * is heavy until its next command.
+     */
     public void setPod(int pod, PodState state) {
         bodies.setPosition(pod, state.x(), state.y());
         bodies.setVelocity(pod, state.vx(), state.vy());
         heading[pod] = state.heading();
         shieldTimer[pod] = state.shieldTimer();
+        bodies.setMass(pod, state.shieldTimer() == PodRaceSettings.SHIELD_TURNS
+            ? PodRaceSettings.SHIELD_MASS_FACTOR * settings.mass() : settings.mass());
         boostLeft[pod] = state.boostLeft();
         passed[pod] = state.passed();
     }
 
-    int playerOf(int pod) {
+    /** Says how many turns a player has left to pass a checkpoint, for tests of the rules and for simulators. */
+    public void setTurnsLeft(int player, int turns) {
+        turnsLeft[player] = turns;
+    }
+
+    public int playerOf(int pod) {
         return pod / settings.podsPerPlayer();
     }
 
     /** Index of the checkpoint that a pod must pass next. */
-    int nextCheckpoint(int pod) {
+    public int nextCheckpoint(int pod) {
         return (passed[pod] + 1) % checkpoints.length;
     }
 
     /** Laps done. */
-    int lap(int pod) {
+    public int lap(int pod) {
         return passed[pod] / checkpoints.length;
     }
 
-    double targetX(int pod) {
+    public double targetX(int pod) {
         return targetX[pod];
     }
 
-    double targetY(int pod) {
+    public double targetY(int pod) {
         return targetY[pod];
     }
 
-    int thrust(int pod) {
+    public int thrust(int pod) {
         return thrust[pod];
     }
 
     /** In radians, NaN while unset. */
-    double heading(int pod) {
+    public double heading(int pod) {
         return heading[pod];
     }
 
-    int shieldTimer(int pod) {
+    public int shieldTimer(int pod) {
         return shieldTimer[pod];
     }
 
-    boolean boostLeft(int pod) {
+    public boolean boostLeft(int pod) {
         return boostLeft[pod];
     }
 
     /** Checkpoints that a pod has passed. */
-    int passed(int pod) {
+    public int passed(int pod) {
         return passed[pod];
     }
 
-    /** The turn in which a player went out, 2^31 - 1 while in. */
-    int outTurn(int player) {
-        return outTurn[player];
-    }
-
-    /** How many checkpoints make the race. */
+    /** The number of checkpoints of the whole race. */
     int toFinish() {
         return settings.laps() * checkpoints.length;
     }
 
     /** The distance of a pod from its next checkpoint, in u. */
-    double toNext(int pod) {
+    public double toNext(int pod) {
         double dx = checkpoints[nextCheckpoint(pod)][0] - bodies.x[pod];
         double dy = checkpoints[nextCheckpoint(pod)][1] - bodies.y[pod];
         return Math.sqrt(dx * dx + dy * dy);

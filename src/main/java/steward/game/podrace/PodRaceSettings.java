@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import steward.numerics.SplitMix64;
-import steward.scene.Block;
 import steward.scene.Scene;
+import steward.scene.json.Block;
 
 /**
  * The settings of a pod race, from the blocks {@code pods} and {@code race} of a scene.
@@ -18,11 +18,11 @@ import steward.scene.Scene;
  * @param maximumThrust          of an ordinary command, and of a boost that is used up; in u per turn^2
  * @param laps                   1..100
  * @param checkpointRadius       in u
- * @param maps                   one of these is drawn by lot: checkpoints {@code [n][x, y]}, n at least 2
- * @param shift                  whether the order of checkpoints starts at one drawn by lot
+ * @param maps                   one of these is drawn at random: checkpoints {@code [n][x, y]}, n at least 2
+ * @param shift                  whether the order of checkpoints starts at a random one
  * @param jitter                 each coordinate is moved by a whole number drawn from -jitter..jitter
- * @param turnsWithoutCheckpoint a player none of whose pods passes one for so many turns is out
- * @param maximumTurns           then the race ends
+ * @param turnsWithoutCheckpoint a player none of whose pods passes a checkpoint for this many turns is eliminated
+ * @param maximumTurns           the race ends after this many turns
  */
 public record PodRaceSettings(int players, int podsPerPlayer, double radius, double mass, double restitution,
                               int maximumThrust, int laps, double checkpointRadius, List<double[][]> maps,
@@ -40,7 +40,7 @@ public record PodRaceSettings(int players, int podsPerPlayer, double radius, dou
     private static final int MAXIMUM_CHECKPOINTS = 64;
     private static final double MAXIMUM_COORDINATE = 1e6;
 
-    /** How many pods race. */
+    /** The number of pods in the race. */
     public int pods() {
         return players * podsPerPlayer;
     }
@@ -61,7 +61,7 @@ public record PodRaceSettings(int players, int podsPerPlayer, double radius, dou
     }
 
     /** Reads the blocks {@code pods} and {@code race}. */
-    static PodRaceSettings read(Scene scene) {
+    public static PodRaceSettings read(Scene scene) {
         Block pods = scene.root().block("pods");
         int perPlayer = pods.integer("perPlayer", 1, 8);
         double radius = pods.positive("radius");

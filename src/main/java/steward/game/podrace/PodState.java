@@ -1,7 +1,7 @@
 package steward.game.podrace;
 
 /**
- * All that the rules know of one pod between two turns.
+ * The state of one pod between two turns.
  *
  * @param x           centre, in u
  * @param y           centre, in u

@@ -1,6 +1,10 @@
 package steward.game.podrace;
 
-/** Who is ahead in a pod race: finished, else out later, else more checkpoints passed by the best pod, else nearer. */
+/**
+ * Which player is ahead in a pod race: one who is in, then the one whose best pod has passed more checkpoints (counting
+ * on behind the finish), then the one whose best pod is nearer to its next. All players who
+ * are out share the last rank.
+ */
 final class RaceStanding {
 
     private final PodRace race;
@@ -21,11 +25,8 @@ final class RaceStanding {
     }
 
     private boolean isAhead(int one, int other) {
-        if (hasFinished(one) || hasFinished(other)) {
-            return hasFinished(one) && !hasFinished(other);
-        }
         if (!race.isIn(one) || !race.isIn(other)) {
-            return race.outTurn(one) > race.outTurn(other);
+            return race.isIn(one) && !race.isIn(other);
         }
         return isBetter(bestPod(one), bestPod(other));
     }

@@ -1,7 +1,7 @@
 package steward.game.podrace;
 
-/** Where pods stand at first. */
-final class StartPlaces {
+/** The start positions of pods. */
+public final class StartPlaces {
 
     /** Distance of the inner start places from checkpoint 0, in u, and of each further pair from the last. */
     private static final double START_OFFSET = 500;
@@ -11,16 +11,17 @@ final class StartPlaces {
     }
 
     /**
-     * Side by side across checkpoint 0, facing checkpoint 1: offsets -500, +500, -1500, +1500, ...; {@code [n][x, y]}.
+     * Side by side across checkpoint 0, facing checkpoint 1, {@code [n][x, y]}: offsets -500, +500, -1500, +1500, ... of
+     * an even number of pods; 0, +1000, -1000, ... of an odd one, as in the published referee.
      */
-    static double[][] of(double[][] checkpoints, int pods) {
+    public static double[][] of(double[][] checkpoints, int pods) {
         double dx = checkpoints[1][0] - checkpoints[0][0];
         double dy = checkpoints[1][1] - checkpoints[0][1];
         double length = Math.sqrt(dx * dx + dy * dy);
         double[][] places = new double[pods][];
         for (int pod = 0; pod < pods; pod++) {
             double offset = START_OFFSET + START_SPACING * (pod / 2);
-            double side = pod % 2 == 0 ? -offset : offset;
+            double side = (pod % 2 == 0 ? -offset : offset) + (pods % 2) * START_OFFSET;
             places[pod] = new double[] {Math.floor(checkpoints[0][0] - side * dy / length + 0.5),
                 Math.floor(checkpoints[0][1] + side * dx / length + 0.5)};
         }

@@ -1,6 +1,8 @@
 /**
- * The pod race (CodinGame's Mad Pod Racing, once Coders Strike Back): rules free of JSON in {@code PodRace}, its
- * settings, its maps, its frames in {@code PodRaceJson} and CodinGame's lines in {@code PodRaceText}. Processes and
- * deadlines are not known here.
+ * The rules of the pod race (CodinGame's Mad Pod Racing, once Coders Strike Back), free of JSON: turns, checkpoints,
+ * standings, settings and maps. Frames and lines are in {@code protocol}, the fast turn in {@code simulator}.
  */
+@Internal
 package steward.game.podrace;
+
+import steward.Internal;

@@ -61,6 +61,8 @@ class CommandsTest {
         right(PodRace.SHIELD);
         Races.coast(race, 4);
         assertEquals(0, race.pod(0).shieldTimer());
+        assertEquals(10, race.bodies().mass[0], "as it was commanded last");
+        right(0);
         assertEquals(1, race.bodies().mass[0]);
     }
 

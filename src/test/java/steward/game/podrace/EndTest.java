@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
+import steward.game.podrace.protocol.PodRaceType;
 import steward.match.TestScenes;
 
 /** Who is out, who wins, and in what order the others stand. */
@@ -77,12 +78,83 @@ class EndTest {
     }
 
     @Test
-    void nobodyIsCountedBeyondTheEndOfTheLastLap() {
+    void aPodOnAllCheckpointsPassesEachOnceATurn() {
         PodRace race = Races.official(new double[][] {{0, 0}, {500, 0}});
         Races.put(race, 0, 0, 0, 0);
         race.play();
 
-        assertEquals(6, race.pod(0).passed(), "three laps of two checkpoints that a pod at rest covers");
+        assertEquals(2, race.pod(0).passed(), "two checkpoints that a pod at rest covers");
+    }
+
+    /** Both are on their last checkpoint; one has the next one on its path too, behind the finish. */
+    @Test
+    void bothFinishInOneTurnAndTheOneThatHasPassedMoreWins() {
+        PodRace race = Races.duel(2, new double[][] {{0, 0}, {5000, 0}});
+        Races.put(race, 0, 0, -590, 1);
+        race.setPod(1, new PodState(-300, 590, 5400, 0, 0, 0, true, 1));
+        race.play();
+
+        assertEquals("finished after 1 lap", race.ending());
+        assertEquals(2, race.pod(0).passed());
+        assertEquals(3, race.pod(1).passed());
+        assertArrayEquals(new int[] {1, 0}, race.ranks());
+    }
+
+    @Test
+    void bothFinishInOneTurnWithAsManyCheckpointsAndTheOneNearerToTheNextWins() {
+        PodRace race = Races.duel(2, new double[][] {{0, 0}, {9000, 0}});
+        Races.put(race, 0, -200, 0, 1);
+        Races.put(race, 1, 200, 1e-3, 1);
+        race.setPod(0, new PodState(-599, 0, 0, 0, 0, 0, true, 1));
+        race.setPod(1, new PodState(599, 0, 0, 0, 0, 0, true, 1));
+        race.play();
+
+        assertArrayEquals(new int[] {1, 0}, race.ranks());
+    }
+
+    /** Mirrored about the line through both checkpoints: exactly as near. */
+    @Test
+    void bothFinishInOneTurnExactlyAlikeAndItIsADraw() {
+        PodRace race = Races.duel(2, new double[][] {{0, 0}, {9000, 0}});
+        race.setPod(0, new PodState(0, -450, 0, 0, 0, 0, true, 1));
+        race.setPod(1, new PodState(0, 450, 0, 0, 0, 0, true, 1));
+        race.play();
+
+        assertArrayEquals(new int[] {0, 0}, race.ranks());
+    }
+
+    /** Shield up, then a fault: it weighs 10 in the turn of the fault and from then on. */
+    @Test
+    void aPodWithoutACommandKeepsItsMass() {
+        PodRace race = Races.duel(3, MAP);
+        for (int pod = 0; pod < 3; pod++) {
+            Races.put(race, pod, 50_000, 5000 * pod, 0);
+        }
+        race.command(0, 0, 0, PodRace.SHIELD);
+        race.play();
+        assertEquals(10, race.bodies().mass[0]);
+        race.eliminate(0, "fault");
+        race.play();
+        race.play();
+
+        assertEquals(10, race.bodies().mass[0]);
+        assertEquals(2, race.pod(0).shieldTimer());
+        assertEquals(1, race.bodies().mass[1]);
+    }
+
+    /** What was commanded before the fault takes effect in its turn, and no later. */
+    @Test
+    void whatWasCommandedBeforeTheFaultTakesEffect() {
+        PodRace race = Races.duel(3, MAP);
+        for (int pod = 0; pod < 3; pod++) {
+            Races.put(race, pod, 50_000, 5000 * pod, 0);
+        }
+        race.command(0, 60_000, 0, 100);
+        race.eliminate(0, "fault");
+        race.play();
+        assertEquals(85, race.pod(0).vx());
+        race.play();
+        assertEquals(72, race.pod(0).vx());
     }
 
     @Test
@@ -183,7 +255,7 @@ class EndTest {
     }
 
     @Test
-    void whoWasOutLaterStandsBefore() {
+    void allWhoAreOutShareTheLastRank() {
         PodRace race = Races.duel(4, MAP);
         for (int pod = 0; pod < 4; pod++) {
             Races.put(race, pod, 50_000, 5000 * pod, 0);
@@ -197,7 +269,7 @@ class EndTest {
 
         assertEquals("first", race.eliminationReason(2));
         assertEquals("all others are out", race.ending());
-        assertArrayEquals(new int[] {1, 0, 3, 1}, race.ranks());
+        assertArrayEquals(new int[] {1, 0, 1, 1}, race.ranks());
     }
 
     /** Player 0 is out and player 1 breaks the rule in the same turn: both leave in it, nobody wins. */
@@ -222,7 +294,6 @@ class EndTest {
         race.setPod(0, new PodState(50_000, 0, 100, 0, 1.5, 3, true, 0));
         Races.put(race, 1, 50_000, 9000, 0);
         Races.put(race, 2, 50_000, -9000, 0);
-        race.command(0, 0, 0, 200);
         race.eliminate(0, "fault");
         race.play();
         assertEquals(new PodState(50_100, 0, 85, 0, 1.5, 2, true, 0), race.pod(0));

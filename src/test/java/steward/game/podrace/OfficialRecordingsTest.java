@@ -10,11 +10,10 @@ import org.junit.jupiter.api.Test;
 import steward.game.podrace.Recordings.Command;
 import steward.game.podrace.Recordings.Recording;
 import steward.game.podrace.Recordings.Round;
-import steward.physics.Impact;
 
 /**
- * Ground truth: whole official games of 2016 and 17 consecutive turns of one of 2026, as CodinGame's server computed
- * them. Every value of every pod of every round is compared.
+ * Ground truth: whole official games of 2016, as CodinGame's server computed them. Every value of every pod of every
+ * round is compared. Games of 2026, with their impacts, are {@link OfficialTurnsTest}'s.
  */
 class OfficialRecordingsTest {
 
@@ -109,81 +108,5 @@ class OfficialRecordingsTest {
     private static double[] columns(PodState pod, int checkpoints) {
         return new double[] {pod.x(), pod.y(), pod.vx(), pod.vy(), Math.toDegrees(pod.heading()),
             (pod.passed() + 1) % checkpoints, Math.max(0, pod.shieldTimer() - 1), pod.boostLeft() ? 0 : 1};
-    }
-
-    @Test
-    void seventeenTurnsOf2026ToTheLastBit() {
-        PodRace race = null;
-        double[][] state = null;
-        double[][] next = null;
-        String[] moves = null;
-        List<String[]> impacts = new ArrayList<>();
-        int turns = 0;
-        int impactsSeen = 0;
-        for (String line : Recordings.lines(Recordings.folder().resolve("turns_885928301.txt"))) {
-            String[] words = line.trim().split(" +");
-            switch (words[0]) {
-                case "S" -> {
-                    next = row(words);
-                    if (race == null) {
-                        // No checkpoint of the game is recorded; far-away ones keep the race going.
-                        race = Recordings.official().create(new double[][] {{-1e6, -1e6}, {1e6, 1e6}});
-                        for (int pod = 0; pod < 4; pod++) {
-                            race.setPod(pod, new PodState(next[pod][0], next[pod][1], next[pod][2], next[pod][3],
-                                next[pod][4], next[pod][5] == 1 ? 4 : 0, true, 0));
-                        }
-                    } else {
-                        impactsSeen += compareTurn(race, state, moves, next, impacts);
-                        turns++;
-                    }
-                    state = next;
-                    impacts.clear();
-                }
-                case "M" -> moves = words;
-                case "C" -> impacts.add(words);
-                default -> { }
-            }
-        }
-        assertEquals(17, turns);
-        assertEquals(2, impactsSeen);
-    }
-
-    private static double[][] row(String[] words) {
-        double[][] pods = new double[4][7];
-        for (int k = 0; k < 28; k++) {
-            pods[k / 7][k % 7] = Double.parseDouble(words[2 + k]);
-        }
-        return pods;
-    }
-
-    private static int compareTurn(PodRace race, double[][] before, String[] moves, double[][] after,
-                                   List<String[]> impacts) {
-        for (int pod = 0; pod < 4; pod++) {
-            Command command = Recordings.command(moves[1 + 3 * pod], moves[2 + 3 * pod], moves[3 + 3 * pod]);
-            race.command(pod, command.x(), command.y(), command.thrust());
-        }
-        race.play();
-        for (int pod = 0; pod < 4; pod++) {
-            PodState found = race.pod(pod);
-            assertEquals(after[pod][0], found.x());
-            assertEquals(after[pod][1], found.y());
-            assertEquals(after[pod][2], found.vx());
-            assertEquals(after[pod][3], found.vy());
-            assertEquals(after[pod][4], found.heading());
-        }
-        assertEquals(impacts.size(), race.log().impacts());
-        for (int k = 0; k < impacts.size(); k++) {
-            String[] recorded = impacts.get(k);
-            Impact impact = race.log().impact(k);
-            assertEquals(Double.parseDouble(recorded[1]), impact.time());
-            assertEquals(Integer.parseInt(recorded[2]), impact.a());
-            assertEquals(Integer.parseInt(recorded[5]), impact.b());
-            assertEquals(Double.parseDouble(recorded[8]), impact.impulse());
-            assertEquals(Long.parseLong(recorded[3]), Math.round(impact.ax()));
-            assertEquals(Long.parseLong(recorded[7]), Math.round(impact.by()));
-            assertEquals(Long.parseLong(recorded[9]), Math.round((impact.vaxBefore() + impact.vbxBefore()) / 2));
-            assertEquals(Long.parseLong(recorded[10]), Math.round((impact.vayBefore() + impact.vbyBefore()) / 2));
-        }
-        return impacts.size();
     }
 }

@@ -1,18 +1,19 @@
 package steward.game.podrace;
 
+import steward.game.podrace.protocol.PodRaceType;
 import steward.match.TestScenes;
 
 /** Races on maps made for one question, and pods in states made for it. */
-final class Races {
+public final class Races {
 
     /** Far from everything, so that nobody passes one by accident. */
-    static final double[][] FAR = {{-1e6, -1e6}, {1e6, 1e6}};
+    public static final double[][] FAR = {{-1e6, -1e6}, {1e6, 1e6}};
 
     private Races() {
     }
 
     /** The official rules on a given map; pods are far apart and at rest, headings unset. */
-    static PodRace official(double[][] checkpoints) {
+    public static PodRace official(double[][] checkpoints) {
         PodRace race = setup("mad-pod-racing").create(checkpoints);
         for (int pod = 0; pod < 4; pod++) {
             put(race, pod, 100_000 * (pod + 1), 50_000, 0, 0);
@@ -20,7 +21,7 @@ final class Races {
         return race;
     }
 
-    static PodRaceType.PodRaceSetup setup(String scene) {
+    public static PodRaceType.PodRaceSetup setup(String scene) {
         return (PodRaceType.PodRaceSetup) TestScenes.open(scene);
     }
 

@@ -10,23 +10,24 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
+import steward.game.podrace.protocol.PodRaceType;
+import steward.scene.SceneFiles;
 import steward.scene.SceneReader;
 import steward.scene.SceneText;
-import steward.scene.SceneFiles;
 
 /** Official recordings: where they are, how they are read, and the race they are compared with. */
-final class Recordings {
+public final class Recordings {
 
     /** A command whose thrust is one of the pseudo-thrusts of {@link PodRace}, or 0..200. */
-    record Command(double x, double y, int thrust) {
+    public record Command(double x, double y, int thrust) {
     }
 
     /** One round of a game of 2016: four states, four commands, four states. Rows are the recording's columns. */
-    record Round(double[][] before, Command[] commands, double[][] after) {
+    public record Round(double[][] before, Command[] commands, double[][] after) {
     }
 
     /** A whole game of 2016. */
-    record Recording(String name, double[][] checkpoints, List<Round> rounds) {
+    public record Recording(String name, double[][] checkpoints, List<Round> rounds) {
     }
 
     private Recordings() {
@@ -40,7 +41,7 @@ final class Recordings {
         return folder;
     }
 
-    static List<Recording> all() {
+    public static List<Recording> all() {
         try (Stream<Path> files = Files.list(folder())) {
             return files.filter(file -> file.getFileName().toString().startsWith("replay_")).sorted()
                 .map(Recordings::read).toList();
@@ -107,7 +108,7 @@ final class Recordings {
     }
 
     /** The shipped official scene. */
-    static PodRaceType.PodRaceSetup official() {
+    public static PodRaceType.PodRaceSetup official() {
         SceneText text = SceneFiles.load("config/scenes/mad-pod-racing.json");
         return new PodRaceType().open(SceneReader.read(text.text(), text.source()));
     }

@@ -11,6 +11,7 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import steward.game.podrace.protocol.PodRaceType;
 import steward.numerics.SplitMix64;
 
 /** What is there before the first turn: the map drawn by lot, and the pods across checkpoint 0. */

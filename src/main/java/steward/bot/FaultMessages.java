@@ -1,0 +1,95 @@
+package steward.bot;
+
+import steward.Internal;
+
+/** Texts that say how a player failed. */
+@Internal
+public final class FaultMessages {
+
+    /** Statuses above this are 128 + the number of the signal that ended the process. */
+    private static final int SIGNALLED = 128;
+
+    /** Linux's names for the signals 1 to 31, by their numbers on x86 and ARM. */
+    private static final String[] SIGNALS = {
+        "HUP", "INT", "QUIT", "ILL", "TRAP", "ABRT", "BUS", "FPE", "KILL", "USR1", "SEGV", "USR2", "PIPE", "ALRM",
+        "TERM", "STKFLT", "CHLD", "CONT", "STOP", "TSTP", "TTIN", "TTOU", "URG", "XCPU", "XFSZ", "VTALRM", "PROF",
+        "WINCH", "IO", "PWR", "SYS"};
+
+    private static final int LAST_SIGNAL = 64;
+
+    private FaultMessages() {
+    }
+
+    /** {@code no answer within 75 ms (waited 76 ms)}. */
+    public static String late(long limitNanos, long waitedNanos) {
+        return "no answer within " + limit(limitNanos) + " (waited " + waited(waitedNanos) + ")";
+    }
+
+    /** As {@link #late}, with what had been received: {@code : 1 of 2 lines came}. */
+    public static String late(long limitNanos, long waitedNanos, int lines, int expected, int partialBytes) {
+        String fault = late(limitNanos, waitedNanos);
+        if (lines >= expected) {
+            return fault;
+        }
+        if (expected > 1 && (lines > 0 || partialBytes > 0)) {
+            return fault + ": " + lines + " of " + expected + " lines came";
+        }
+        return partialBytes == 0 ? fault : fault + ": " + partialBytes + " bytes came, without a line end";
+    }
+
+    /** {@code did not read its input within 75 ms (waited 76 ms)}. */
+    public static String inputUnread(long limitNanos, long waitedNanos) {
+        return "did not read its input within " + limit(limitNanos) + " (waited " + waited(waitedNanos) + ")";
+    }
+
+    /** {@code line longer than 65536 bytes}. */
+    public static String tooLong(int limit) {
+        return "line longer than " + limit + " bytes";
+    }
+
+    /** {@code exited with status 3 before answering}, or {@code killed by signal 11 (SIGSEGV) before answering}. */
+    public static String exited(int status) {
+        int signal = status - SIGNALLED;
+        if (signal > 0 && signal <= LAST_SIGNAL) {
+            String name = signal <= SIGNALS.length ? " (SIG" + SIGNALS[signal - 1] + ")" : "";
+            return "killed by signal " + signal + name + " before answering";
+        }
+        String meaning = switch (status) {
+            case 126 -> " (126: a command cannot be executed)";
+            case 127 -> " (127: a command was not found)";
+            default -> "";
+        };
+        return "exited with status " + status + " before answering" + meaning;
+    }
+
+    /** Whether a fault is one of {@link #late}. */
+    public static boolean isLate(String fault) {
+        return fault.startsWith("no answer within ");
+    }
+
+    /** Whether a fault is one of {@link #exited}, by itself or by a signal. */
+    public static boolean isExit(String fault) {
+        return fault.startsWith("exited with status ") || fault.startsWith("killed by signal ");
+    }
+
+    /** Whether a fault is that of {@link #exited} with just this status. */
+    public static boolean isExit(String fault, int status) {
+        return fault.equals(exited(status));
+    }
+
+    /** Milliseconds as they were asked for: whole, or with up to three decimals. */
+    static String limit(long nanos) {
+        long micros = nanos / 1000;
+        String fraction = String.valueOf(1000 + micros % 1000).substring(1).replaceAll("0+$", "");
+        return micros / 1000 + (fraction.isEmpty() ? "" : "." + fraction) + " ms";
+    }
+
+    /** Milliseconds rounded up, so that a wait beyond a limit never prints as the limit; one decimal below 10. */
+    static String waited(long nanos) {
+        long tenths = Math.floorDiv(nanos + 99_999, 100_000L);
+        if (tenths < 100) {
+            return tenths / 10 + "." + tenths % 10 + " ms";
+        }
+        return Math.floorDiv(nanos + 999_999, 1_000_000L) + " ms";
+    }
+}

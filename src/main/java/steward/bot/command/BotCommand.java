@@ -1,0 +1,178 @@
+package steward.bot.command;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Objects;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * A bot as it is named on the command line: {@code [NAME=][builtin:|json:|codingame:]COMMAND}, for example
+ * {@code racer.py}, {@code blue=python3 racer.py} or {@code builtin:racer}.
+ *
+ * @param name  the name before the {@code =} (letters, digits, dot, underscore, hyphen), or {@code null}
+ * @param prefix what kind of command it is
+ * @param words  the program and its arguments, split as by {@link CommandLine}; for {@link Prefix#BUILTIN} the bot's
+ *     name and further arguments; at least one word
+ */
+public record BotCommand(String name, Prefix prefix, List<String> words) {
+
+    /** What the word before the colon selects. */
+    public enum Prefix {
+        /** A bot bundled with the program; uses the JSON protocol. */
+        BUILTIN,
+        /** A program that uses the JSON protocol; usually also the meaning of a command without a prefix. */
+        JSON,
+        /** A program that uses CodinGame's text protocol. */
+        CODINGAME;
+
+        /** The prefix as it is written, with its colon. */
+        public String written() {
+            return name().toLowerCase(Locale.ROOT) + ":";
+        }
+    }
+
+    /** The form of a bot command, for messages. */
+    public static final String FORM = "[NAME=][builtin:|json:|codingame:]COMMAND";
+
+    private static final Pattern NAMED = Pattern.compile("([A-Za-z0-9._-]+)=(.*)", Pattern.DOTALL);
+
+    private static final Pattern UNKNOWN_PREFIX = Pattern.compile("([A-Za-z]+):.*", Pattern.DOTALL);
+
+    /** @throws IllegalArgumentException when there is no word */
+    public BotCommand {
+        Objects.requireNonNull(prefix, "prefix");
+        words = List.copyOf(words);
+        if (words.isEmpty()) {
+            throw new IllegalArgumentException("a bot command needs at least one word");
+        }
+    }
+
+    /** As {@link #parse(String, Prefix)}; a program without a prefix uses JSON. */
+    public static BotCommand parse(String text) {
+        return parse(text, Prefix.JSON);
+    }
+
+    /**
+     * Reads a bot command.
+     *
+     * @param usual what a bot without a prefix is
+     * @throws IllegalArgumentException when it has no command or cannot be split into words; the message says where
+     */
+    public static BotCommand parse(String text, Prefix usual) {
+        Matcher named = NAMED.matcher(text);
+        String name = named.matches() ? named.group(1) : null;
+        String rest = named.matches() ? named.group(2) : text;
+        Prefix written = writtenPrefix(rest);
+        int start = text.length() - rest.length() + (written == null ? 0 : written.written().length());
+        List<String> words = split(text, start);
+        if (words.isEmpty()) {
+            String after = start == 0 ? "" : " after '" + text.substring(0, start) + "'";
+            throw new IllegalArgumentException(
+                "bot '" + text + "': there is no command" + after + "; expected " + FORM);
+        }
+        return new BotCommand(name, written == null ? usual : written, words);
+    }
+
+    /**
+     * A bot command whose words a shell has split already: name and prefix may stand before the first of them.
+     *
+     * @param usual what a bot without a prefix is
+     * @throws IllegalArgumentException when there is no command
+     */
+    public static BotCommand of(List<String> words, Prefix usual) {
+        String first = words.isEmpty() ? "" : words.get(0);
+        Matcher named = NAMED.matcher(first);
+        String name = named.matches() ? named.group(1) : null;
+        String rest = named.matches() ? named.group(2) : first;
+        Prefix written = writtenPrefix(rest);
+        String program = written == null ? rest : rest.substring(written.written().length());
+        List<String> all = new ArrayList<>(words.subList(Math.min(1, words.size()), words.size()));
+        if (!program.isEmpty()) {
+            all.add(0, program);
+        }
+        if (all.isEmpty()) {
+            throw new IllegalArgumentException("bot '" + first + "': there is no command; expected " + FORM);
+        }
+        return new BotCommand(name, written == null ? usual : written, all);
+    }
+
+    private static Prefix writtenPrefix(String text) {
+        for (Prefix each : Prefix.values()) {
+            if (text.startsWith(each.written())) {
+                return each;
+            }
+        }
+        return null;
+    }
+
+    private static List<String> split(String text, int start) {
+        try {
+            // Blanks replace what was already read, so that columns in messages are those of the whole text.
+            return CommandLine.split(" ".repeat(start) + text.substring(start));
+        } catch (IllegalArgumentException e) {
+            throw new IllegalArgumentException("bot '" + text + "', " + e.getMessage(), e);
+        }
+    }
+
+    /** The given name; without one, the name of the builtin bot, the script or the program. */
+    public String displayName() {
+        if (name != null) {
+            return name;
+        }
+        String program = words.get(0);
+        boolean fromPath = prefix != Prefix.BUILTIN && program.indexOf('/') < 0;
+        for (String word : words.subList(1, words.size())) {
+            // A program from the PATH with a file as argument is usually an interpreter and its script.
+            if (fromPath && ProgramFinder.isFile(word)) {
+                program = word;
+                break;
+            }
+        }
+        String last = program.substring(program.lastIndexOf('/') + 1);
+        return last.isEmpty() ? program : last;
+    }
+
+    /**
+     * The program to start and its arguments, checked: the builtin bot is known, the program exists and is executable.
+     *
+     * @throws IllegalArgumentException when it cannot be started; the message says what was found and what was expected
+     */
+    public List<String> resolve() {
+        return resolve(BuiltinBots.installed());
+    }
+
+    /** As {@link #resolve()}, with builtin bots of the caller's choice. */
+    List<String> resolve(BuiltinBots builtins) {
+        try {
+            if (prefix == Prefix.BUILTIN) {
+                return builtins.command(words.get(0), words.subList(1, words.size()));
+            }
+            ProgramFinder.check(words.get(0));
+            return words;
+        } catch (IllegalArgumentException e) {
+            throw new IllegalArgumentException("bot '" + this + "': " + e.getMessage() + hint(), e);
+        }
+    }
+
+    private String hint() {
+        boolean odd = prefix != Prefix.BUILTIN && UNKNOWN_PREFIX.matcher(words.get(0)).matches();
+        if (!odd) {
+            return "";
+        }
+        List<String> known = new ArrayList<>();
+        for (Prefix each : Prefix.values()) {
+            known.add(each.written());
+        }
+        return "; the known prefixes are " + String.join(" ", known);
+    }
+
+    /** The command as it could have been written, quoted where necessary. */
+    @Override
+    public String toString() {
+        String line = CommandLine.quote(words);
+        boolean clear = prefix == Prefix.JSON && writtenPrefix(line) == null && !NAMED.matcher(line).matches();
+        return (name == null ? "" : name + "=") + (clear ? "" : prefix.written()) + line;
+    }
+}

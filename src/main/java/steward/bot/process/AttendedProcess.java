@@ -1,0 +1,151 @@
+package steward.bot.process;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import steward.bot.Answer;
+import steward.bot.AnswerReader;
+import steward.bot.FaultMessages;
+import steward.bot.Player;
+
+/**
+ * A bot program that a person attends to, perhaps with a debugger: no deadline, no watchdog, no session of its own. Its
+ * input and output are connected to the referee; stderr and terminal are left as they are.
+ *
+ * <p>Caveat: it ends only by itself, by its user, or by {@link #kill}.
+ */
+public final class AttendedProcess implements Player {
+
+    private final String name;
+    private final Process process;
+    private final OutputStream input;
+    private final AnswerReader output;
+    private byte[] queued = {};
+    private boolean finished;
+
+    private AttendedProcess(String name, Process process) {
+        this.name = name;
+        this.process = process;
+        input = process.getOutputStream();
+        output = new AnswerReader(process.getInputStream());
+    }
+
+    /**
+     * Starts a program.
+     *
+     * @param name    its name in messages
+     * @param command the program and its arguments
+     * @throws IOException when it could not be started
+     */
+    public static AttendedProcess start(String name, List<String> command) throws IOException {
+        return new AttendedProcess(name,
+            new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.INHERIT).start());
+    }
+
+    /** The number of the process, to attach a debugger to it. */
+    public long pid() {
+        return process.pid();
+    }
+
+    /** Completes when the process has ended. */
+    public CompletableFuture<?> ended() {
+        return process.onExit();
+    }
+
+    /** Waits for the process to end; returns whether it has ended. */
+    public boolean awaitEnd(long mostMs) throws InterruptedException {
+        return process.waitFor(mostMs, TimeUnit.MILLISECONDS);
+    }
+
+    @Override
+    public String name() {
+        return name;
+    }
+
+    @Override
+    public void tell(byte[] lines, int length) {
+        byte[] more = new byte[queued.length + length];
+        System.arraycopy(queued, 0, more, 0, queued.length);
+        System.arraycopy(lines, 0, more, queued.length, length);
+        queued = more;
+    }
+
+    /** The limit is ignored. */
+    @Override
+    public Ending ask(byte[] frame, int length, int answerLines, long limitNanos, Answer answer) {
+        answer.clear();
+        tell(frame, length);
+        send();
+        long start = System.nanoTime();
+        AnswerReader.Outcome outcome = output.await(answerLines);
+        answer.setNanos(System.nanoTime() - start);
+        switch (outcome) {
+            case COMPLETE -> output.take(answerLines, answer);
+            case TOO_LONG -> answer.setFault(FaultMessages.tooLong(AnswerReader.LINE_LIMIT));
+            default -> answer.setFault(endText());
+        }
+        return outcome == AnswerReader.Outcome.COMPLETE ? Ending.ANSWERED : Ending.FAULT;
+    }
+
+    private void send() {
+        try {
+            input.write(queued);
+            input.flush();
+        } catch (IOException gone) {
+            // The process has ended or closed its input; reading its output shows which.
+            return;
+        } finally {
+            queued = new byte[0];
+        }
+    }
+
+    /** The fault after the end of the output; a program under a debugger may still exist. */
+    private String endText() {
+        try {
+            return awaitEnd(TimeUnit.SECONDS.toMillis(1)) ? FaultMessages.exited(process.exitValue())
+                : "closed its output before answering";
+        } catch (InterruptedException interrupted) {
+            Thread.currentThread().interrupt();
+            return "closed its output before answering";
+        }
+    }
+
+    /** Never used: calls are never abandoned. */
+    @Override
+    public void onAbandoned(Consumer<Answer> continuation) {
+        // No call is abandoned.
+    }
+
+    /** Sends the last lines and closes its input; the process may keep running. */
+    @Override
+    public void finish(byte[] lines, int length) {
+        if (finished) {
+            return;
+        }
+        finished = true;
+        if (lines != null) {
+            tell(lines, length);
+        }
+        DaemonThreadPool.run(() -> {
+            send();
+            try {
+                input.close();
+            } catch (IOException gone) {
+                return;
+            }
+        });
+    }
+
+    /** Asks the process and its descendants to end, and kills those still alive after the given time. */
+    public void kill(long graceMs) throws InterruptedException {
+        List<ProcessHandle> descendants = process.descendants().toList();
+        process.destroy();
+        descendants.forEach(ProcessHandle::destroy);
+        awaitEnd(graceMs);
+        process.destroyForcibly();
+        descendants.forEach(ProcessHandle::destroyForcibly);
+    }
+}

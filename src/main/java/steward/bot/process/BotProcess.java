@@ -1,0 +1,396 @@
+package steward.bot.process;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.UncheckedIOException;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.Consumer;
+import steward.bot.Answer;
+import steward.bot.AnswerReader;
+import steward.bot.FaultMessages;
+import steward.bot.Player;
+import steward.bot.command.BotCommand;
+
+/**
+ * A bot program: reads its frames from its input and writes its answers to its output, line by line.
+ *
+ * <p>The process starts with the first {@link #ask}. The asking thread itself writes and reads with blocking calls; one
+ * watchdog for all bots kills the process group at the deadline, which ends the blocked call. A call that has not
+ * returned {@value #ABANDON_AFTER_MS} ms after that, because a process outside the group holds the pipe, is abandoned,
+ * see {@link Player#onAbandoned}. An abandoned thread stays behind, so call {@code ask} on daemon threads.
+ *
+ * <p>The bot is its first process: when that has exited, output of its remaining descendants is ignored. A bot that
+ * closes its input may still answer. After a fault the bot is killed at once.
+ *
+ * <p>Caveats: processes that leave the group on purpose, and whose parents have exited, survive. An answer that was
+ * written before it was asked for counts as given at once.
+ */
+public final class BotProcess implements Player {
+
+    /** How long a bot may take by default to exit by itself at the end, in milliseconds. */
+    public static final long DEFAULT_GRACE_MS = 100;
+
+    private static final long ABANDON_AFTER_MS = 100;
+
+    /** How long a process may take to exit after closing its output, in milliseconds, to be reported as exited. */
+    private static final long EXIT_MS = 200;
+
+    /** How long the last lines may take to be written, in milliseconds. */
+    private static final long LAST_LINES_MS = 100;
+
+    private static final String BROKEN_OFF = "asked again after its end";
+
+    /** How much of a faulty answer is shown, in bytes. */
+    private static final int SHOWN = 1024;
+
+    private final String name;
+    private final List<String> command;
+    private final long graceMs;
+    private final Alarm alarm = new Alarm();
+    private final Deadline deadline = new Deadline(Watchdog.shared(), alarm);
+    private volatile Consumer<Answer> continuation;
+
+    private byte[] queued = new byte[256];
+    private int queuedLength;
+
+    private StderrFile stderr;
+    private OutputStream input;
+    private AnswerReader output;
+
+    /** Set last: once it is there, so are the three fields above. */
+    private volatile ProcessGroup group;
+
+    /** The current question: time limit, start of the clock, lines of the answer, and whether the frame was written. */
+    private long limit;
+    private long clock;
+    private int wanted;
+    private boolean written;
+
+    /** Writes the last lines. */
+    private volatile FutureTask<Void> writer;
+
+    private volatile String finalStderr;
+
+    /** No more questions may be asked. */
+    private volatile boolean over;
+
+    /** Another thread is blocked in the streams and then owns them. */
+    private boolean abandoned;
+
+    /**
+     * A bot whose process is started by the first {@link #ask}.
+     *
+     * @param name    its name in messages
+     * @param command the program and its arguments, as from {@link BotCommand#resolve}
+     */
+    public BotProcess(String name, List<String> command) {
+        this(name, command, DEFAULT_GRACE_MS);
+    }
+
+    /**
+     * As {@link #BotProcess(String, List)}.
+     *
+     * @param graceMs how long the process may take to exit by itself at the end, in milliseconds, before it is killed
+     * @throws IllegalArgumentException when there is no command, or the time is negative
+     */
+    public BotProcess(String name, List<String> command, long graceMs) {
+        if (command.isEmpty()) {
+            throw new IllegalArgumentException("player " + name + " has an empty command");
+        }
+        if (!(graceMs >= 0)) {
+            throw new IllegalArgumentException("player " + name + " has a time to exit of " + graceMs + " ms");
+        }
+        this.name = name;
+        this.command = List.copyOf(command);
+        this.graceMs = graceMs;
+    }
+
+    @Override
+    public String name() {
+        return name;
+    }
+
+    @Override
+    public void onAbandoned(Consumer<Answer> next) {
+        continuation = next;
+    }
+
+    @Override
+    public void tell(byte[] lines, int length) {
+        if (queuedLength + length > queued.length) {
+            queued = Arrays.copyOf(queued, Math.max(2 * queued.length, queuedLength + length));
+        }
+        System.arraycopy(lines, 0, queued, queuedLength, length);
+        queuedLength += length;
+    }
+
+    @Override
+    public Ending ask(byte[] frame, int length, int answerLines, long limitNanos, Answer answer) {
+        answer.clear();
+        if (over) {
+            return fault(answer, BROKEN_OFF);
+        }
+        boolean first = group == null;
+        wanted = answerLines;
+        limit = Math.max(1, limitNanos);
+        written = false;
+        if (first) {
+            String problem = start();
+            if (problem != null) {
+                return fault(answer, problem);
+            }
+        } else {
+            clock = Watchdog.now();
+        }
+        long asked = clock;
+        long due = due();
+        deadline.arm(due);
+        send(frame, length);
+        clock = first ? asked : Watchdog.now();
+        written = true;
+        long later = due();
+        if (deadline.postpone(due, later)) {
+            AnswerReader.Outcome outcome = output.await(answerLines);
+            return conclude(deadline.complete(later), outcome, answer);
+        }
+        clock = asked;
+        written = false;
+        return conclude(false, AnswerReader.Outcome.ENDED, answer);
+    }
+
+    /** Ends a call that has returned in time, or because the watchdog ended it, or after having been abandoned. */
+    private Ending conclude(boolean inTime, AnswerReader.Outcome outcome, Answer answer) {
+        long waited = Watchdog.now() - clock;
+        if (!inTime && !deadline.claim()) {
+            output.close();
+            closeInput();
+            return Ending.ABANDONED;
+        }
+        boolean cut = !inTime && !alarm.leaderGone;
+        if (cut) {
+            waited = deadline.passedAt() - clock;
+        }
+        answer.setNanos(waited);
+        if (cut || waited > limit) {
+            boolean complete = outcome == AnswerReader.Outcome.COMPLETE;
+            return fault(answer, lateText(waited, complete ? wanted : output.linesReceived(), output.partialBytes()));
+        }
+        if (outcome == AnswerReader.Outcome.COMPLETE) {
+            output.take(wanted, answer);
+            answer.setExtraLines(output.extraLines());
+            answer.setStderr(stderr.collect(false));
+            return Ending.ANSWERED;
+        }
+        return fault(answer, outcome == AnswerReader.Outcome.TOO_LONG
+            ? FaultMessages.tooLong(AnswerReader.LINE_LIMIT) : endText());
+    }
+
+    private long due() {
+        return limit < Long.MAX_VALUE - clock ? clock + limit : Long.MAX_VALUE;
+    }
+
+    /** Starts the process and the clock; returns the problem, or {@code null}. */
+    private String start() {
+        Sentinel.shared().start();
+        try {
+            stderr = StderrFile.create();
+        } catch (IOException e) {
+            throw new UncheckedIOException("no temporary file for the stderr of " + name + ": " + e.getMessage(), e);
+        }
+        clock = Watchdog.now();
+        ProcessGroup started;
+        try {
+            started = ProcessGroup.start(command, stderr);
+        } catch (IOException e) {
+            throw new UncheckedIOException(name + " could not be started: " + e.getMessage(), e);
+        } finally {
+            stderr.unlink();
+        }
+        input = started.process().getOutputStream();
+        output = new AnswerReader(started.process().getInputStream());
+        Watchdog.shared().add(deadline);
+        group = started;
+        if (over) {
+            // Broken off by another thread, perhaps before the process was visible to it.
+            Watchdog.shared().remove(deadline);
+            return BROKEN_OFF;
+        }
+        return null;
+    }
+
+    /** Writes the queued lines and the frame in one piece. */
+    private void send(byte[] frame, int length) {
+        byte[] bytes = frame;
+        int count = length;
+        if (queuedLength > 0) {
+            tell(frame, length);
+            bytes = queued;
+            count = queuedLength;
+            queuedLength = 0;
+        }
+        try {
+            input.write(bytes, 0, count);
+            input.flush();
+        } catch (IOException e) {
+            // The bot has exited or closed its input. An earlier answer counts; reading the output shows which.
+            return;
+        }
+    }
+
+    private String lateText(long waited, int lines, int partialBytes) {
+        return written
+            ? FaultMessages.late(limit, waited, lines, wanted, partialBytes) : FaultMessages.inputUnread(limit, waited);
+    }
+
+    /** The fault after the end of the output. The exit status may be known a little later than that. */
+    private String endText() {
+        boolean exited = group.awaitExit(TimeUnit.MILLISECONDS.toNanos(EXIT_MS));
+        return exited ? FaultMessages.exited(group.process().exitValue()) : "closed its output before answering";
+    }
+
+    private Ending fault(Answer answer, String reason) {
+        over = true;
+        answer.setFault(reason);
+        if (group != null) {
+            group.kill();
+            output.show(answer, SHOWN);
+            answer.setStderr(stderr.collect(true));
+        }
+        return Ending.FAULT;
+    }
+
+    @Override
+    public void sendLastLines(byte[] lines, int length) {
+        if (!over && group != null && writer == null) {
+            startWriter(lines, length);
+        }
+    }
+
+    /**
+     * Sends the last lines and closes the input on another thread, because both may block; a blocked thread is left
+     * behind.
+     */
+    private void startWriter(byte[] lines, int length) {
+        byte[] copy = lines == null ? new byte[0] : Arrays.copyOf(lines, length);
+        FutureTask<Void> task = new FutureTask<>(() -> {
+            if (copy.length > 0) {
+                send(copy, copy.length);
+            }
+            closeInput();
+        }, null);
+        try {
+            DaemonThreadPool.run(task);
+            writer = task;
+        } catch (OutOfMemoryError e) {
+            // No more threads: the last lines are not sent.
+            return;
+        }
+    }
+
+    @Override
+    public void finish(byte[] lines, int length) {
+        boolean polite = !over;
+        over = true;
+        if (group != null) {
+            if (polite && writer == null) {
+                startWriter(lines, length);
+            }
+            boolean closing = polite && writer != null;
+            if (closing) {
+                awaitExit();
+            }
+            group.kill();
+            Watchdog.shared().remove(deadline);
+            if (!abandoned) {
+                output.close();
+            }
+            if (!abandoned && !closing) {
+                closeInput();
+            }
+        }
+        if (stderr != null) {
+            finalStderr = polite ? stderr.collect(true) : finalStderr;
+            stderr.close();
+        }
+    }
+
+    @Override
+    public String finalStderr() {
+        return finalStderr;
+    }
+
+    /** Waits until the last lines are written and the process has exited, each within its time limit. */
+    private void awaitExit() {
+        try {
+            writer.get(LAST_LINES_MS, TimeUnit.MILLISECONDS);
+            group.process().waitFor(graceMs, TimeUnit.MILLISECONDS);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        } catch (TimeoutException | ExecutionException e) {
+            // The bot does not read, or no memory is left to write: it is killed without its last lines.
+            return;
+        }
+    }
+
+    /** The watchdog's side: what happens before and at the deadline, on other threads than the asking one. */
+    private final class Alarm implements Deadline.Owner {
+
+        /** Written by the watchdog before it decides. */
+        private boolean leaderGone;
+        private long goneSince;
+
+        /** Kills the group, which ends the blocked call of the asking thread; if that fails, abandons that thread. */
+        @Override
+        public void expired() {
+            group.kill();
+            long giveUp = Watchdog.now() + TimeUnit.MILLISECONDS.toNanos(ABANDON_AFTER_MS);
+            while (deadline.isExpired() && Watchdog.now() < giveUp) {
+                LockSupport.parkNanos(1_000_000);
+            }
+            Consumer<Answer> next = continuation;
+            if (next != null && deadline.abandon()) {
+                next.accept(abandon());
+            }
+        }
+
+        /**
+         * Bounds the stderr of a computing bot. Ends the wait for a bot that has exited while a remaining descendant
+         * keeps its output open, one tick later, so that an answer already in the pipe is read.
+         */
+        @Override
+        public boolean tick(long now) {
+            stderr.bound();
+            if (goneSince == 0 && !group.process().isAlive()) {
+                goneSince = now;
+            }
+            leaderGone = goneSince > 0 && now - goneSince >= Watchdog.TICK;
+            return leaderGone;
+        }
+    }
+
+    private Answer abandon() {
+        over = true;
+        abandoned = true;
+        Answer answer = new Answer();
+        long waited = Watchdog.now() - clock;
+        answer.setNanos(waited);
+        answer.setFault(alarm.leaderGone ? endText() : lateText(waited, output.linesReceived(), 0));
+        answer.setStderr(stderr.collect(true));
+        return answer;
+    }
+
+    private void closeInput() {
+        try {
+            input.close();
+        } catch (IOException e) {
+            // The input has no reader any more.
+            return;
+        }
+    }
+}

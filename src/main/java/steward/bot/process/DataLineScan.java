@@ -1,0 +1,78 @@
+package steward.bot.process;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.RandomAccessFile;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+
+/**
+ * Finds the lines that carry data for rating tools ({@code [TDATA]}, {@code [PDATA]}, {@code [PDATA+]}) in the part of
+ * a bot's stderr that is otherwise dropped because it is too long.
+ */
+final class DataLineScan {
+
+    /** How much is searched, in bytes. */
+    static final int LOOKED_AT = 1 << 20;
+    /** How much is kept, in bytes. */
+    static final int KEPT = 4 * 1024;
+
+    private static final List<byte[]> TAGS = List.of(ascii("[TDATA]"), ascii("[PDATA]"), ascii("[PDATA+]"));
+
+    private DataLineScan() {
+    }
+
+    private static byte[] ascii(String text) {
+        return text.getBytes(StandardCharsets.US_ASCII);
+    }
+
+    /** Start of the last line, if it may be a data line; otherwise {@code count}. */
+    static int begunLine(byte[] bytes, int count) {
+        int start = count;
+        while (start > 0 && bytes[start - 1] != '\n') {
+            start--;
+        }
+        return start < count && isData(bytes, start, count) ? start : count;
+    }
+
+    /** Whether the received part of a line begins like a data line. */
+    private static boolean isData(byte[] bytes, int from, int to) {
+        for (byte[] tag : TAGS) {
+            int same = 0;
+            while (same < tag.length && from + same < to && bytes[from + same] == tag[same]) {
+                same++;
+            }
+            if (same == Math.min(tag.length, to - from)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /**
+     * The data lines, with their ends; the last may be incomplete.
+     *
+     * @param lineStart whether a line begins at {@code from}
+     */
+    static byte[] read(RandomAccessFile file, long from, long to, boolean lineStart) throws IOException {
+        byte[] bytes = new byte[(int) Math.min(LOOKED_AT, to - from)];
+        file.seek(from);
+        file.readFully(bytes);
+        ByteArrayOutputStream lines = new ByteArrayOutputStream();
+        boolean atStart = lineStart;
+        for (int start = 0; start < bytes.length;) {
+            int end = start;
+            while (end < bytes.length && bytes[end] != '\n') {
+                end++;
+            }
+            int behind = Math.min(bytes.length, end + 1);
+            boolean whole = end < bytes.length || from + bytes.length == to;
+            if (atStart && whole && isData(bytes, start, end) && end > start && lines.size() + behind - start <= KEPT) {
+                lines.write(bytes, start, behind - start);
+            }
+            start = behind;
+            atStart = true;
+        }
+        return lines.toByteArray();
+    }
+}

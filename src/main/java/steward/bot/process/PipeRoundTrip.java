@@ -1,0 +1,62 @@
+package steward.bot.process;
+
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.lang.ProcessBuilder.Redirect;
+import java.util.List;
+
+/**
+ * A program that is sent lines and answers each with a line, over bare pipes: no deadline, no limit, no group, no
+ * stderr. The baseline that {@link BotProcess} is compared with.
+ */
+public final class PipeRoundTrip implements AutoCloseable {
+
+    private final Process process;
+    private final OutputStream input;
+    private final InputStream output;
+    private final byte[] buffer = new byte[1 << 13];
+
+    /** @throws IOException if the program cannot be started */
+    public PipeRoundTrip(List<String> command) throws IOException {
+        process = new ProcessBuilder(command).redirectError(Redirect.DISCARD).start();
+        input = process.getOutputStream();
+        output = process.getInputStream();
+    }
+
+    /**
+     * Sends lines and waits for one line.
+     *
+     * @return how many bytes were received
+     * @throws IOException if the program has ended
+     */
+    public int exchange(byte[] lines, int length) throws IOException {
+        input.write(lines, 0, length);
+        input.flush();
+        for (int count = 0;;) {
+            int came = output.read(buffer, 0, buffer.length);
+            if (came <= 0) {
+                throw new EOFException("the program has ended");
+            }
+            count += came;
+            if (buffer[came - 1] == '\n') {
+                return count;
+            }
+        }
+    }
+
+    /** Closes its input and waits for it to exit. */
+    @Override
+    public void close() {
+        try (input; output) {
+            input.close();
+            process.waitFor();
+        } catch (IOException gone) {
+            process.destroyForcibly();
+        } catch (InterruptedException interrupted) {
+            process.destroyForcibly();
+            Thread.currentThread().interrupt();
+        }
+    }
+}

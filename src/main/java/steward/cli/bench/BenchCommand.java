@@ -1,0 +1,219 @@
+package steward.cli.bench;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.LocalDate;
+import java.time.ZoneOffset;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import steward.bench.BenchFiles;
+import steward.bench.Effort;
+import steward.bench.Section;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Interruption;
+import steward.cli.shared.ProgressLine;
+import steward.cli.shared.Streams;
+import steward.files.InputException;
+import steward.files.OutputFiles;
+import steward.lab.tradeoff.TradeoffMachine;
+import steward.text.NearestName;
+import steward.text.TextFormat;
+
+/** {@code steward bench}: how fast pod turns, matches, frames, replays, bot processes and crowds are. */
+@Command(name = "bench", description = "Measures how fast pod turns, matches, frames, replays, bot processes and "
+    + "crowds of bodies are on this machine, with plain textbook ways to do the same beside them.",
+    footer = {"", "Ratios are between figures of one run and mean more than the figures.",
+        "", "Examples:", "  steward bench --quick", "  steward bench --only crowds --bodies 100 --bodies 1000",
+        "  steward bench --long --out results",
+        "", "Exit status: 0 done; 1 something could not be measured; 2 the call cannot be used; 130 Ctrl-C."})
+public final class BenchCommand implements Callable<Integer> {
+
+    private static final int MOST_THREADS = 256;
+    private static final int MOST_GAMES = 1_000_000;
+    private static final List<Integer> BODIES = List.of(100, 1000, 10_000, 100_000);
+    private static final List<Integer> QUICK_BODIES = List.of(100, 1000);
+    private static final int MILLION = 1_000_000;
+
+    /** How long an interrupted run may take to report its results so far, in milliseconds. */
+    private static final long PATIENCE_MS = 2000;
+
+    private final Streams streams;
+    private final Thread measuring = Thread.currentThread();
+    private final CountDownLatch told = new CountDownLatch(1);
+    private volatile boolean interrupted;
+    private volatile boolean any;
+
+    @Option(names = "--only", paramLabel = "NAME", description = "Only this part; can be repeated.")
+    private List<String> only = new ArrayList<>();
+
+    @Option(names = "--quick", description = "Rough figures, in less than a minute.")
+    private boolean quick;
+
+    @Option(names = "--long", description = "For tables that are kept, and a million bodies.")
+    private boolean full;
+
+    @Option(names = "--threads", paramLabel = "T",
+        description = "Up to how many threads play matches and batches (default: as many as there are processors).")
+    private Integer threads;
+
+    @Option(names = "--games", paramLabel = "N", description = "How many matches the threads play (default: 2000).")
+    private Integer games;
+
+    @Option(names = "--bodies", paramLabel = "N",
+        description = "A crowd of so many; can be repeated (default: 100, 1000, 10000, 100000).")
+    private List<Integer> bodies = new ArrayList<>();
+
+    @Option(names = "--out", paramLabel = "DIR", description = "Writes " + BenchFiles.CSV + " and " + BenchFiles.JSON
+        + " into a folder, row by row, and in the end " + BenchFiles.PAGE + ".")
+    private String out;
+
+    @Option(names = "--overwrite", description = "Replaces the files if they exist.")
+    private boolean overwrite;
+
+    public BenchCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() {
+        check(!(full && quick), "--long and --quick exclude each other");
+        check(!overwrite || out != null, "--overwrite: expected --out");
+        check(games == null || games >= 1 && games <= MOST_GAMES,
+            "--games: found " + games + ", expected 1 to " + MOST_GAMES);
+        check(threads == null || threads >= 1 && threads <= MOST_THREADS,
+            "--threads: found " + threads + ", expected 1 to " + MOST_THREADS);
+        List<Section> sections = chosen(sections());
+        if (out == null) {
+            try (Interruption interruption = new Interruption(streams, () -> stopped("what was measured is above"))) {
+                int status = measure(sections, null);
+                interruption.over();
+                return status;
+            }
+        }
+        Path folder = OutputFiles.path(out);
+        try (BenchFiles files = files(folder);
+                Interruption interruption = new Interruption(streams,
+                    () -> stopped("the rows so far are in " + folder))) {
+            int status = measure(sections, files);
+            if (!interrupted) {
+                files.finish(sections);
+                interruption.over();
+            }
+            return status;
+        }
+    }
+
+    private static void check(boolean right, String problem) {
+        if (!right) {
+            throw new InputException(problem);
+        }
+    }
+
+    private List<Section> sections() {
+        List<Integer> crowds = new ArrayList<>(!bodies.isEmpty() ? bodies : quick ? QUICK_BODIES : BODIES);
+        if (full && bodies.isEmpty()) {
+            crowds.add(MILLION);
+        }
+        try {
+            return BenchSuite.all(threads == null ? Runtime.getRuntime().availableProcessors() : threads,
+                games == null ? quick ? 200 : 2000 : games, crowds);
+        } catch (IllegalArgumentException problem) {
+            throw new InputException("--bodies: " + problem.getMessage());
+        }
+    }
+
+    private List<Section> chosen(List<Section> all) {
+        List<String> known = all.stream().map(Section::name).toList();
+        for (String name : only) {
+            check(known.contains(name), "--only: found '" + name + "', expected one of " + String.join(", ", known)
+                + NearestName.of(name, known).map(near -> "; did you mean '" + near + "'?").orElse(""));
+        }
+        return only.isEmpty() ? all : all.stream().filter(each -> only.contains(each.name())).toList();
+    }
+
+    private BenchFiles files(Path folder) {
+        OutputFiles.prepareFolder(folder);
+        for (String name : BenchFiles.ALL) {
+            OutputFiles.check(folder.resolve(name), overwrite);
+        }
+        try {
+            Files.deleteIfExists(folder.resolve(BenchFiles.PAGE));
+            return new BenchFiles(folder, TradeoffMachine.line(), LocalDate.now(ZoneOffset.UTC).toString());
+        } catch (IOException problem) {
+            throw new InputException(folder + ": cannot be written into: " + problem.getMessage());
+        }
+    }
+
+    /** By Ctrl-C: the thread that measures tells what it knows, unless that takes long. */
+    private String stopped(String kept) {
+        interrupted = true;
+        measuring.interrupt();
+        try {
+            told.await(PATIENCE_MS, TimeUnit.MILLISECONDS);
+        } catch (InterruptedException impatient) {
+            Thread.currentThread().interrupt();
+        }
+        return any ? kept : "no row was complete";
+    }
+
+    private int measure(List<Section> sections, BenchFiles files) {
+        try {
+            return measureAll(sections, files);
+        } finally {
+            told.countDown();
+        }
+    }
+
+    private int measureAll(List<Section> sections, BenchFiles files) {
+        BenchTable table = new BenchTable(streams);
+        Runtime.getRuntime().addShutdownHook(new Thread(table::release, "bench-interrupted"));
+        Effort effort = quick ? Effort.QUICK : full ? Effort.LONG : Effort.NORMAL;
+        streams.out().println(TradeoffMachine.line());
+        int status = ExitStatus.DONE;
+        int part = 1;
+        for (Section section : sections) {
+            table.begin(section);
+            String task = part++ + " of " + sections.size() + ": " + section.name();
+            try (ProgressLine progress = progress(task, section.steps(effort))) {
+                section.run(effort, about -> step(progress), row -> {
+                    any = true;
+                    if (files != null) {
+                        files.add(row);
+                    }
+                    if (progress == null) {
+                        table.add(row);
+                    } else {
+                        table.hold(row);
+                    }
+                });
+            } catch (Exception | OutOfMemoryError problem) {
+                if (interrupted) {
+                    table.release();
+                    return ExitStatus.FAILED;
+                }
+                streams.err().println("steward: " + section.name() + ": could not be measured: "
+                    + TextFormat.plain(String.valueOf(problem.getMessage())));
+                status = ExitStatus.FAILED;
+            }
+            table.release();
+        }
+        return status;
+    }
+
+    /** @return {@code null} where nobody watches */
+    private ProgressLine progress(String task, int steps) {
+        return streams.errTerminal() ? new ProgressLine(streams.err(), task, steps) : null;
+    }
+
+    private static void step(ProgressLine progress) {
+        if (progress != null) {
+            progress.step();
+        }
+    }
+}

@@ -1,0 +1,83 @@
+package steward.cli.lab;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import picocli.CommandLine.Option;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Games;
+import steward.cli.shared.Streams;
+import steward.files.InputException;
+import steward.files.OutputFiles;
+import steward.game.GameSetup;
+import steward.lab.calibration.Calibration;
+import steward.scene.AccuracyFigures;
+import steward.scene.SceneFiles;
+
+/** The options of {@code steward tradeoff} by which it calibrates scenes instead. */
+final class CalibrateOptions {
+
+    private static final int MOST_STATES = 10_000_000;
+
+    @Option(names = "--calibrate", paramLabel = "SCENE", description = "Instead: measure how far off each rung is in "
+        + "this scene and write it to NAME.accuracy.json beside the file (or into --out), where a scene that states "
+        + "\"accuracy\": {\"maxPositionError\": 0.01, \"share\": 0.999} finds it. Can be repeated.")
+    private List<String> scenes = new ArrayList<>();
+
+    @Option(names = "--states", paramLabel = "N", description = "With --calibrate: on so many (default: 100000).")
+    private Integer states;
+
+    /** Whether any scene is to be calibrated. */
+    boolean isAsked() {
+        return !scenes.isEmpty() || states != null;
+    }
+
+    /**
+     * Calibrates all scenes, after checking that all of them can be read and all figures written.
+     *
+     * @param out a folder for the figures, or {@code null} to put them beside the scenes
+     */
+    int run(Streams streams, String out, boolean overwrite) throws InterruptedException {
+        if (scenes.isEmpty()) {
+            throw new InputException("--states: expected --calibrate with it");
+        }
+        if (states != null && (states < 1 || states > MOST_STATES)) {
+            throw new InputException("--states: found " + states + ", expected 1 to " + MOST_STATES);
+        }
+        List<CalibrationRun> all = new ArrayList<>();
+        List<Path> files = new ArrayList<>();
+        for (String scene : scenes) {
+            // On any rung: the scene may demand an accuracy whose rung only this calibration can determine.
+            GameSetup setup = Games.open(scene, Calibration.PLAYED_ON);
+            Path file = file(scene, out);
+            if (files.contains(file.toAbsolutePath().normalize())) {
+                throw new InputException("--calibrate: found two scenes for " + file + ", expected one");
+            }
+            files.add(file.toAbsolutePath().normalize());
+            OutputFiles.check(file, overwrite);
+            all.add(CalibrationRun.of(streams, setup, file, states == null ? Calibration.STATES : states));
+        }
+        if (out != null) {
+            OutputFiles.prepareFolder(OutputFiles.path(out));
+        }
+        for (CalibrationRun each : all) {
+            each.begin();
+        }
+        for (CalibrationRun each : all) {
+            each.run();
+        }
+        return ExitStatus.DONE;
+    }
+
+    private static Path file(String scene, String out) {
+        Path path = OutputFiles.path(scene);
+        boolean isFile = Files.isRegularFile(path);
+        if (!isFile && out == null) {
+            throw new InputException("--calibrate: the scene " + scene + " comes with the program, its figures too; "
+                + "expected a scene file, or --out with a folder for the figures");
+        }
+        Path beside = SceneFiles.load(scene).figures().orElse(AccuracyFigures.beside(path));
+        return out == null ? beside : OutputFiles.path(out).resolve(beside.getFileName());
+    }
+}

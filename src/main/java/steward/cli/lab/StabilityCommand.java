@@ -1,0 +1,153 @@
+package steward.cli.lab;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.function.Function;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Interruption;
+import steward.cli.shared.Streams;
+import steward.files.InputException;
+import steward.files.OutputFiles;
+import steward.lab.stability.GoldenHash;
+import steward.lab.stability.StabilityCases;
+import steward.lab.stability.StabilityFiles;
+import steward.lab.stability.StabilityRow;
+import steward.lab.trial.RunLength;
+import steward.lab.trial.Rung;
+import steward.lab.trial.StabilityCase;
+import steward.numerics.StateHash;
+import steward.text.NearestName;
+
+/** {@code steward stability}: the physics at the numerical extremes, compared with what is demanded. */
+@Command(name = "stability", description = "Tries the physics at the numerical extremes, on every rung of accuracy, "
+    + "and says what was demanded and what was seen.",
+    footer = {"", "Examples:", "  steward stability",
+        "  steward stability --quick --case masses --case 'extreme speeds'",
+        "  steward stability --long --out results",
+        "  steward stability --case 'crowd of 1000, 10%%' --rung double --impacts 1000000000",
+        "", "Exit status: 0 every demand is met; 1 one is not; 2 the call cannot be used; 130 Ctrl-C."})
+public final class StabilityCommand implements Callable<Integer> {
+
+    private static final long MOST_IMPACTS = 1_000_000_000_000L;
+
+    private final Streams streams;
+
+    @Option(names = "--long", description = "The long versions: hours.")
+    private boolean full;
+
+    @Option(names = "--quick", description = "The short versions, as in the tests: about a minute.")
+    private boolean quick;
+
+    @Option(names = "--case", paramLabel = "NAME", description = "Only this case; can be repeated.")
+    private List<String> names = new ArrayList<>();
+
+    @Option(names = "--rung", paramLabel = "NAME", description = "Only on this rung of accuracy; can be repeated.")
+    private List<String> rungNames = new ArrayList<>();
+
+    @Option(names = "--impacts", paramLabel = "N", description = "Each crowd is played for so many impacts, on each "
+        + "event rung (default: 1000000; with --quick 20000; with --long 10000000, in double up to 1000000000).")
+    private Long impacts;
+
+    @Option(names = "--out", paramLabel = "DIR", description = "Writes the table to " + StabilityFiles.CSV + " and "
+        + StabilityFiles.JSON + " in a folder too, row by row.")
+    private String out;
+
+    @Option(names = "--overwrite", description = "Replaces the files if they exist.")
+    private boolean overwrite;
+
+    @Option(names = "--golden", description = "Prints the hash of all that is computed instead; it must be the same on "
+        + "every machine.")
+    private boolean golden;
+
+    public StabilityCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() {
+        if (full && quick) {
+            throw new InputException("--long and --quick exclude each other");
+        }
+        if (overwrite && out == null) {
+            throw new InputException("--overwrite: expected --out");
+        }
+        if (impacts != null && !(impacts >= 1 && impacts <= MOST_IMPACTS)) {
+            throw new InputException("--impacts: found " + impacts + ", expected 1 to " + MOST_IMPACTS);
+        }
+        RunLength size = full ? RunLength.LONG : quick ? RunLength.SMALL : RunLength.NORMAL;
+        if (golden) {
+            if (out != null || !names.isEmpty() || !rungNames.isEmpty() || impacts != null) {
+                throw new InputException("--golden goes with --quick or --long only");
+            }
+            return golden(size);
+        }
+        List<StabilityCase> cases = chosen("--case", names, StabilityCases.all(impacts == null ? 0 : impacts),
+            StabilityCase::name);
+        List<Rung> rungs = chosen("--rung", rungNames, Rung.all(), Rung::name);
+        StabilityTable table = new StabilityTable(streams, cases.size() * rungs.size());
+        if (out == null) {
+            return table(cases, rungs, size, table, null, "the rows so far are above");
+        }
+        Path folder = OutputFiles.path(out);
+        try (StabilityFiles files = files(folder, size)) {
+            return table(cases, rungs, size, table, files, "the rows so far are in " + folder);
+        }
+    }
+
+    private int golden(RunLength size) {
+        List<GoldenHash.Part> parts = GoldenSuite.parts(size);
+        for (GoldenHash.Part part : parts) {
+            streams.out().println(StateHash.toHex(part.hash()) + "  " + part.name());
+        }
+        streams.out().println(StateHash.toHex(GoldenHash.total(parts)) + "  all");
+        return ExitStatus.DONE;
+    }
+
+    private static <T> List<T> chosen(String option, List<String> names, List<T> all, Function<T, String> nameOf) {
+        List<String> known = all.stream().map(nameOf).toList();
+        for (String name : names) {
+            if (!known.contains(name)) {
+                throw new InputException(option + ": found '" + name + "', expected one of " + String.join("; ", known)
+                    + NearestName.of(name, known).map(near -> "; did you mean '" + near + "'?").orElse(""));
+            }
+        }
+        return names.isEmpty() ? all : all.stream().filter(each -> names.contains(nameOf.apply(each))).toList();
+    }
+
+    private StabilityFiles files(Path folder, RunLength size) {
+        OutputFiles.prepareFolder(folder);
+        for (String name : List.of(StabilityFiles.CSV, StabilityFiles.JSON)) {
+            Path file = folder.resolve(name);
+            if (Files.exists(file) && !overwrite) {
+                throw OutputFiles.exists(file);
+            }
+        }
+        try {
+            return new StabilityFiles(folder, size);
+        } catch (IOException problem) {
+            throw new InputException(folder + ": cannot be written into: " + problem.getMessage());
+        }
+    }
+
+    private int table(List<StabilityCase> cases, List<Rung> rungs, RunLength size, StabilityTable table,
+                      StabilityFiles files, String kept) {
+        try (Interruption interruption = new Interruption(streams,
+            () -> kept + (table.unfinished().isEmpty() ? "" : "; unfinished: " + table.unfinished()))) {
+            StabilityRow.tryAll(cases, rungs, size, (each, rung) -> table.about(each.name(), rung.name()),
+                table::reached, row -> {
+                    if (files != null) {
+                        files.add(row);
+                    }
+                    table.add(row);
+                });
+            interruption.over();
+            return table.end() ? ExitStatus.DONE : ExitStatus.FAILED;
+        }
+    }
+}

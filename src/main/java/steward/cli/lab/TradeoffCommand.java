@@ -1,0 +1,153 @@
+package steward.cli.lab;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.LocalDate;
+import java.time.ZoneOffset;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Interruption;
+import steward.cli.shared.ProgressLine;
+import steward.cli.shared.Streams;
+import steward.files.InputException;
+import steward.files.OutputFiles;
+import steward.lab.tradeoff.TradeoffEffort;
+import steward.lab.tradeoff.TradeoffHeadings;
+import steward.lab.tradeoff.TradeoffMachine;
+import steward.lab.tradeoff.TradeoffMeasurement;
+import steward.lab.tradeoff.TradeoffRow;
+import steward.lab.tradeoff.TradeoffScene;
+import steward.lab.tradeoff.report.TradeoffReport;
+
+/** {@code steward tradeoff}: the cost and the error of each rung of accuracy. */
+@Command(name = "tradeoff", description = "Measures, scene by scene, what each rung of accuracy costs and how far "
+    + "it is from the truth.",
+    footer = {"", "Examples:", "  steward tradeoff --out results",
+        "  steward tradeoff --quick --scene bullets --scene my-scene.json",
+        "  steward tradeoff --calibrate my-scene.json",
+        "", "Exit status: 0 done; 2 the call or a scene cannot be used; 130 Ctrl-C: what was measured is kept."})
+public final class TradeoffCommand implements Callable<Integer> {
+
+    private final Streams streams;
+
+    @Option(names = "--scene", paramLabel = "F", description = "Only this scene; can be repeated. A scene file, a "
+        + "shipped scene, or one of official-race, brawl, dense-box, gas, bullets, grazing; headings for what "
+        + "trigonometry costs.")
+    private List<String> scenes = new ArrayList<>();
+
+    @Option(names = "--quick", description = "Few states and rounds: rough figures, soon.")
+    private boolean quick;
+
+    @Option(names = "--out", paramLabel = "DIR", description = "Writes " + TradeoffReport.CSV + " and "
+        + TradeoffReport.JSON + " into a folder, scene by scene, and in the end a plot and a page that shows it.")
+    private String out;
+
+    @Option(names = "--overwrite", description = "Replaces the files if they exist.")
+    private boolean overwrite;
+
+    @Mixin
+    private final CalibrateOptions calibrate = new CalibrateOptions();
+
+    public TradeoffCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() throws InterruptedException {
+        if (calibrate.isAsked()) {
+            if (quick || !scenes.isEmpty()) {
+                throw new InputException("--calibrate: found " + (quick ? "--quick" : "--scene") + " with it");
+            }
+            return calibrate.run(streams, out, overwrite);
+        }
+        if (overwrite && out == null) {
+            throw new InputException("--overwrite: expected --out");
+        }
+        boolean all = scenes.isEmpty();
+        boolean headings = all || scenes.contains(TradeoffScenes.HEADINGS);
+        List<TradeoffScene> chosen = all ? TradeoffScenes.all()
+            : TradeoffScenes.of(scenes.stream().filter(word -> !word.equals(TradeoffScenes.HEADINGS)).toList());
+        if (out == null) {
+            measure(chosen, headings, null);
+            return ExitStatus.DONE;
+        }
+        Path folder = OutputFiles.path(out);
+        try (TradeoffReport files = files(folder); Interruption interruption = new Interruption(
+            streams, "the scenes so far are in " + folder)) {
+            measure(chosen, headings, files);
+            String problem = files.finish();
+            if (problem != null) {
+                streams.warn("this Java cannot draw the plot: " + problem);
+            }
+            interruption.over();
+        }
+        return ExitStatus.DONE;
+    }
+
+    private TradeoffReport files(Path folder) {
+        OutputFiles.prepareFolder(folder);
+        for (String name : TradeoffReport.ALL) {
+            OutputFiles.check(folder.resolve(name), overwrite);
+        }
+        try {
+            if (overwrite) {
+                for (String name : TradeoffReport.ALL) {
+                    Files.deleteIfExists(folder.resolve(name));
+                }
+            }
+            return new TradeoffReport(folder, TradeoffMachine.line(), LocalDate.now(ZoneOffset.UTC).toString());
+        } catch (IOException problem) {
+            throw new InputException(folder + ": cannot be written into: " + problem.getMessage());
+        }
+    }
+
+    private void measure(List<TradeoffScene> chosen, boolean headings, TradeoffReport files) {
+        TradeoffEffort effort = quick ? TradeoffEffort.QUICK : TradeoffEffort.NORMAL;
+        TradeoffTable table = new TradeoffTable(streams);
+        int parts = chosen.size() + (headings ? 1 : 0);
+        int part = 1;
+        for (TradeoffScene scene : chosen) {
+            TradeoffMeasurement measurement = new TradeoffMeasurement(scene, effort);
+            List<TradeoffRow> rows;
+            try (ProgressLine progress = progress(part++ + " of " + parts + ": " + scene.name(),
+                measurement.steps())) {
+                rows = measurement.run(() -> step(progress));
+            }
+            if (files != null) {
+                files.add(rows);
+            }
+            table.add(scene, rows);
+        }
+        for (boolean aligned : headings ? new boolean[] {false, true} : new boolean[0]) {
+            TradeoffHeadings row;
+            try (ProgressLine progress = progress(parts + " of " + parts + ": headings",
+                TradeoffHeadings.steps(effort.podTurns()))) {
+                row = TradeoffHeadings.measure(aligned, effort.podTurns(), () -> step(progress));
+            }
+            if (files != null) {
+                files.addHeadings(row);
+            }
+            table.add(row);
+        }
+        if (!chosen.isEmpty()) {
+            table.end();
+        }
+    }
+
+    /** @return {@code null} where nobody watches */
+    private ProgressLine progress(String task, int steps) {
+        return streams.errTerminal() ? new ProgressLine(streams.err(), task, steps) : null;
+    }
+
+    private static void step(ProgressLine progress) {
+        if (progress != null) {
+            progress.step();
+        }
+    }
+}

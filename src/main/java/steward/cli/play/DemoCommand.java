@@ -1,0 +1,92 @@
+package steward.cli.play;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import steward.bot.command.CommandLine;
+import steward.cli.replay.ReplayCommand;
+import steward.cli.replay.TextMap;
+import steward.cli.shared.AccuracyOption;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Games;
+import steward.cli.shared.Streams;
+import steward.cli.shared.Verbosity;
+import steward.contest.Contest;
+import steward.files.InputException;
+import steward.files.OutputFiles;
+import steward.match.Protocol;
+import steward.replay.ReplayReader;
+import steward.replay.verify.Verification;
+import steward.text.TextFormat;
+
+/** {@code steward demo}: a match between the bots that come with the program, recorded, verified and drawn. */
+@Command(name = "demo", description = "Plays the two bots that come with the program against each other, verifies the "
+    + "replay and draws a map of the race.", footer = {"", "Example:", "  steward demo --seed 7"})
+public final class DemoCommand implements Callable<Integer> {
+
+    private static final String SCENE = "mad-pod-racing";
+    private static final List<String> BOTS = List.of("builtin:veteran", "builtin:racer");
+    /** A demo is no contest: on a busy machine bots get the time they need. */
+    private static final int TIME_FACTOR = 10;
+
+    private final Streams streams;
+
+    @Option(names = "--out", paramLabel = "FILE", defaultValue = "build/demo.jsonl",
+        description = "Where the replay goes; replaced if it exists (default: ${DEFAULT-VALUE}).")
+    private String out;
+
+    @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "Default: ${DEFAULT-VALUE}.")
+    private long seed;
+
+    @Mixin
+    private final AccuracyOption accuracy = new AccuracyOption();
+
+    public DemoCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() throws InterruptedException {
+        Path file = OutputFiles.path(out);
+        Contest contest = Contest.of(accuracy.open(SCENE), BOTS, Protocol.JSON, TIME_FACTOR);
+        makeFolder(file);
+        streams.out().println("steward match --scene " + SCENE + " --bot " + BOTS.get(0) + " --bot " + BOTS.get(1)
+            + " --seed " + seed + accuracy.words() + " \\");
+        streams.out().println("    --time-factor " + TIME_FACTOR + " --out " + CommandLine.quote(List.of(out))
+            + " --overwrite");
+        streams.out().println();
+        streams.out().flush();
+        new SingleMatch(streams, contest, Verbosity.FULL, false).play(seed, file, true);
+        streams.out().println();
+        try (ReplayReader replay = ReplayCommand.open(file)) {
+            Verification verification = Verification.of(replay, Games.types());
+            if (!verification.verified()) {
+                streams.out().println("differs: " + verification.difference());
+                return ExitStatus.FAILED;
+            }
+            streams.out().println("verified: " + TextFormat.count(verification.turns(), "turn")
+                + " played again, every one the same to the last bit");
+        }
+        streams.out().println();
+        try (ReplayReader replay = ReplayCommand.open(file)) {
+            streams.out().print(TextMap.of(replay));
+        }
+        return ExitStatus.DONE;
+    }
+
+    private static void makeFolder(Path file) {
+        Path folder = file.toAbsolutePath().getParent();
+        try {
+            if (folder != null) {
+                Files.createDirectories(folder);
+            }
+        } catch (IOException problem) {
+            throw new InputException(folder + ": found no folder, and it cannot be made: " + problem.getMessage());
+        }
+    }
+}

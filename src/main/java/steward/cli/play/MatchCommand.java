@@ -1,0 +1,135 @@
+package steward.cli.play;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+import steward.cli.shared.AccuracyOption;
+import steward.cli.shared.ShippedScenes;
+import steward.cli.shared.Streams;
+import steward.cli.shared.Verbosity;
+import steward.contest.Contest;
+import steward.contest.Series;
+import steward.files.OutputFiles;
+import steward.match.Protocol;
+
+/** {@code steward match}: one match, or many. */
+@Command(name = "match", description = "Plays a match between bots, or many matches.",
+    footer = {"",
+        "A bot is written [NAME=][builtin:|json:|codingame:]COMMAND, its words quoted as for a shell.",
+        "'builtin:racer', 'builtin:regular', 'builtin:contender' and 'builtin:veteran', from weak to",
+        "strong, come with the program; 'codingame:' is for programs that speak the lines of words and",
+        "numbers of that site, 'json:' for those that speak JSON; --protocol says what all others speak.",
+        "One --bot for each player of the scene, in order.",
+        "", "Examples:",
+        "  steward match --bot builtin:veteran --bot 'me=python3 bot.py' --seed 7 --out match.jsonl",
+        "  steward match --scene duel --bot ./mine --bot builtin:racer --games 50 --swap --threads 2",
+        "  steward match --protocol codingame --bot ./a.out --bot json:'python3 bot.py'",
+        "  steward match --bot ./mine --bot builtin:racer --view match.html --open",
+        "  steward match --bot ./mine --bot builtin:racer --watch --open",
+        "", "--watch prints the address of the page and begins when a browser has opened it (or at Enter; where",
+        "nobody can press it, after 60 seconds). When the match is over it ends by itself as soon as every",
+        "browser has everything: open pages stay complete, and their Save works from then on without the",
+        "program. To look again later, use --view or --out.",
+        "", "Exit status: 0 there is a result; 1 there is none, or --strict and a bot failed;",
+        "2 wrong call; 130 interrupted (of many games, those that are over are told)."})
+public final class MatchCommand implements Callable<Integer> {
+
+    /** Seeds that are drawn stay below this, so that people can type them again. */
+    private static final long DRAWN_SEEDS = 1_000_000_000;
+
+    private final Streams streams;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Option(names = "--scene", paramLabel = "FILE|NAME", defaultValue = "mad-pod-racing",
+        completionCandidates = ShippedScenes.class,
+        description = "The scene: a file or one of ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}).")
+    private String scene;
+
+    @Mixin
+    private final AccuracyOption accuracy = new AccuracyOption();
+
+    @Option(names = "--bot", paramLabel = "BOT", description = "A bot; see below.")
+    private List<String> bots = new ArrayList<>();
+
+    @Option(names = "--protocol", paramLabel = "P", defaultValue = "json",
+        description = "What bots without a prefix speak: json or codingame (default: ${DEFAULT-VALUE}).")
+    private String protocol;
+
+    @Option(names = "--seed", paramLabel = "N", description = "What is drawn by lot follows from it (default: drawn).")
+    private Long seed;
+
+    @Option(names = "--out", paramLabel = "FILE",
+        description = "Write the replay to this file; with --games or --swap, one for each game into this folder.")
+    private String out;
+
+    @Option(names = "--overwrite", description = "Replace replays and pages that exist.")
+    private boolean overwrite;
+
+    @Mixin
+    private final DisplayOptions show = new DisplayOptions();
+
+    @Option(names = "--quiet", description = "Print only the line of the result.")
+    private boolean quiet;
+
+    @Option(names = "--json", description = "Print one JSON object and nothing else.")
+    private boolean json;
+
+    @Option(names = "--strict", description = "Exit with status 1 if a bot fails.")
+    private boolean strict;
+
+    @Option(names = "--time-factor", paramLabel = "X", description = "Multiply the scene's time limits.")
+    private Double timeFactor;
+
+    @Option(names = "--no-deadline", description = "Wait for answers without end.")
+    private boolean noDeadline;
+
+    @Mixin
+    private final SeriesOptions many = new SeriesOptions();
+
+    public MatchCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() throws InterruptedException {
+        check(!json || !quiet, "--json and --quiet exclude each other");
+        check(!noDeadline || timeFactor == null, "--no-deadline and --time-factor exclude each other");
+        String wrong = many.problem(out != null);
+        check(wrong == null, wrong);
+        check(!overwrite || out != null || show.view() != null, "--overwrite: expected --out or --view with it");
+        String problem = show.problem(many.isAny());
+        check(problem == null, problem);
+        Optional<Protocol> usual = Protocol.of(protocol);
+        check(usual.isPresent(), "--protocol: found '" + protocol + "', expected json or codingame");
+        double factor = noDeadline ? Double.POSITIVE_INFINITY : timeFactor == null ? 1 : timeFactor;
+        check(noDeadline || factor > 0 && factor < Double.POSITIVE_INFINITY,
+            "--time-factor: found " + factor + ", expected a number above 0");
+        Contest contest = Contest.of(accuracy.open(scene), bots, usual.get(), factor);
+        long first = seed != null ? seed : new SplittableRandom().nextLong(DRAWN_SEEDS);
+        Path path = out == null ? null : OutputFiles.path(out);
+        Verbosity report = json ? Verbosity.JSON : quiet ? Verbosity.LINE : Verbosity.FULL;
+        if (many.isAny()) {
+            Series series = new Series(contest, first, many.games(), many.swap(), path, many.keep());
+            return new SeriesRun(streams, series, report, strict).play(many.threads(streams), overwrite);
+        }
+        SingleMatch game = new SingleMatch(streams, contest, report, strict);
+        return show.isAny() ? game.play(first, path, overwrite, show) : game.play(first, path, overwrite);
+    }
+
+    private void check(boolean right, String problem) {
+        if (!right) {
+            throw new ParameterException(spec.commandLine(), problem);
+        }
+    }
+}

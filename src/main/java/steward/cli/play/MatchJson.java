@@ -1,0 +1,109 @@
+package steward.cli.play;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+import steward.cli.shared.Json;
+import steward.cli.shared.Streams;
+import steward.contest.Contest;
+import steward.contest.Failure;
+import steward.game.JsonNumbers;
+import steward.match.MatchResult;
+import steward.match.MatchResult.PlayerResult;
+import steward.text.TextFormat;
+import tools.jackson.core.JsonGenerator;
+
+/** The result of a match for programs: one JSON object on one line. */
+final class MatchJson {
+
+    private static final double NANOS_PER_MS = 1e6;
+
+    private MatchJson() {
+    }
+
+    static void print(Streams streams, Contest contest, long seed, MatchResult result, List<Failure> failures,
+                      Path file) {
+        printObject(streams, out -> {
+            out.writeStringProperty("seed", Long.toString(seed));
+            out.writeStringProperty("scene", contest.sceneName());
+            out.writeNumberProperty("turns", result.turns());
+            out.writeStringProperty("ending", result.ending());
+            out.writeName("winner");
+            if (result.winner() >= 0) {
+                out.writeNumber(result.winner());
+            } else {
+                out.writeNull();
+            }
+            out.writeArrayPropertyStart("players");
+            for (int k = 0; k < result.players().size(); k++) {
+                out.writeStartObject();
+                int player = k;
+                writePlayer(out, result.players().get(k), contest.entrants().get(k).bot(),
+                    failures.stream().filter(failure -> failure.player() == player).findFirst().orElse(null));
+                out.writeEndObject();
+            }
+            out.writeEndArray();
+            writeData(out, result.data());
+            out.writeStringProperty("replay", file == null ? null : file.toString());
+        });
+    }
+
+    private static void writePlayer(JsonGenerator out, PlayerResult player, String bot, Failure failure) {
+        out.writeStringProperty("name", player.name());
+        out.writeStringProperty("bot", bot);
+        out.writeNumberProperty("rank", player.rank());
+        JsonNumbers.write(out, "score", player.score());
+        out.writeStringProperty("out", player.out());
+        out.writeStringProperty("fault", player.fault());
+        out.writeName("failure");
+        if (failure == null) {
+            out.writeNull();
+        } else {
+            out.writeStartObject();
+            writeFailure(out, failure);
+            out.writeEndObject();
+        }
+        out.writeObjectPropertyStart("answerMs");
+        JsonNumbers.write(out, "average", player.averageNanos() / NANOS_PER_MS);
+        JsonNumbers.write(out, "worst", player.worstNanos() / NANOS_PER_MS);
+        JsonNumbers.write(out, "first", player.firstNanos() / NANOS_PER_MS);
+        out.writeEndObject();
+        writeStrings(out, "warnings", warnings(player));
+        writeData(out, player.data());
+    }
+
+    /** The turn, and what may help. */
+    static void writeFailure(JsonGenerator out, Failure failure) {
+        out.writeNumberProperty("turn", failure.turn());
+        writeStrings(out, "stderr", failure.stderr());
+        writeStrings(out, "hints", failure.hints());
+    }
+
+    private static void writeStrings(JsonGenerator out, String name, List<String> texts) {
+        out.writeArrayPropertyStart(name);
+        texts.forEach(out::writeString);
+        out.writeEndArray();
+    }
+
+    /** What bots reported on stderr. */
+    private static void writeData(JsonGenerator out, Map<String, String> data) {
+        out.writeObjectPropertyStart("data");
+        data.forEach(out::writeStringProperty);
+        out.writeEndObject();
+    }
+
+    private static List<String> warnings(PlayerResult player) {
+        List<String> warnings = new ArrayList<>();
+        if (player.earlyTurns() > 0) {
+            warnings.add("lines beyond the answer in " + TextFormat.count(player.earlyTurns(), "turn"));
+        }
+        return warnings;
+    }
+
+    /** One object with its line end. */
+    static void printObject(Streams streams, Consumer<JsonGenerator> fields) {
+        Json.print(streams, fields);
+    }
+}

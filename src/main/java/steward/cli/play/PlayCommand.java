@@ -1,0 +1,90 @@
+package steward.cli.play;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import steward.cli.shared.AccuracyOption;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.ShippedScenes;
+import steward.cli.shared.Streams;
+import steward.cli.shared.TimeLimitOptions;
+import steward.codingame.LeagueAttributes;
+import steward.codingame.LeagueJson;
+import steward.contest.Contest;
+import steward.files.InputException;
+import steward.game.GameSetup;
+import steward.match.MatchResult;
+import steward.match.Protocol;
+import steward.text.TextFormat;
+
+/** {@code steward play}: plays one match for a rating tool. */
+@Command(name = "play", description = "Plays one match as the game command of psyleague and tools like it: prints one "
+    + "JSON object with ranks, errors and what the bots reported.",
+    footer = {"",
+        "A bot is a command, its words quoted as for a shell, that speaks CodinGame's",
+        "text protocol; 'json:COMMAND' speaks JSON; 'builtin:racer', 'builtin:regular',",
+        "'builtin:contender' and 'builtin:veteran', from weak to strong, come with the",
+        "program. One that cannot be started has failed, and the match has a result.",
+        "", "The object: ranks (0 for the best), errors (1 for a bot that failed), faults",
+        "(why, or null), test_data (seed, and what was reported about the match),",
+        "player_data, attributes.",
+        "What bots report on stderr: '[TDATA] name = value' about the match,",
+        "'[PDATA] name = value' about themselves, '[PDATA+] name = value' summed up,",
+        "'[PDATA][turn] name = value' about a turn.",
+        "", "Example, in psyleague.cfg:",
+        "  cmd_play_game = \"steward play --json-league %%DIR%%/%%P1%% %%DIR%%/%%P2%%\"",
+        "", "Exit status: 0 there is a result, also if a bot failed; 1 there is none; 2 wrong",
+        "call."})
+public final class PlayCommand implements Callable<Integer> {
+
+    private final Streams streams;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Option(names = "--json-league", required = true, description = "Prints the result in this form, the only one.")
+    private boolean league;
+
+    @Parameters(paramLabel = "BOT", description = "The bots, one for each player of the scene; see below.")
+    private List<String> bots = new ArrayList<>();
+
+    @Option(names = "--seed", paramLabel = "N", description = "What is drawn by lot follows from it (default: drawn).")
+    private Long seed;
+
+    @Option(names = "--scene", paramLabel = "FILE|NAME", defaultValue = "mad-pod-racing",
+        completionCandidates = ShippedScenes.class,
+        description = "The scene: a file or one of ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}).")
+    private String scene;
+
+    @Mixin
+    private final AccuracyOption accuracy = new AccuracyOption();
+
+    @Mixin
+    private TimeLimitOptions pace = new TimeLimitOptions();
+
+    public PlayCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() throws InterruptedException {
+        GameSetup setup = accuracy.open(scene);
+        int players = setup.scene().players();
+        if (bots.size() != players) {
+            throw new InputException("found " + TextFormat.count(bots.size(), "bot") + ", expected "
+                + TextFormat.count(players, "bot") + ", one for each player of the scene");
+        }
+        Contest contest = Contest.withFailing(setup, bots, Protocol.CODINGAME, pace.factor(spec));
+        long used = seed == null ? RefereeArguments.drawSeed() : seed;
+        LeagueAttributes attributes = new LeagueAttributes();
+        MatchResult result = contest.play(used, 0, null, attributes);
+        MatchJson.printObject(streams, out -> LeagueJson.write(out, used, result, attributes));
+        return ExitStatus.DONE;
+    }
+}

@@ -1,0 +1,159 @@
+package steward.cli.play;
+
+import java.io.FileDescriptor;
+import java.io.FileInputStream;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import steward.cli.shared.AccuracyOption;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.ShippedScenes;
+import steward.cli.shared.Streams;
+import steward.cli.shared.TimeLimitOptions;
+import steward.codingame.OldReferee;
+import steward.contest.Contest;
+import steward.files.InputException;
+import steward.files.OutputFiles;
+import steward.game.GameSetup;
+import steward.match.Protocol;
+import steward.match.TimeControl;
+
+/** {@code steward referee}: takes the place of another referee in the community's arena tools. */
+@Command(name = "referee", description = "Plays one match as the referee of cg-brutaltester and tools like it: prints "
+    + "one whole number per player, in order; higher is better, negative for a bot that failed.",
+    footer = {"",
+        "A bot is a command, its words quoted as for a shell, that speaks CodinGame's",
+        "text protocol; 'json:COMMAND' speaks JSON; 'builtin:racer', 'builtin:regular',",
+        "'builtin:contender' and 'builtin:veteran', from weak to strong, come with the",
+        "program. One that cannot be started has failed, and the others win.",
+        "", "Files of -l and -r are replaced if they are empty or a file of their own kind,",
+        "since tools name the same files again; any other file is kept, and refused.",
+        "", "Examples:",
+        "  steward referee -p1 ./mine -p2 'python3 other.py' -d seed=7 -l game.json",
+        "  java -jar cg-brutaltester.jar -r 'steward referee' -p1 ./mine -p2 ./other \\",
+        "      -n 100 -s",
+        "  java -jar cg-brutaltester.jar -o -r 'steward referee --old' -p1 ./mine \\",
+        "      -p2 ./other -n 100",
+        "", "Exit status: 0 there is a result; 1 there is none; 2 wrong call."})
+public final class RefereeCommand implements Callable<Integer> {
+
+    private final Streams streams;
+    private CommandSpec spec;
+
+    @Option(names = "-d", paramLabel = "KEY=VALUE",
+        description = "seed=N: what is drawn by lot follows from it (default: drawn). Other keys are passed over.")
+    private List<String> data = new ArrayList<>();
+
+    @Option(names = {"-seed", "--seed"}, paramLabel = "N", description = "The same as -d seed=N.")
+    private Long seed;
+
+    @Option(names = "-l", paramLabel = "FILE", description = "Writes the match as CodinGame's game result in JSON.")
+    private String log;
+
+    @Option(names = "-r", paramLabel = "FILE", description = "Writes the replay of 'steward replay'.")
+    private String replay;
+
+    @Option(names = "-s", description = "Makes a page that shows the match, and prints where it is after the scores.")
+    private boolean page;
+
+    @Option(names = {"-scene", "--scene"}, paramLabel = "FILE|NAME", defaultValue = "mad-pod-racing",
+        completionCandidates = ShippedScenes.class,
+        description = "The scene: a file or one of ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}).")
+    private String scene;
+
+    @Mixin
+    private final AccuracyOption accuracy = new AccuracyOption();
+
+    @Option(names = {"-league", "-lvl"}, paramLabel = "N",
+        description = "Accepted as other referees do; the rules are the scene's.")
+    private Integer league;
+
+    @Option(names = {"--old", "-old"}, description = "Talks with the tool by ###Input and ###Output on the standard "
+        + "streams; the tool starts the bots.")
+    private boolean old;
+
+    @Mixin
+    private TimeLimitOptions pace = new TimeLimitOptions();
+
+    private RefereeCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    /** The command with the options of its players, which have numbers in their names. */
+    public static CommandSpec spec(Streams streams) {
+        RefereeCommand command = new RefereeCommand(streams);
+        command.spec = CommandSpec.forAnnotatedObject(command);
+        command.spec.parser().posixClusteredShortOptionsAllowed(false);
+        RefereeArguments.addPlayers(command.spec);
+        return command.spec;
+    }
+
+    @Override
+    public Integer call() throws InterruptedException {
+        RefereeArguments arguments = new RefereeArguments(spec);
+        Long inData = RefereeArguments.seed(data);
+        check(seed == null || inData == null || seed.equals(inData),
+            "found two seeds, " + seed + " and " + inData + ", expected one");
+        check(league == null || league >= 0, "-league: found " + league + ", expected 0 or more");
+        double factor = pace.factor(spec);
+        Long wanted = seed != null ? seed : inData;
+        if (old) {
+            check(!arguments.hasPlayers() && log == null && replay == null && !page,
+                "--old: expected no -p1, -l, -r or -s with it: the tool has the bots");
+            return playOld(factor, wanted);
+        }
+        GameSetup setup = accuracy.open(scene);
+        List<String> bots = arguments.bots(setup.scene().players(), setup.scene().name());
+        Contest contest = named(Contest.withFailing(setup, bots, Protocol.CODINGAME, factor), arguments);
+        check(log == null || !log.isBlank(), "-l: found no name of a file");
+        check(replay == null || !replay.isBlank(), "-r: found no name of a file");
+        Path logFile = log == null ? null : OutputFiles.path(log);
+        Path replayFile = replay == null ? null : OutputFiles.path(replay);
+        check(logFile == null || replayFile == null
+            || !logFile.toAbsolutePath().normalize().equals(replayFile.toAbsolutePath().normalize()),
+            "-l and -r: found " + log + " twice, expected two files");
+        RefereeFiles.check(logFile, replayFile, page);
+        for (int player = 0; player < contest.entrants().size(); player++) {
+            String problem = contest.entrants().get(player).problem();
+            if (problem != null) {
+                streams.warn("-p" + (player + 1) + " has failed, because it cannot be started: " + problem);
+            }
+        }
+        return new RefereeGame(streams, contest, logFile, replayFile, page).play(wanted);
+    }
+
+    private Integer playOld(double factor, Long wanted) throws InterruptedException {
+        GameSetup setup = accuracy.open(scene);
+        OldReferee referee = new OldReferee(setup, new FileInputStream(FileDescriptor.in), streams.out());
+        try {
+            TimeControl time = factor == Double.POSITIVE_INFINITY ? TimeControl.UNLIMITED
+                : TimeControl.of(setup.scene().time(), factor);
+            referee.play(time, () -> wanted == null ? RefereeArguments.drawSeed() : wanted);
+        } catch (IllegalArgumentException problem) {
+            throw new InputException(problem.getMessage());
+        }
+        return ExitStatus.DONE;
+    }
+
+    private static Contest named(Contest contest, RefereeArguments arguments) {
+        List<Contest.Entrant> entrants = new ArrayList<>();
+        for (int player = 0; player < contest.entrants().size(); player++) {
+            Contest.Entrant entrant = contest.entrants().get(player);
+            String name = arguments.nameOf(player);
+            entrants.add(name == null ? entrant : entrant.named(name));
+        }
+        return new Contest(contest.setup(), entrants, contest.time(), contest.timeFactor());
+    }
+
+    private void check(boolean right, String problem) {
+        if (!right) {
+            throw new ParameterException(spec.commandLine(), problem);
+        }
+    }
+}

@@ -1,0 +1,89 @@
+package steward.cli.play;
+
+import java.io.BufferedOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.FailedException;
+import steward.cli.shared.Streams;
+import steward.codingame.GameResultLog;
+import steward.codingame.GameResultScores;
+import steward.contest.Contest;
+import steward.files.InputException;
+import steward.files.OutputFiles;
+import steward.match.MatchListener;
+import steward.match.MatchResult;
+import steward.replay.page.ReplayPage;
+import tools.jackson.core.JacksonException;
+
+/**
+ * One match for an arena tool. Files that exist are replaced; {@link RefereeFiles} has said which may be.
+ *
+ * @param log    for the game result in JSON, or {@code null}
+ * @param replay for our replay, or {@code null}
+ * @param page   whether a page is made beside the replay
+ */
+record RefereeGame(Streams streams, Contest contest, Path log, Path replay, boolean page) {
+
+    private static final MatchListener NOBODY = new MatchListener() { };
+
+    /**
+     * @param wanted the seed, or {@code null} for any
+     * @return the exit status
+     */
+    int play(Long wanted) throws InterruptedException {
+        long seed = wanted == null ? RefereeArguments.drawSeed() : wanted;
+        Path recording = replay == null && page ? temporary() : replay;
+        MatchResult result;
+        try (OutputStream logStream = log == null ? null : OutputFiles.open(log, true);
+             OutputStream replayStream = recording == null ? null : OutputFiles.open(recording, true)) {
+            GameResultLog gameResult = logStream == null ? null : new GameResultLog();
+            result = contest.play(seed, 0, replayStream, gameResult == null ? NOBODY : gameResult);
+            printScores(result, wanted == null ? "seed=" + seed : null);
+            if (gameResult != null) {
+                gameResult.write(new BufferedOutputStream(logStream), contest.sceneName(), seed, result);
+            }
+        } catch (UncheckedIOException | JacksonException problem) {
+            throw new FailedException("the match could not be brought to a result: " + problem.getMessage());
+        } catch (IOException problem) {
+            throw new FailedException("a file cannot be closed: " + problem.getMessage());
+        }
+        if (page) {
+            streams.out().println("replay: " + recording);
+            streams.out().println("page: " + makePage(recording));
+        }
+        return ExitStatus.DONE;
+    }
+
+    /** At once: whatever becomes of the files, the match has its result. */
+    private void printScores(MatchResult result, String seed) {
+        for (int score : GameResultScores.of(result)) {
+            streams.out().println(score);
+        }
+        if (seed != null) {
+            streams.out().println(seed);
+        }
+    }
+
+    private static Path temporary() {
+        try {
+            return Files.createTempFile("steward-", RefereeFiles.REPLAY);
+        } catch (IOException problem) {
+            throw new InputException("-s: cannot make a file for the replay (-r names one): " + problem.getMessage());
+        }
+    }
+
+    private Path makePage(Path recording) {
+        Path file = RefereeFiles.pageOf(recording);
+        try (OutputStream html = new BufferedOutputStream(OutputFiles.open(file, true))) {
+            ReplayPage.write(recording, html, String.join(" - ",
+                contest.entrants().stream().map(Contest.Entrant::name).toList()));
+        } catch (IOException problem) {
+            throw new FailedException(file + ": cannot be written: " + problem.getMessage());
+        }
+        return file;
+    }
+}

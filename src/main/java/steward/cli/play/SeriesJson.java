@@ -1,0 +1,168 @@
+package steward.cli.play;
+
+import java.nio.file.Path;
+import java.util.List;
+import steward.cli.shared.Streams;
+import steward.contest.AnswerTimes;
+import steward.contest.Contest;
+import steward.contest.Failure;
+import steward.contest.FailureKind;
+import steward.contest.Series;
+import steward.contest.SeriesPlay;
+import steward.contest.Standings;
+import steward.contest.Tally;
+import steward.game.JsonNumbers;
+import steward.match.MatchResult;
+import tools.jackson.core.JsonGenerator;
+
+/**
+ * The result of a series for programs: one JSON object on one line, the same however many threads played it, but for
+ * its last field, {@code times}, and what bots say of time.
+ */
+final class SeriesJson {
+
+    private static final double NANOS_PER_MS = 1e6;
+
+    private SeriesJson() {
+    }
+
+    static void print(Streams streams, Series series, SeriesPlay play) {
+        Standings standings = play.standings();
+        MatchJson.printObject(streams, out -> {
+            out.writeStringProperty("scene", series.contest().sceneName());
+            out.writeStringProperty("seed", Long.toString(series.first()));
+            out.writeNumberProperty("seeds", series.seeds());
+            out.writeBooleanProperty("swap", series.swap());
+            out.writeNumberProperty("planned", series.games());
+            out.writeNumberProperty("games", standings.games().size());
+            out.writeNumberProperty("results", standings.results());
+            out.writeNumberProperty("allFailed", standings.allFailed().size());
+            out.writeBooleanProperty("interrupted", play.isBrokenOff());
+            out.writeStringProperty("stopped", play.stopped());
+            out.writeStringProperty("keep", series.keep().word());
+            JsonNumbers.writeOrNull(out, "meanTurns", standings.meanTurns());
+            out.writeArrayPropertyStart("bots");
+            for (int k = 0; k < series.contest().entrants().size(); k++) {
+                out.writeStartObject();
+                writeBot(out, series.contest().entrants().get(k), standings.tally(k));
+                out.writeEndObject();
+            }
+            out.writeEndArray();
+            out.writeArrayPropertyStart("failures");
+            for (FailureKind kind : standings.failures()) {
+                out.writeStartObject();
+                writeKind(out, kind);
+                out.writeEndObject();
+            }
+            out.writeEndArray();
+            out.writeArrayPropertyStart("list");
+            for (Series.Played game : standings.games()) {
+                out.writeStartObject();
+                writeGame(out, series, game);
+                out.writeEndObject();
+            }
+            out.writeEndArray();
+            out.writeArrayPropertyStart("times");
+            for (int k = 0; k < series.contest().entrants().size(); k++) {
+                out.writeStartObject();
+                writeTimes(out, standings.times(k));
+                out.writeEndObject();
+            }
+            out.writeEndArray();
+        });
+    }
+
+    private static void writeBot(JsonGenerator out, Contest.Entrant entrant, Tally tally) {
+        out.writeStringProperty("name", entrant.name());
+        out.writeStringProperty("bot", entrant.bot());
+        out.writeNumberProperty("wins", tally.wins());
+        out.writeNumberProperty("draws", tally.draws());
+        out.writeNumberProperty("losses", tally.losses());
+        out.writeNumberProperty("allFailed", tally.allFailed());
+        out.writeNumberProperty("faults", tally.faults());
+        JsonNumbers.writeOrNull(out, "points", tally.points());
+        out.writeArrayPropertyStart("interval95");
+        if (tally.games() > 0) {
+            JsonNumbers.write(out, tally.low());
+            JsonNumbers.write(out, tally.high());
+        }
+        out.writeEndArray();
+        JsonNumbers.writeOrNull(out, "meanScore", tally.score());
+    }
+
+    private static void writeKind(JsonGenerator out, FailureKind kind) {
+        out.writeNumberProperty("bot", kind.entrant());
+        out.writeNumberProperty("games", kind.occurrences().size());
+        out.writeNumberProperty("game", kind.game().number());
+        out.writeStringProperty("seed", Long.toString(kind.game().seed()));
+        out.writeStringProperty("fault", kind.first().reason());
+        MatchJson.writeFailure(out, kind.first());
+        writePath(out, kind.game().replay());
+    }
+
+    private static void writeGame(JsonGenerator out, Series series, Series.Played game) {
+        out.writeNumberProperty("game", game.number());
+        out.writeStringProperty("seed", Long.toString(game.seed()));
+        out.writeArrayPropertyStart("order");
+        for (int player = 0; player < series.contest().entrants().size(); player++) {
+            out.writeNumber(series.contest().entrantOf(player, game.rotation()));
+        }
+        out.writeEndArray();
+        if (game.result() == null) {
+            out.writeStringProperty("failure", game.failure());
+        } else {
+            writeResult(out, game.result(), game.failures());
+        }
+        writePath(out, game.replay());
+    }
+
+    private static void writeResult(JsonGenerator out, MatchResult result, List<Failure> failures) {
+        out.writeNumberProperty("turns", result.turns());
+        out.writeStringProperty("ending", result.ending());
+        out.writeArrayPropertyStart("ranks");
+        result.players().forEach(player -> out.writeNumber(player.rank()));
+        out.writeEndArray();
+        out.writeArrayPropertyStart("scores");
+        result.players().forEach(player -> JsonNumbers.write(out, player.score()));
+        out.writeEndArray();
+        out.writeArrayPropertyStart("faults");
+        result.players().forEach(player -> out.writeString(player.fault()));
+        out.writeEndArray();
+        Integer[] turns = new Integer[result.players().size()];
+        failures.forEach(failure -> turns[failure.player()] = failure.turn());
+        out.writeArrayPropertyStart("faultTurns");
+        for (Integer turn : turns) {
+            if (turn == null) {
+                out.writeNull();
+            } else {
+                out.writeNumber(turn);
+            }
+        }
+        out.writeEndArray();
+    }
+
+    /** In the order of the bots; milliseconds. */
+    private static void writeTimes(JsonGenerator out, AnswerTimes times) {
+        boolean any = times.count() > 0;
+        out.writeNumberProperty("answers", times.count());
+        JsonNumbers.writeOrNull(out, "mean", times.meanNanos() / NANOS_PER_MS);
+        JsonNumbers.writeOrNull(out, "p99", any ? times.quantileNanos(SeriesText.PERCENTILE) / NANOS_PER_MS
+            : Double.NaN);
+        JsonNumbers.writeOrNull(out, "worst", any ? times.worstNanos() / NANOS_PER_MS : Double.NaN);
+        out.writeName("worstGame");
+        if (any) {
+            out.writeNumber(times.worstGame());
+            out.writeNumberProperty("worstTurn", times.worstTurn());
+        } else {
+            out.writeNull();
+            out.writeNullProperty("worstTurn");
+        }
+        JsonNumbers.writeOrNull(out, "meanFirst", times.meanFirstNanos() / NANOS_PER_MS);
+        JsonNumbers.writeOrNull(out, "worstFirst", Double.isNaN(times.meanFirstNanos()) ? Double.NaN
+            : times.worstFirstNanos() / NANOS_PER_MS);
+    }
+
+    private static void writePath(JsonGenerator out, Path replay) {
+        out.writeStringProperty("replay", replay == null ? null : replay.toString());
+    }
+}

@@ -1,0 +1,105 @@
+package steward.cli.play;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Interruption;
+import steward.cli.shared.ProgressLine;
+import steward.cli.shared.Streams;
+import steward.cli.shared.Verbosity;
+import steward.contest.Series;
+import steward.contest.SeriesPlay;
+import steward.contest.Standings;
+import steward.text.TextFormat;
+
+/**
+ * Plays a series and tells how it went, also when it is interrupted.
+ *
+ * @param report how much is said
+ * @param strict whether a bot that fails makes the exit status 1
+ */
+record SeriesRun(Streams streams, Series series, Verbosity report, boolean strict) {
+
+    /** So many games without a result are told one by one. */
+    private static final int PROBLEMS_SHOWN = 10;
+
+    private static final int LONGEST_NAME = 12;
+
+    /** @return the exit status: not 0 if a game has no result */
+    int play(int threads, boolean overwrite) throws InterruptedException {
+        series.prepare(overwrite);
+        SeriesPlay play = new SeriesPlay(series, overwrite);
+        AtomicBoolean told = new AtomicBoolean();
+        ProgressLine progress = report == Verbosity.LINE || !streams.errTerminal() ? null
+            : new ProgressLine(streams.err(), series.games());
+        try (Interruption interruption = new Interruption(streams, () -> told.getAndSet(true) ? null
+                : interrupted(play, progress))) {
+            play.play(threads, () -> {
+                if (progress != null) {
+                    progress.step(standing(play.standings()));
+                }
+            });
+            if (told.getAndSet(true)) {
+                return ExitStatus.FAILED;              // the process is about to end, with the status of its signal
+            }
+        } finally {
+            if (progress != null) {
+                progress.close();
+            }
+        }
+        tell(play);
+        tellProblems(play);
+        boolean whole = play.stopped() == null && play.standings().results() == series.games();
+        boolean faults = play.standings().gamesWithFaults() > 0;
+        return !whole || strict && faults ? ExitStatus.FAILED : ExitStatus.DONE;
+    }
+
+    /** How the first bot stands. */
+    private String standing(Standings standings) {
+        String name = TextFormat.shorten(series.contest().entrants().get(0).name(), LONGEST_NAME);
+        return name + " " + TextFormat.fixed(standings.points(0), 3);
+    }
+
+    /** By Ctrl-C, in another thread than that which plays. */
+    private String interrupted(SeriesPlay play, ProgressLine progress) {
+        List<Path> cut = play.breakOff();
+        if (progress != null) {
+            progress.close();
+        }
+        int games = play.standings().games().size();
+        if (games > 0 || report == Verbosity.JSON) {
+            tell(play);
+        }
+        streams.out().flush();
+        return (games == 0 ? "no game was complete" : games + " of " + TextFormat.count(series.games(), "game")
+            + (games == 1 ? " was" : " were") + " complete and count") + (cut.isEmpty() ? ""
+            : "; replays that were cut off: " + String.join(" ", cut.stream().map(Path::toString).toList()));
+    }
+
+    private void tell(SeriesPlay play) {
+        switch (report) {
+            case JSON -> SeriesJson.print(streams, series, play);
+            case LINE -> streams.out().println(SeriesText.headline(series, play.standings()));
+            default -> SeriesText.print(streams.out(), series, play.standings());
+        }
+    }
+
+    private void tellProblems(SeriesPlay play) {
+        int problems = 0;
+        for (Series.Played game : play.standings().games()) {
+            if (game.result() == null && problems++ < PROBLEMS_SHOWN) {
+                streams.err().println("steward: game " + game.number() + " could not be brought to a result: "
+                    + TextFormat.plain(game.failure()));
+            }
+        }
+        if (problems > PROBLEMS_SHOWN) {
+            streams.err().println("steward: and " + TextFormat.count(problems - PROBLEMS_SHOWN, "game") + " more");
+        }
+        if (play.stopped() != null) {
+            streams.err().println("steward: the series ends after " + play.standings().games().size() + " of "
+                + TextFormat.count(series.games(), "game") + ", because a replay could not be written; "
+                + "make room, or call with --keep none");
+        }
+    }
+}

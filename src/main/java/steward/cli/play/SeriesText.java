@@ -1,0 +1,170 @@
+package steward.cli.play;
+
+import java.io.PrintStream;
+import java.util.List;
+import steward.cli.shared.FailureText;
+import steward.contest.AnswerTimes;
+import steward.contest.Contest;
+import steward.contest.FailureKind;
+import steward.contest.Keep;
+import steward.contest.Series;
+import steward.contest.Standings;
+import steward.contest.Tally;
+import steward.text.TextFormat;
+
+/** The result of a series for people. */
+final class SeriesText {
+
+    private static final int KINDS_SHOWN = 10;
+    /** So many games are named in a line. */
+    private static final int GAMES_SHOWN = 8;
+    private static final double NANOS_PER_MS = 1e6;
+    static final double PERCENTILE = 0.99;
+
+    private SeriesText() {
+    }
+
+    /** One line: how many games of what, the points, and who failed how often. */
+    static String headline(Series series, Standings standings) {
+        StringBuilder line = new StringBuilder(games(series, standings) + ":");
+        StringBuilder faults = new StringBuilder();
+        for (int k = 0; k < series.contest().entrants().size(); k++) {
+            Tally tally = standings.tally(k);
+            String name = series.contest().entrants().get(k).name();
+            line.append(k == 0 ? " " : ", ").append(name).append(' ').append(TextFormat.fixed(tally.points(), 3));
+            if (tally.faults() > 0) {
+                faults.append("; ").append(name).append(" failed in ").append(tally.faults());
+            }
+        }
+        int without = standings.games().size() - standings.results();
+        if (without > 0) {
+            faults.append("; ").append(without).append(" without a result");
+        }
+        return TextFormat.plain(line.toString() + faults);
+    }
+
+    /** {@code 12 of 40 games of duel}, or {@code 40 games of duel}. */
+    private static String games(Series series, Standings standings) {
+        int played = standings.games().size();
+        return (played < series.games() ? played + " of " : "") + TextFormat.count(series.games(), "game") + " of "
+            + series.contest().sceneName();
+    }
+
+    /** Everything. */
+    static void print(PrintStream out, Series series, Standings standings) {
+        long last = series.first() + series.seeds() - 1;
+        out.println(games(series, standings) + ", "
+            + (series.seeds() == 1 ? "seed " + series.first() : "seeds " + series.first() + " to " + last)
+            + (series.swap() ? ", each with every order of sides" : "")
+            + (standings.results() < standings.games().size()
+                ? ", " + (standings.games().size() - standings.results()) + " without a result" : "")
+            + "; " + TextFormat.fixed(standings.meanTurns(), 1) + " turns on average");
+        out.println();
+        points(out, series, standings);
+        out.println();
+        times(out, series, standings);
+        out.println();
+        out.println("Points: 1 for a win, 1/2 for a draw"
+            + (series.contest().entrants().size() > 2 ? " against each other bot, divided by their number" : "")
+            + "; Wilson's 95% interval.");
+        out.println("Times without first answers, which include the start of the program; p99 is at most 1.6% high.");
+        allFailed(out, series, standings.allFailed());
+        failures(out, series, standings.failures());
+        replays(out, series, standings.games());
+    }
+
+    private static int nameWidth(Series series) {
+        int width = series.contest().entrants().stream().mapToInt(entrant -> entrant.name().length()).max().orElse(0);
+        return Math.min(40, Math.max(3, width));
+    }
+
+    private static String name(Contest.Entrant entrant, int width) {
+        return TextFormat.left(TextFormat.plain(TextFormat.shorten(entrant.name(), width)), width);
+    }
+
+    private static void points(PrintStream out, Series series, Standings standings) {
+        int names = nameWidth(series);
+        out.println(TextFormat.left("bot", names)
+            + "    wins   draws  losses  faults  points   95% interval    mean score");
+        for (int k = 0; k < series.contest().entrants().size(); k++) {
+            Tally tally = standings.tally(k);
+            out.println(name(series.contest().entrants().get(k), names)
+                + TextFormat.right(Integer.toString(tally.wins()), 8)
+                + TextFormat.right(Integer.toString(tally.draws()), 8)
+                + TextFormat.right(Integer.toString(tally.losses()), 8)
+                + TextFormat.right(Integer.toString(tally.faults()), 8)
+                + TextFormat.right(TextFormat.fixed(tally.points(), 3), 8)
+                + "   " + TextFormat.left(TextFormat.fixed(tally.low(), 3) + " to "
+                    + TextFormat.fixed(tally.high(), 3), 14)
+                + TextFormat.right(TextFormat.fixed(tally.score(), 2), 12));
+        }
+    }
+
+    private static void times(PrintStream out, Series series, Standings standings) {
+        int names = nameWidth(series);
+        out.println(TextFormat.left("bot", names) + " answers   mean ms    p99 ms  worst ms  first ms   worst in");
+        for (int k = 0; k < series.contest().entrants().size(); k++) {
+            AnswerTimes times = standings.times(k);
+            boolean any = times.count() > 0;
+            out.println(name(series.contest().entrants().get(k), names)
+                + TextFormat.right(Long.toString(times.count()), 8)
+                + TextFormat.right(TextFormat.fixed(times.meanNanos() / NANOS_PER_MS, 2), 10)
+                + TextFormat.right(any ? TextFormat.ms(times.quantileNanos(PERCENTILE)) : "-", 10)
+                + TextFormat.right(any ? TextFormat.ms(times.worstNanos()) : "-", 10)
+                + TextFormat.right(TextFormat.fixed(times.meanFirstNanos() / NANOS_PER_MS, 2), 10)
+                + (any ? "   game " + times.worstGame() + ", turn " + times.worstTurn() : ""));
+        }
+    }
+
+    private static void allFailed(PrintStream out, Series series, List<Series.Played> games) {
+        if (!games.isEmpty()) {
+            List<String> numbers = games.stream().limit(GAMES_SHOWN).map(game -> "game " + game.number()).toList();
+            out.println((series.contest().entrants().size() == 2 ? "Both" : "All") + " bots failed in the same turn in "
+                + TextFormat.count(games.size(), "game") + " (" + more(numbers, games.size())
+                + "): no draws of merit, and not counted as such; points as for a draw.");
+        }
+    }
+
+    private static String more(List<String> shown, int all) {
+        return String.join("; ", shown) + (all > shown.size() ? "; and " + (all - shown.size()) + " more" : "");
+    }
+
+    private static void failures(PrintStream out, Series series, List<FailureKind> kinds) {
+        for (FailureKind kind : kinds.subList(0, Math.min(KINDS_SHOWN, kinds.size()))) {
+            List<FailureKind.Occurrence> all = kind.occurrences();
+            out.println();
+            out.println(TextFormat.plain(series.contest().entrants().get(kind.entrant()).name() + " failed in "
+                + TextFormat.count(all.size(), "game") + (all.size() == 1 ? ", game " : ", first in game ")
+                + kind.game().number() + " (seed " + kind.game().seed() + ") in turn " + kind.first().turn() + ": "
+                + kind.first().reason()));
+            FailureText.print(out, kind.first(), "  ");
+            if (kind.game().replay() != null) {
+                out.println("  replay: " + kind.game().replay());
+            }
+            if (all.size() > 1) {
+                out.println("  also in " + more(all.stream().skip(1).limit(GAMES_SHOWN).map(
+                    one -> "game " + one.game().number() + ", turn " + one.turn()).toList(), all.size() - 1));
+            }
+        }
+        if (kinds.size() > KINDS_SHOWN) {
+            out.println();
+            out.println("and " + TextFormat.count(kinds.size() - KINDS_SHOWN, "kind") + " of failure more; "
+                + "--json lists all");
+        }
+    }
+
+    private static void replays(PrintStream out, Series series, List<Series.Played> games) {
+        if (series.folder() == null) {
+            return;
+        }
+        List<Series.Played> kept = games.stream().filter(game -> game.replay() != null).toList();
+        out.println();
+        if (kept.isEmpty()) {
+            out.println("Replays: none (--keep " + series.keep().word() + ")");
+            return;
+        }
+        out.println("Replays: " + (series.keep() == Keep.ALL ? "" : kept.size() + " of "
+            + TextFormat.count(games.size(), "game") + " (--keep " + series.keep().word() + "), ")
+            + kept.get(0).replay() + (kept.size() == 1 ? "" : " to " + kept.get(kept.size() - 1).replay()));
+    }
+}

@@ -1,0 +1,69 @@
+package steward.cli.play;
+
+import java.util.List;
+import steward.cli.shared.Streams;
+import steward.game.FrameCodec;
+import steward.game.Game;
+import steward.game.TurnEvent;
+import steward.match.MatchListener;
+import steward.match.Turn;
+import steward.text.TextFormat;
+
+/** Prints to a terminal what happens while a match is played: a line per headline, lead change and fault. */
+final class TurnProgress implements MatchListener {
+
+    private static final int NOBODY = -1;
+
+    private final Streams streams;
+    private final List<String> names;
+    private Game game;
+    private int leader = NOBODY;
+
+    /** @param names of the players, in order */
+    TurnProgress(Streams streams, List<String> names) {
+        this.streams = streams;
+        this.names = names;
+    }
+
+    @Override
+    public void start(Game startedGame, FrameCodec codec) {
+        game = startedGame;
+    }
+
+    @Override
+    public void played(Turn turn) {
+        for (int player = 0; player < turn.players(); player++) {
+            if (turn.fault(player) != null) {
+                say(turn, names.get(player) + " is out: " + turn.fault(player));
+            }
+        }
+        for (TurnEvent event : game.events()) {
+            if (event.headline()) {
+                say(turn, event.text());
+            }
+        }
+        int now = leader();
+        if (now != NOBODY && now != leader) {
+            say(turn, names.get(now) + " leads");
+            leader = now;
+        }
+    }
+
+    private int leader() {
+        int[] ranks = game.ranks();
+        int best = NOBODY;
+        for (int player = 0; player < ranks.length; player++) {
+            if (ranks[player] == 0 && best != NOBODY) {
+                return NOBODY;
+            }
+            best = ranks[player] == 0 ? player : best;
+        }
+        return best;
+    }
+
+    private void say(Turn turn, String what) {
+        streams.out().println("turn " + TextFormat.right(Integer.toString(turn.number()), 3) + "  "
+            + TextFormat.plain(TextFormat.shorten(what, 90)));
+        streams.out().flush();
+    }
+}

@@ -1,0 +1,205 @@
+package steward.cli.replay;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import steward.bot.command.BotCommand;
+import steward.bot.process.Debugger;
+import steward.cli.shared.Games;
+import steward.cli.shared.PlayerChoice;
+import steward.cli.shared.StandardFiles;
+import steward.cli.shared.Streams;
+import steward.files.InputException;
+import steward.files.OutputFiles;
+import steward.match.Protocol;
+import steward.replay.RecordedMatch;
+import steward.replay.ReplayReader;
+import steward.replay.verify.Resimulation;
+
+/** {@code steward feed}: sends a bot what one player of a recorded match was sent. */
+@Command(name = "feed", description = "Sends a bot, without any deadline, what one player of a recorded match was "
+    + "sent, and compares its answers with the recorded ones; or lets it play on from some turn.",
+    footer = {"",
+        "A bot is a command; before its first word may stand NAME=, and one of json:,",
+        "codingame: and builtin:, as for 'match': they say what it speaks. Without a",
+        "prefix it speaks what the player spoke.",
+        "", "The bot's stderr and terminal are left as they are. To look into it:",
+        "  gdb        'feed ... -- gdb ./a.out' gives gdb the terminal, and the bot that",
+        "             it runs the frames: set breakpoints, then 'run'. With arguments:",
+        "             gdb --args ./a.out x y. Ctrl-C stops the bot while it runs; at",
+        "             gdb's own prompt it ends everything.",
+        "  any other  with --pause or --until the bot waits while you attach to the",
+        "             process whose number is printed: lldb -p PID, gdb -p PID; most",
+        "             IDEs can do that too.",
+        "  Java       -- java -agentlib:jdwp=transport=dt_socket,server=y,suspend=y,\\",
+        "             quiet=y,address=5005 Bot",
+        "  Python     breakpoint() reads what the bot should read: use a debugger that",
+        "             listens on a port.",
+        "", "With --replace the others do not see that anything has changed: their recorded",
+        "commands are applied as they are, and who failed then fails again. The match",
+        "ends when the rules say so, or where a player who is in has nothing in the",
+        "recording; then the new replay has no result, and verifies all the same.",
+        "A bot that is still there a second after the end is killed, unless there is a",
+        "debugger or --pause.",
+        "", "--json: player, name, bot, protocol, compared, same, differing (turn,",
+        "recordedFault, fault, fields: field, recorded, now); with --replace also",
+        "played: turns, turnsInAll, ending or null, noResultBecause, ahead, replay.",
+        "", "Examples:",
+        "  steward feed match.jsonl --player 0 -- ./mybot",
+        "  steward feed match.jsonl --player veteran -- builtin:contender",
+        "  steward feed match.jsonl --player 0 --pause=57 -- python3 bot.py",
+        "  steward feed match.jsonl --player 0 -- gdb ./a.out",
+        "  steward feed match.jsonl --player 0 --from-turn 57 --replace --out new.jsonl \\",
+        "      -- ./mybot",
+        "", "Exit status: 0 every answer that was compared is the same; 1 some differ;",
+        "2 wrong call or file."})
+public final class FeedCommand implements Callable<Integer> {
+
+    private final Streams streams;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(index = "0", paramLabel = "REPLAY",
+        description = "The recorded match; - is the standard input.")
+    private String file;
+
+    @Parameters(index = "1..*", arity = "0..*", paramLabel = "COMMAND",
+        description = "The bot and its arguments, after --.")
+    private List<String> command = new ArrayList<>();
+
+    @Option(names = "--player", paramLabel = "P", required = true,
+        description = "Which player: its number, counted from 0, or its name.")
+    private String playerTyped;
+
+    @Option(names = "--protocol", paramLabel = "W",
+        description = "What a bot without a prefix speaks: json or codingame (default: what the player spoke).")
+    private String protocol;
+
+    @Option(names = "--until", paramLabel = "N",
+        description = "Stops when turn N has been answered; the bot waits until you press Enter or it ends.")
+    private Integer until;
+
+    @Option(names = "--pause", paramLabel = "N", arity = "0..1", fallbackValue = "1",
+        description = "Waits for Enter before turn N is sent (default: before everything).")
+    private Integer pause;
+
+    @Option(names = "--from-turn", paramLabel = "N", description = "With --replace: the first turn that the bot plays.")
+    private Integer from;
+
+    @Option(names = "--replace",
+        description = "Lets the bot play on in place of the player; with --from-turn and --out.")
+    private boolean replace;
+
+    @Option(names = "--out", paramLabel = "NEW",
+        description = "With --replace: where the new replay goes; - is the standard output.")
+    private String out;
+
+    @Option(names = "--overwrite", description = "Replaces a replay that exists.")
+    private boolean overwrite;
+
+    @Option(names = "--quiet", description = "Prints only what differs, and the summary.")
+    private boolean quiet;
+
+    @Option(names = "--json", description = "Prints one JSON object instead; see below.")
+    private boolean json;
+
+    public FeedCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() throws InterruptedException {
+        checkCall();
+        Path path = StandardFiles.is(file) ? null : OutputFiles.path(file);
+        RecordedMatch match;
+        try (ReplayReader replay = path == null ? StandardFiles.openReplay(streams) : ReplayCommand.open(path)) {
+            match = RecordedMatch.read(replay);
+        }
+        int player = PlayerChoice.of(playerTyped, match.header().names(), match.source());
+        int last = match.lastAsked(player);
+        checkTurn("--until", until, last, match, player);
+        checkTurn("--pause", pause, last, match, player);
+        checkTurn("--from-turn", from, last, match, player);
+        if (out != null && !StandardFiles.is(out) && OutputFiles.isSame(path, OutputFiles.path(out))) {
+            throw new InputException("--out: found the replay itself, expected another file");
+        }
+        BotCommand bot = bot(match.header().protocols().get(player));
+        check(pause == null || !Debugger.is(bot.words()),
+            "--pause is for attaching, expected none with a debugger");
+        Protocol spoken = spoken(bot);
+        Resimulation again = new Resimulation(match.header(), Games.types(), match.source());
+        if (spoken == Protocol.CODINGAME && again.setup().textCodec(again.game()).isEmpty()) {
+            throw new InputException("--protocol: found codingame, expected json: the scene has no other");
+        }
+        FeedSession feeding = new FeedSession(streams, match, player, bot, spoken, words(bot), pause, quiet, json,
+            StandardFiles.is(out));
+        return replace ? feeding.replace(from, out, overwrite)
+            : feeding.compare(until == null ? Integer.MAX_VALUE : until);
+    }
+
+    private void checkCall() {
+        check(!command.isEmpty(), "expected the command of a bot: steward feed REPLAY --player P -- COMMAND");
+        check(!replace || from != null && out != null, "--replace: expected --from-turn and --out with it");
+        check(replace || from == null, "--from-turn is for --replace, expected both");
+        check(replace || out == null, "--out is for --replace, expected both");
+        check(!overwrite || out != null, "--overwrite: expected --out with it");
+        check(!replace || until == null, "--until and --replace exclude each other");
+        check(protocol == null || Protocol.of(protocol).isPresent(),
+            "--protocol: found '" + protocol + "', expected json or codingame");
+        check(!json || !StandardFiles.is(out), "--json is printed to the standard output, expected a file for --out");
+        check(!StandardFiles.is(file) || pause == null && until == null,
+            "--pause and --until wait for Enter on the standard input, expected a file for REPLAY with them");
+    }
+
+    private void check(boolean right, String problem) {
+        if (!right) {
+            throw new ParameterException(spec.commandLine(), problem);
+        }
+    }
+
+    private static void checkTurn(String option, Integer turn, int last, RecordedMatch match, int player) {
+        if (turn != null && (turn < 1 || turn > last)) {
+            throw new InputException(option + ": found " + turn + ", expected " + (last == 0 ? "none: there is no turn"
+                : "1 to " + last + ", the last turn") + " in which player " + player + " was asked in "
+                + match.source());
+        }
+    }
+
+    /** A single word is taken apart as 'match' does, unless there is such a file. */
+    private BotCommand bot(Protocol recorded) {
+        Protocol usual = protocol == null ? recorded : Protocol.of(protocol).orElseThrow();
+        BotCommand.Prefix prefix = usual == Protocol.CODINGAME ? BotCommand.Prefix.CODINGAME : BotCommand.Prefix.JSON;
+        try {
+            return command.size() > 1 || Files.exists(OutputFiles.path(command.get(0)))
+                ? BotCommand.of(command, prefix) : BotCommand.parse(command.get(0), prefix);
+        } catch (IllegalArgumentException problem) {
+            throw new InputException(problem.getMessage());
+        }
+    }
+
+    private Protocol spoken(BotCommand bot) {
+        Protocol spoken = bot.prefix() == BotCommand.Prefix.CODINGAME ? Protocol.CODINGAME : Protocol.JSON;
+        if (protocol != null && !spoken.word().equals(protocol)) {
+            throw new InputException("--protocol: found " + protocol + ", expected " + spoken.word() + " or none: '"
+                + bot + "' speaks " + spoken.word());
+        }
+        return spoken;
+    }
+
+    private static List<String> words(BotCommand bot) {
+        try {
+            return bot.resolve();
+        } catch (IllegalArgumentException problem) {
+            throw new InputException(problem.getMessage());
+        }
+    }
+}

@@ -1,0 +1,127 @@
+package steward.cli.replay;
+
+import java.io.PrintStream;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Json;
+import steward.cli.shared.MatchText;
+import steward.cli.shared.StandardFiles;
+import steward.match.MatchResult;
+import steward.replay.ReplayHeader;
+import steward.replay.feed.FedTurn;
+import steward.replay.feed.Takeover;
+import steward.replay.verify.Difference;
+import steward.text.TextFormat;
+
+/** Tells, turn by turn, whether a bot does what was recorded, and counts. */
+final class FeedReport {
+
+    /** A turn can differ in every field; more are only counted. */
+    private static final int MOST_FIELDS = 6;
+    private static final int MOST_TURNS = 10;
+    private static final int WIDTH = 100;
+    private static final String INDENT = " ".repeat(11);
+
+    private final FeedSession session;
+    private final PrintStream text;
+    private final List<FedTurn> differing = new ArrayList<>();
+    private int compared;
+    private int played;
+    private boolean diverged;
+
+    FeedReport(FeedSession session) {
+        this.session = session;
+        text = session.text();
+    }
+
+    /** A turn has been answered. */
+    void add(FedTurn turn) {
+        String what = turn.same() ? "same" : "differs: " + differences(turn);
+        if (turn.replaced()) {
+            played++;
+            what = diverged ? "played" + (turn.fault() == null ? "" : ": " + turn.fault()) : "played, " + what;
+            diverged |= !turn.same();
+        } else {
+            compared++;
+            if (!turn.same()) {
+                differing.add(turn);
+            }
+        }
+        if (!session.json() && (!session.quiet() || !turn.same() && !turn.replaced())) {
+            text.println("turn " + TextFormat.right(Integer.toString(turn.number()), 4) + "  "
+                + TextFormat.wrap(TextFormat.plain(what), "; ", WIDTH - INDENT.length(), INDENT));
+            text.flush();
+        }
+    }
+
+    private static String differences(FedTurn turn) {
+        if (turn.fault() != null) {
+            return "recorded " + (turn.recordedFault() == null ? "a command" : turn.recordedFault()) + ", now "
+                + turn.fault();
+        }
+        if (turn.recordedFault() != null) {
+            return "recorded " + turn.recordedFault() + ", now a command";
+        }
+        List<String> fields = new ArrayList<>();
+        for (Difference each : turn.differences()) {
+            if (fields.size() == MOST_FIELDS) {
+                fields.add("and " + (turn.differences().size() - MOST_FIELDS) + " more");
+                break;
+            }
+            fields.add(each.field() + " recorded " + TextFormat.shorten(each.recorded(), WIDTH) + ", now "
+                + TextFormat.shorten(each.found(), WIDTH));
+        }
+        return String.join("; ", fields);
+    }
+
+    /**
+     * The counts of all turns that were compared, and what came of letting the bot play.
+     *
+     * @param outcome or {@code null} if it did not play
+     * @param file    of the new replay as it was typed, or {@code null}
+     */
+    void end(Takeover.Outcome outcome, String file) {
+        if (session.match().warning() != null) {
+            session.streams().warn(session.match().warning());
+        }
+        if (session.json()) {
+            Json.print(session.streams(), out -> {
+                FeedJson.write(out, session, compared, differing);
+                FeedJson.write(out, outcome, played, file);
+            });
+            return;
+        }
+        String where = "";
+        for (int k = 0; k < differing.size() && k < MOST_TURNS; k++) {
+            where += (k > 0 ? ", " : differing.size() > 1 ? " (turns " : " (turn ") + differing.get(k).number();
+        }
+        where += differing.isEmpty() ? "" : differing.size() > MOST_TURNS ? ", ...)" : ")";
+        text.println(TextFormat.count(compared, "turn") + " compared: " + (compared - differing.size())
+            + " the same, " + differing.size() + " different" + where);
+        if (outcome != null) {
+            printOutcome(outcome, file);
+        }
+    }
+
+    private void printOutcome(Takeover.Outcome outcome, String file) {
+        text.println(TextFormat.count(played, "turn") + " played by the bot");
+        MatchResult result = outcome.result();
+        ReplayHeader header = session.match().header();
+        String scene = Json.word(Json.object(header.scene()).get("name"), 0);
+        if (result != null) {
+            text.println(MatchText.headline(scene, header.seed(), result));
+        } else {
+            text.println(TextFormat.plain("no result after " + TextFormat.count(outcome.turns(), "turn") + ": "
+                + outcome.reason() + "; ahead then: " + String.join(", ", outcome.ahead())));
+        }
+        if (!StandardFiles.is(file)) {
+            MatchText.printReplay(text, Path.of(file));
+        }
+    }
+
+    int status() {
+        return differing.isEmpty() ? ExitStatus.DONE : ExitStatus.FAILED;
+    }
+}

@@ -1,0 +1,170 @@
+package steward.cli.replay;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.io.UncheckedIOException;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import steward.bot.command.BotCommand;
+import steward.bot.command.CommandLine;
+import steward.bot.process.AttendedProcess;
+import steward.bot.process.Debugger;
+import steward.cli.shared.EnterKey;
+import steward.cli.shared.FailedException;
+import steward.cli.shared.Games;
+import steward.cli.shared.Streams;
+import steward.files.InputException;
+import steward.files.OutputFiles;
+import steward.match.Protocol;
+import steward.replay.RecordedMatch;
+import steward.replay.feed.Feed;
+import steward.replay.feed.Takeover;
+import steward.replay.page.UnclosedOutputStream;
+import steward.text.TextFormat;
+
+/**
+ * A recorded match, a player of it, and a bot that is started to be sent what that player was sent.
+ *
+ * @param bot      as it was called
+ * @param words    the program and its arguments
+ * @param pause    the turn before which is waited for Enter, or {@code null}
+ * @param quiet    whether turns that are the same are passed over
+ * @param json     whether nothing but one JSON object is printed to the standard output
+ * @param piped    whether the standard output is the new replay
+ */
+record FeedSession(Streams streams, RecordedMatch match, int player, BotCommand bot, Protocol protocol,
+                   List<String> words, Integer pause, boolean quiet, boolean json, boolean piped) {
+
+    /** How long the bot may take to end by itself, where nobody is looking into it. */
+    private static final long GRACE_MS = 1000;
+    private static final long KILL_MS = 500;
+
+    /** What is done with a bot once it runs; gives the exit status. */
+    private interface Work {
+        int with(AttendedProcess process, FeedReport report, WaitingNotice waiting) throws InterruptedException;
+    }
+
+    /** Where a person reads what happens. */
+    PrintStream text() {
+        return json || piped ? streams.err() : streams.out();
+    }
+
+    /** As it was called, since a bundled bot's words are a long line of a JVM. */
+    private String called() {
+        return bot.prefix() == BotCommand.Prefix.BUILTIN ? bot.toString() : CommandLine.quote(words);
+    }
+
+    /** Sends the turns to the last or the given one, and compares. */
+    int compare(int until) throws InterruptedException {
+        return start((process, report, waiting) -> {
+            Feed feed = new Feed(match, Games.types(), player, protocol, process);
+            Feed.Ending ending = feed.run(until, turn -> before(turn, process, waiting), turn -> {
+                waiting.answered();
+                report.add(turn);
+            });
+            report.end(null, null);
+            if (ending == Feed.Ending.STOPPED) {
+                hold(until, process);
+            }
+            return report.status();
+        });
+    }
+
+    /**
+     * Lets the bot play on, and records that.
+     *
+     * @param file as it was typed
+     */
+    int replace(int from, String file, boolean overwrite) throws InterruptedException {
+        try (OutputStream out = piped ? new UnclosedOutputStream(streams.out())
+                : OutputFiles.open(OutputFiles.path(file), overwrite)) {
+            return start((process, report, waiting) -> {
+                Takeover takeover = new Takeover(match, Games.types(), player, protocol, process, from,
+                    bot.toString(), out);
+                Takeover.Outcome outcome = takeover.run(turn -> before(turn, process, waiting), turn -> {
+                    waiting.answered();
+                    report.add(turn);
+                });
+                report.end(outcome, file);
+                return report.status();
+            });
+        } catch (UncheckedIOException problem) {
+            throw new FailedException(file + ": " + problem.getMessage());
+        } catch (IOException problem) {
+            throw new FailedException(file + ": cannot be closed: " + problem.getMessage());
+        }
+    }
+
+    private int start(Work work) throws InterruptedException {
+        boolean debugger = Debugger.is(words);
+        AttendedProcess process;
+        try {
+            process = AttendedProcess.start(bot.displayName(), debugger ? Debugger.onTerminal(words) : words);
+        } catch (IOException problem) {
+            throw new InputException("the bot could not be started: " + problem.getMessage());
+        }
+        Thread last = new Thread(() -> end(process), "feed-end");
+        Runtime.getRuntime().addShutdownHook(last);
+        PrintStream terminal = debugger ? null : streams.errTerminal() ? streams.err()
+            : streams.outTerminal() ? streams.out() : null;
+        try (WaitingNotice waiting = new WaitingNotice(terminal, protocol.word(), WaitingNotice.AFTER_MS)) {
+            if (!json || pause != null) {
+                text().println(TextFormat.plain("process " + process.pid() + " is player " + player + " of "
+                    + match.source() + ", speaks " + protocol.word() + ": " + called()));
+                text().flush();
+            }
+            int status = work.with(process, new FeedReport(this), waiting);
+            text().flush();
+            process.close();
+            if (debugger || pause != null) {
+                process.ended().join();
+            } else {
+                process.awaitEnd(GRACE_MS);
+            }
+            return status;
+        } finally {
+            end(process);
+            removeHook(last);
+        }
+    }
+
+    private static void removeHook(Thread hook) {
+        try {
+            Runtime.getRuntime().removeShutdownHook(hook);
+        } catch (IllegalStateException shutdown) {
+            // It runs already, or has run.
+            return;
+        }
+    }
+
+    private static void end(AttendedProcess bot) {
+        try {
+            bot.kill(KILL_MS);
+        } catch (InterruptedException interrupted) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private void before(int turn, AttendedProcess process, WaitingNotice waiting) {
+        if (pause != null && pause == turn) {
+            text().println("waiting before turn " + turn + ": attach to process " + process.pid()
+                + ", then press Enter");
+            text().flush();
+            CompletableFuture.anyOf(EnterKey.pressed(streams), process.ended()).join();
+        }
+        waiting.asked(turn);
+    }
+
+    private void hold(int until, AttendedProcess process) {
+        boolean debugger = Debugger.is(words);
+        text().println("stopped after turn " + until + "; process " + process.pid() + " waits for more until "
+            + (debugger ? "the debugger ends" : "it ends or you press Enter"));
+        text().flush();
+        if (debugger) {
+            process.ended().join();
+        } else {
+            CompletableFuture.anyOf(EnterKey.pressed(streams), process.ended()).join();
+        }
+    }
+}

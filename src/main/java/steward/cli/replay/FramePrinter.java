@@ -1,0 +1,66 @@
+package steward.cli.replay;
+
+import java.util.Map;
+import steward.cli.shared.FailedException;
+import steward.cli.shared.Games;
+import steward.cli.shared.Json;
+import steward.cli.shared.Streams;
+import steward.match.Dialogue;
+import steward.match.LineBuffer;
+import steward.numerics.StateHash;
+import steward.replay.RecordedTurn;
+import steward.replay.ReplayReader;
+import steward.replay.verify.Difference;
+import steward.replay.verify.Resimulation;
+
+/**
+ * Prints the lines that one bot was sent in a recorded match. They are not recorded: they follow from the game, which
+ * is played again.
+ */
+final class FramePrinter {
+
+    private FramePrinter() {
+    }
+
+    /**
+     * A bot that failed was sent the turn it failed in, and nothing after it; one that was out by the rules was sent no
+     * more turns, but the end.
+     *
+     * @param player counted from 0
+     * @throws FailedException if the replay does not say what the game gives, from that turn on
+     */
+    static void print(Streams streams, ReplayReader replay, int player) {
+        Resimulation again = new Resimulation(replay.header(), Games.types(), replay.source());
+        Dialogue frames = Dialogue.of(replay.header().protocols().get(player), again.setup(),
+            again.game(), again.codec());
+        print(streams, frames.setup(player));
+        boolean failed = false;
+        for (RecordedTurn turn = replay.next(); turn != null && !streams.outEnded(); turn = replay.next()) {
+            if (again.game().isIn(player)) {
+                print(streams, frames.turn(player));
+            }
+            failed |= turn.faults()[player] != null;
+            play(again, turn);
+        }
+        if (replay.ending() != null && !failed) {
+            print(streams, frames.end(player));
+        }
+    }
+
+    private static void play(Resimulation again, RecordedTurn turn) {
+        Difference difference = again.play(turn);
+        if (difference != null) {
+            throw new FailedException(turn.where() + ": cannot be played again: " + difference);
+        }
+        Map<String, Object> outcome = Json.object(turn.outcome());
+        String hash = StateHash.toHex(again.game().hash());
+        if (outcome.containsKey("hash") && !hash.equals(outcome.get("hash"))) {
+            throw new FailedException(turn.where() + ": turn " + turn.number() + " differs when it is played again: "
+                + "what the bot was sent from then on cannot be told");
+        }
+    }
+
+    private static void print(Streams streams, LineBuffer frame) {
+        streams.out().write(frame.bytes(), 0, frame.size());
+    }
+}

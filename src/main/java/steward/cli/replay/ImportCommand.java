@@ -1,0 +1,131 @@
+package steward.cli.replay;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.ByteBuffer;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import steward.bot.command.CommandLine;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.FailedException;
+import steward.cli.shared.Games;
+import steward.cli.shared.Json;
+import steward.cli.shared.StandardFiles;
+import steward.cli.shared.Streams;
+import steward.codingame.GameRecordingImport;
+import steward.files.InputException;
+import steward.files.OutputFiles;
+import steward.replay.page.UnclosedOutputStream;
+import steward.text.TextFormat;
+
+/** {@code steward import}: makes a replay from an official recording. */
+@Command(name = "import", description = "Makes a replay from CodinGame's own JSON of a pod race. Verifying it compares "
+    + "the official game with these rules and this physics, to the last bit.",
+    footer = {"",
+        "The JSON is what the site's own page asks its server for: the answer of",
+        "gameResult/findByGameId, or of any request whose answer has \"frames\".",
+        "", "--json: turns, ending (null where the recording ends before), replay.",
+        "", "Examples:",
+        "  steward import game.json --out game.jsonl",
+        "  steward replay game.jsonl --verify",
+        "  curl ... | steward import - --out - | steward replay - --verify",
+        "", "Exit status: 0 imported; 2 the file or the call is wrong: the error names the",
+        "frame and the line."})
+public final class ImportCommand implements Callable<Integer> {
+
+    private static final String BYTE_ORDER_MARK = "\uFEFF";
+
+    private final Streams streams;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(index = "0", paramLabel = "FILE", description = "The recording; - is the standard input.")
+    private String file;
+
+    @Option(names = "--out", paramLabel = "REPLAY", required = true,
+        description = "Where the replay goes; - is the standard output.")
+    private String out;
+
+    @Option(names = "--overwrite", description = "Replaces a replay that exists.")
+    private boolean overwrite;
+
+    @Option(names = "--json", description = "Prints one JSON object instead of words; see below.")
+    private boolean json;
+
+    public ImportCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() throws InterruptedException {
+        boolean piped = StandardFiles.is(out);
+        if (json && piped) {
+            throw new ParameterException(spec.commandLine(),
+                "--json is printed to the standard output, expected a file for --out");
+        }
+        Path replay = piped ? null : OutputFiles.path(out);
+        GameRecordingImport recording = read(replay);
+        GameRecordingImport.Imported imported;
+        try (OutputStream stream = piped ? new UnclosedOutputStream(streams.out())
+                : OutputFiles.open(replay, overwrite)) {
+            imported = recording.write(stream);
+        } catch (IOException problem) {
+            throw new FailedException(replay + ": cannot be closed: " + problem.getMessage());
+        }
+        if (json) {
+            Json.print(streams, object -> {
+                object.writeNumberProperty("turns", imported.turns());
+                object.writeStringProperty("ending", imported.ending());
+                object.writeStringProperty("replay", out);
+            });
+        } else if (!piped) {
+            streams.out().println("imported: " + TextFormat.count(imported.turns(), "turn") + ", "
+                + (imported.ending() == null ? "and there the recording ends" : imported.ending()));
+            streams.out().println("  steward replay " + CommandLine.quote(List.of(replay.toString()))
+                + " --verify   compares every turn with these rules");
+        }
+        return ExitStatus.DONE;
+    }
+
+    private GameRecordingImport read(Path replay) {
+        boolean piped = StandardFiles.is(file);
+        String source = piped ? StandardFiles.INPUT : file;
+        byte[] bytes = piped ? StandardFiles.readAll(streams) : readFile(OutputFiles.path(file), replay);
+        try {
+            String text = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
+            return GameRecordingImport.of(text.startsWith(BYTE_ORDER_MARK) ? text.substring(1) : text, source,
+                Games.types());
+        } catch (CharacterCodingException problem) {
+            throw new InputException(source
+                + ": found bytes that are no text in UTF-8, expected CodinGame's JSON of a game");
+        } catch (IllegalArgumentException problem) {
+            throw new InputException(problem.getMessage());
+        }
+    }
+
+    private static byte[] readFile(Path recorded, Path replay) {
+        if (OutputFiles.isSame(recorded, replay)) {
+            throw new InputException("--out: found the recording itself, expected another file");
+        }
+        if (Files.isDirectory(recorded)) {
+            throw new InputException(recorded + ": found a folder, expected a recording");
+        }
+        try {
+            return Files.readAllBytes(recorded);
+        } catch (IOException problem) {
+            throw new InputException(recorded + (Files.exists(recorded)
+                ? ": cannot be read: no permission" : ": found no such file, expected a recording"));
+        }
+    }
+}

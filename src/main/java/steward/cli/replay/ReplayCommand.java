@@ -1,0 +1,209 @@
+package steward.cli.replay;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.FailedException;
+import steward.cli.shared.Games;
+import steward.cli.shared.Pages;
+import steward.cli.shared.PlayerChoice;
+import steward.cli.shared.StandardFiles;
+import steward.cli.shared.Streams;
+import steward.files.InputException;
+import steward.files.OutputFiles;
+import steward.replay.ReplayReader;
+import steward.replay.verify.Verification;
+import steward.text.TextFormat;
+
+/** {@code steward replay}: looks at a recorded match, or plays it again and compares. */
+@Command(name = "replay", description = "Prints a recorded match turn by turn, or plays it again and compares.",
+    footer = {"", "A file that was cut off is read up to the cut.",
+        "", "Examples:",
+        "  steward replay match.jsonl --from 10 --to 20",
+        "  steward replay match.jsonl --turn 57",
+        "  steward replay match.jsonl --impacts",
+        "  steward replay match.jsonl --verify",
+        "  steward replay match.jsonl --view match.html --open",
+        "  steward replay match.jsonl --frames --player 1 | ./mybot",
+        "", "Exit status: 0 done; 1 a turn differs from what the rules give; 2 the file or",
+        "the call is wrong."})
+public final class ReplayCommand implements Callable<Integer> {
+
+    private final Streams streams;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(index = "0", paramLabel = "FILE",
+        description = "The replay; - is the standard input.")
+    private String file;
+
+    @Option(names = "--turn", paramLabel = "N", description = "Prints everything about this turn.")
+    private Integer turn;
+
+    @Option(names = "--from", paramLabel = "A", description = "Begins with this turn.")
+    private Integer from;
+
+    @Option(names = "--to", paramLabel = "B", description = "Ends with this turn.")
+    private Integer to;
+
+    @Option(names = "--impacts", description = "Prints the impacts instead of the states.")
+    private boolean impacts;
+
+    @Option(names = "--verify", description = "Plays the match again and compares every turn.")
+    private boolean verify;
+
+    @Option(names = "--frames", description = "Prints the lines that one bot was sent, byte for byte; with --player.")
+    private boolean frames;
+
+    @Option(names = "--player", paramLabel = "P",
+        description = "Which bot: its number, counted from 0, or its name.")
+    private String player;
+
+    @Option(names = "--view", paramLabel = "HTML",
+        description = "Writes a page that shows the match to this file: everything in it, opens from disk.")
+    private String view;
+
+    @Option(names = "--open", description = "Opens the page of --view, or one without a name, in the browser.")
+    private boolean open;
+
+    @Option(names = "--overwrite", description = "Replaces a page that exists.")
+    private boolean overwrite;
+
+    @Option(names = "--quiet", description = "Prints only the summary; with --verify, only a difference.")
+    private boolean quiet;
+
+    public ReplayCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() throws InterruptedException {
+        check();
+        boolean piped = StandardFiles.is(file);
+        if (view != null || open) {
+            check(!piped, "--view and --open read the replay twice, expected a file, found -");
+            return view(OutputFiles.path(file));
+        }
+        try (ReplayReader replay = piped ? StandardFiles.openReplay(streams) : open(OutputFiles.path(file))) {
+            if (verify) {
+                return verify(replay);
+            }
+            if (replay.header() == null) {
+                streams.warn(replay.warning());
+                return ExitStatus.DONE;
+            }
+            if (frames) {
+                FramePrinter.print(streams, replay,
+                    PlayerChoice.of(player, replay.header().names(), replay.source()));
+            } else if (turn != null && !impacts) {
+                TurnDetail.print(streams, replay, turn);
+            } else {
+                int first = turn != null ? turn : from != null ? from : 0;
+                int last = turn != null ? turn : to != null ? to : Integer.MAX_VALUE;
+                if (impacts) {
+                    ImpactList.print(streams, replay, first, last);
+                } else {
+                    new TurnTable(streams, replay).print(first, last, quiet);
+                }
+            }
+            if (replay.warning() != null) {
+                streams.warn(replay.warning());
+            }
+            return ExitStatus.DONE;
+        }
+    }
+
+    private void check() {
+        boolean range = from != null || to != null;
+        check(turn == null || !range, "--turn and --from or --to exclude each other");
+        check(from == null || from >= 0, "--from: found " + from + ", expected 0 or more");
+        check(to == null || to >= (from == null ? 0 : from), "--to: found " + to + ", expected "
+            + (from == null ? "0 or more" : "at least --from, which is " + from));
+        check(turn == null || turn >= 1, "--turn: found " + turn + ", expected 1 or more");
+        check(!verify || !frames && !impacts && !range && turn == null,
+            "--verify takes the whole match, expected no --turn, --from, --to, --impacts or --frames with it");
+        check(!frames || !impacts && !range && turn == null,
+            "--frames prints the whole match, expected no --turn, --from, --to or --impacts with it");
+        check(!frames || player != null, "--frames: expected --player P with it");
+        check(frames || player == null, "--player is for --frames, expected both");
+        check(view == null && !open || !verify && !frames && !impacts && !range && turn == null,
+            "--view and --open take the whole match, expected no --verify, --frames, --impacts, --turn, --from or --to "
+            + "with them");
+        check(!overwrite || view != null, "--overwrite: expected --view with it");
+        check(!quiet || !frames && !impacts && turn == null, "--quiet is for the summary and --verify");
+    }
+
+    private void check(boolean right, String problem) {
+        if (!right) {
+            throw new ParameterException(spec.commandLine(), problem);
+        }
+    }
+
+    /** Opens a replay. */
+    public static ReplayReader open(Path path) {
+        try {
+            return ReplayReader.open(path);
+        } catch (IOException problem) {
+            throw new InputException(path + (Files.exists(path) ? ": cannot be read: no permission"
+                : ": found no such file, expected a replay"));
+        }
+    }
+
+    private int view(Path replay) throws InterruptedException {
+        String title = replay.getFileName() == null ? replay.toString() : replay.getFileName().toString();
+        String warning;
+        try (ReplayReader reader = open(replay)) {
+            title = reader.header() == null ? title : Pages.title(reader.header().names());
+            while (reader.next() != null) {
+                continue;
+            }
+            warning = reader.warning();
+        }
+        byte[] html = Pages.of(replay, title);
+        Path page = view == null ? Pages.unnamed() : OutputFiles.path(view);
+        if (OutputFiles.isSame(page, replay)) {
+            throw new InputException("--view: found the replay itself, expected another file");
+        }
+        try (OutputStream out = OutputFiles.open(page, overwrite || view == null)) {
+            Pages.write(out, html, page);
+        } catch (IOException problem) {
+            throw new FailedException(page + ": cannot be closed: " + problem.getMessage());
+        }
+        if (warning != null) {
+            streams.warn(warning);
+        }
+        if (!quiet) {
+            streams.out().println("Page: " + page);
+            streams.out().flush();
+        }
+        if (open) {
+            Pages.open(streams, page.toAbsolutePath().toUri());
+        }
+        return ExitStatus.DONE;
+    }
+
+    private int verify(ReplayReader replay) {
+        Verification verification = Verification.of(replay, Games.types());
+        if (verification.warning() != null) {
+            streams.warn(verification.warning());
+        }
+        if (!verification.verified()) {
+            streams.out().println("differs: " + TextFormat.plain(verification.difference().toString()));
+            return ExitStatus.FAILED;
+        }
+        if (!quiet) {
+            streams.out().println("verified: " + TextFormat.count(verification.turns(), "turn"));
+        }
+        return ExitStatus.DONE;
+    }
+}

@@ -1,0 +1,129 @@
+package steward.cli.replay;
+
+import java.io.PrintStream;
+import java.util.List;
+import java.util.Map;
+import steward.cli.shared.Json;
+import steward.cli.shared.Streams;
+import steward.files.InputException;
+import steward.replay.RecordedTurn;
+import steward.replay.ReplayReader;
+import steward.text.TextFormat;
+
+/** Prints everything that was recorded of one turn. */
+final class TurnDetail {
+
+    private static final double NANOS_PER_MS = 1e6;
+    private static final int WIDTH = 100;
+
+    private TurnDetail() {
+    }
+
+    /** @throws InputException if the replay has no such turn */
+    static void print(Streams streams, ReplayReader replay, int number) {
+        int last = 0;
+        for (RecordedTurn turn = replay.next(); turn != null; turn = replay.next()) {
+            last = turn.number();
+            if (last == number) {
+                print(streams.out(), replay, turn);
+                return;
+            }
+        }
+        throw noSuchTurn(replay, number, last);
+    }
+
+    /** The refusal of a turn that was not played. */
+    static InputException noSuchTurn(ReplayReader replay, int number, int last) {
+        return new InputException(replay.source() + ": found " + (last == 0 ? "no turns" : "turns 1 to " + last)
+            + ", expected turn " + number + " among them" + (replay.warning() == null ? ""
+            : " (the file was cut off)"));
+    }
+
+    private static void print(PrintStream out, ReplayReader replay, RecordedTurn turn) {
+        Map<String, Object> outcome = Json.object(turn.outcome());
+        out.println("turn " + turn.number());
+        players(out, replay, turn);
+        List<Map<?, ?>> events = Json.objects(outcome.get("events"));
+        if (!events.isEmpty()) {
+            out.println();
+            out.println("events");
+            for (Map<?, ?> event : events) {
+                out.println("  " + event(event));
+            }
+        }
+        List<Map<?, ?>> impacts = Json.objects(outcome.get("impacts"));
+        if (!impacts.isEmpty()) {
+            out.println();
+            out.println("impacts");
+            out.println("  " + ImpactList.HEAD);
+            impacts.forEach(impact -> out.println("  " + ImpactList.line(impact)));
+        }
+        if (outcome.get("impactLimit") instanceof Map<?, ?> limit) {
+            out.println("  the turn reached its bound on impacts at time " + Json.word(limit.get("time"), 9));
+        }
+        if (outcome.get("state") instanceof Map<?, ?> state) {
+            out.println();
+            out.println("state after the turn, in full (hash " + Json.word(outcome.get("hash"), 0) + ")");
+            state(out, state);
+        }
+    }
+
+    private static void players(PrintStream out, ReplayReader replay, RecordedTurn turn) {
+        List<Object> commands = Json.array(turn.commands());
+        Object nanos = turn.times() == null ? null : Json.object(turn.times()).get("answerNanos");
+        for (int player = 0; player < replay.header().names().size(); player++) {
+            double time = nanos instanceof List<?> list && player < list.size() ? Json.number(list.get(player))
+                : Double.NaN;
+            out.println();
+            out.println("player " + player + ", " + TextFormat.plain(replay.header().names().get(player))
+                + (Double.isNaN(time) ? "" : ", " + TextFormat.fixed(time / NANOS_PER_MS, 2) + " ms"));
+            Object command = player < commands.size() ? commands.get(player) : null;
+            say(out, "command", command == null ? "none" : spell(command));
+            say(out, "message", turn.messages()[player]);
+            say(out, "stderr ", turn.stderr()[player]);
+            say(out, "failed ", turn.faults()[player]);
+        }
+    }
+
+    private static void say(PrintStream out, String what, String text) {
+        if (text != null) {
+            String indent = "\n" + " ".repeat(what.length() + 4);
+            out.println("  " + what + "  " + TextFormat.plain(text).stripTrailing().replace("\n", indent));
+        }
+    }
+
+    /** An event in a few words. */
+    static String event(Map<?, ?> event) {
+        String text = event.get("text") instanceof String words ? words : Json.word(event.get("kind"), 0);
+        String body = event.containsKey("body") && !(event.get("text") instanceof String)
+            ? " of body " + Json.word(event.get("body"), 0) : "";
+        return TextFormat.plain(text) + body;
+    }
+
+    private static void state(PrintStream out, Map<?, ?> state) {
+        state.forEach((name, value) -> {
+            if (value instanceof List<?> list && !Json.objects(value).isEmpty()) {
+                list.forEach(each -> out.println("  " + TextFormat.wrap(spell(each), "  ", WIDTH - 2, "    ")));
+            } else {
+                out.println("  " + name + " " + spell(value));
+            }
+        });
+    }
+
+    /** A value as it would be said: fields with their names, every digit. */
+    private static String spell(Object value) {
+        StringBuilder text = new StringBuilder();
+        if (value instanceof Map<?, ?> fields) {
+            fields.forEach((name, each) -> text.append(text.length() == 0 ? "" : "  ").append(name).append(' ')
+                .append(spell(each)));
+        } else if (value instanceof List<?> list) {
+            boolean objects = !Json.objects(value).isEmpty();
+            list.forEach(each -> text.append(text.length() == 0 ? "" : objects ? "\n" : ", ").append(spell(each)));
+        } else if (value instanceof Double number && number != Math.rint(number)) {
+            text.append(number.doubleValue());
+        } else {
+            text.append(Json.word(value, 0));
+        }
+        return text.toString();
+    }
+}

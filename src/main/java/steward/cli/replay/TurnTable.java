@@ -1,0 +1,173 @@
+package steward.cli.replay;
+
+import java.io.PrintStream;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import steward.cli.shared.Json;
+import steward.cli.shared.MatchText;
+import steward.cli.shared.Streams;
+import steward.match.MatchResult;
+import steward.replay.RecordedTurn;
+import steward.replay.ReplayHeader;
+import steward.replay.ReplayReader;
+import steward.text.TextFormat;
+
+/**
+ * Prints a recorded match turn by turn: a row per body, then what happened in the turn, at the end the result. The
+ * columns are whatever scalars the game records of a body.
+ */
+final class TurnTable {
+
+    private static final int WIDTH = 100;
+    private static final int DECIMALS = 3;
+    private static final int COLUMN = 7;
+
+    private final Streams streams;
+    private final PrintStream out;
+    private final ReplayReader replay;
+    private final List<String> columns = new ArrayList<>();
+    private final List<String> leftOut = new ArrayList<>();
+    private long impacts;
+    private boolean opened;
+
+    /** @param replay just opened, with a header */
+    TurnTable(Streams streams, ReplayReader replay) {
+        this.streams = streams;
+        this.out = streams.out();
+        this.replay = replay;
+    }
+
+    /**
+     * @param from    first turn; 0 is the start
+     * @param to      last turn
+     * @param summary whether to leave out the turns
+     */
+    void print(int from, int to, boolean summary) {
+        Map<String, Object> start = Json.object(replay.start());
+        if (!summary) {
+            chooseColumns(start);
+            if (from == 0) {
+                rows(0, start);
+            }
+        }
+        int last = 0;
+        for (RecordedTurn turn = replay.next(); turn != null && !streams.outEnded(); turn = replay.next()) {
+            last = turn.number();
+            Map<String, Object> outcome = Json.object(turn.outcome());
+            int count = Json.objects(outcome.get("impacts")).size();
+            impacts += outcome.containsKey("impactsInAll") ? (long) Json.number(outcome.get("impactsInAll")) : count;
+            if (!summary && last >= from && last <= to) {
+                rows(last, outcome);
+                notes(turn, outcome, count);
+            }
+        }
+        if (last < from) {
+            throw TurnDetail.noSuchTurn(replay, from, last);
+        }
+        close(last);
+    }
+
+    private String scene() {
+        return Json.word(Json.object(replay.header().scene()).get("name"), 0);
+    }
+
+    /** Before the first row or the result; not at all if there is no such turn. */
+    private void open() {
+        if (opened) {
+            return;
+        }
+        opened = true;
+        ReplayHeader header = replay.header();
+        out.println(scene() + " (" + header.game() + "), seed " + header.seed() + timeFactor(header.timeFactor()));
+        for (int player = 0; player < header.names().size(); player++) {
+            out.println("player " + player + "  " + TextFormat.plain(header.names().get(player) + "  "
+                + header.bots().get(player)));
+        }
+        out.println();
+        if (!columns.isEmpty()) {
+            out.println(head());
+        }
+    }
+
+    private static String timeFactor(double factor) {
+        return factor == 1 ? "" : factor == Double.POSITIVE_INFINITY ? ", no deadlines"
+            : ", time limits times " + TextFormat.number(factor, DECIMALS);
+    }
+
+    private void chooseColumns(Map<String, Object> start) {
+        int used = "turn  body".length();
+        for (Map<?, ?> body : bodies(start)) {
+            for (Object key : body.keySet()) {
+                String name = (String) key;
+                boolean scalar = !(body.get(name) instanceof List) && !(body.get(name) instanceof Map);
+                if (scalar && !name.equals("id") && !columns.contains(name) && !leftOut.contains(name)) {
+                    used += width(name) + 1;
+                    (used <= WIDTH ? columns : leftOut).add(name);
+                }
+            }
+        }
+    }
+
+    private static int width(String column) {
+        return Math.max(COLUMN, column.length());
+    }
+
+    private String head() {
+        StringBuilder line = new StringBuilder("turn  body");
+        for (String column : columns) {
+            line.append(' ').append(TextFormat.right(column, width(column)));
+        }
+        return line.toString();
+    }
+
+    private static List<Map<?, ?>> bodies(Map<String, Object> outcome) {
+        return outcome.get("state") instanceof Map<?, ?> state ? Json.objects(state.get("bodies")) : List.of();
+    }
+
+    private void rows(int turn, Map<String, Object> outcome) {
+        open();
+        for (Map<?, ?> body : bodies(outcome)) {
+            StringBuilder line = new StringBuilder(TextFormat.right(Integer.toString(turn), 4));
+            line.append(TextFormat.right(Json.word(body.get("id"), 0), 6));
+            for (String column : columns) {
+                line.append(' ').append(TextFormat.right(Json.word(body.get(column), DECIMALS), width(column)));
+            }
+            out.println(line);
+        }
+    }
+
+    private void notes(RecordedTurn turn, Map<String, Object> outcome, int count) {
+        List<String> notes = new ArrayList<>();
+        if (count > 0) {
+            notes.add(TextFormat.count(count, "impact"));
+        }
+        Json.objects(outcome.get("events")).forEach(event -> notes.add(TurnDetail.event(event)));
+        if (!notes.isEmpty()) {
+            out.println("      " + String.join("; ", notes));
+        }
+        for (int player = 0; player < turn.faults().length; player++) {
+            if (turn.faults()[player] != null) {
+                out.println("      " + TextFormat.plain(replay.header().names().get(player) + " failed: "
+                    + turn.faults()[player]));
+            }
+        }
+    }
+
+    private void close(int turns) {
+        open();
+        if (!columns.isEmpty()) {
+            out.println();
+        }
+        if (!leftOut.isEmpty()) {
+            out.println("left out, see --turn: " + String.join(", ", leftOut));
+        }
+        MatchResult result = RecordedResult.of(replay);
+        if (result == null) {
+            out.println("no result after " + TextFormat.count(turns, "turn"));
+        } else {
+            MatchText.print(out, scene(), replay.header().seed(), result);
+        }
+        out.println(TextFormat.count(impacts, "impact") + " in all");
+    }
+}

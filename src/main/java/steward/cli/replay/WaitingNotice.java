@@ -1,0 +1,56 @@
+package steward.cli.replay;
+
+import java.io.PrintStream;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.ScheduledFuture;
+import java.util.concurrent.TimeUnit;
+
+/** Tells a person for whose answer the program waits, once a turn, when it has waited for some time. */
+final class WaitingNotice implements AutoCloseable {
+
+    /** Answers come within milliseconds; a person begins to wonder after some seconds. */
+    static final long AFTER_MS = 2000;
+
+    private final PrintStream terminal;
+    private final String language;
+    private final long afterMs;
+    private final ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor(work -> {
+        Thread thread = new Thread(work, "feed-waiting");
+        thread.setDaemon(true);
+        return thread;
+    });
+    private ScheduledFuture<?> due;
+
+    /**
+     * @param terminal where it is told, or {@code null} for nowhere
+     * @param language what the bot is sent, in words
+     */
+    WaitingNotice(PrintStream terminal, String language, long afterMs) {
+        this.terminal = terminal;
+        this.language = language;
+        this.afterMs = afterMs;
+    }
+
+    /** A bot is about to be asked. */
+    void asked(int turn) {
+        if (terminal != null) {
+            due = clock.schedule(() -> {
+                terminal.println("waiting for the bot's answer to turn " + turn + " (it is sent " + language + ")");
+                terminal.flush();
+            }, afterMs, TimeUnit.MILLISECONDS);
+        }
+    }
+
+    /** It has answered, or never will. */
+    void answered() {
+        if (due != null) {
+            due.cancel(false);
+        }
+    }
+
+    @Override
+    public void close() {
+        clock.shutdownNow();
+    }
+}

@@ -1,0 +1,39 @@
+package steward.cli.shared;
+
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.TypeConversionException;
+import steward.game.GameSetup;
+import steward.scene.Accuracy;
+
+/** The option that takes another rung of accuracy than the scene's. */
+public final class AccuracyOption {
+
+    @Option(names = "--accuracy", paramLabel = "RUNG", converter = Rung.class,
+        description = "Compute the scene on this rung in place of its own: step/1 to step/1024, the cheapest first, or "
+            + "official, double, compensated, exact (event/exact is the same). A replay holds it.")
+    private Accuracy accuracy;
+
+    /** Opens a scene by its path or shipped name, on this rung if one is called for. */
+    public GameSetup open(String scene) {
+        return Games.open(scene, accuracy);
+    }
+
+    /** As it would be typed, with a blank before it; nothing where there is no such option. */
+    public String words() {
+        return accuracy == null ? "" : " --accuracy " + accuracy.text();
+    }
+
+    /** Reads a rung. */
+    static final class Rung implements ITypeConverter<Accuracy> {
+
+        @Override
+        public Accuracy convert(String word) {
+            try {
+                return Accuracy.parse(word);
+            } catch (IllegalArgumentException problem) {
+                throw new TypeConversionException(problem.getMessage().replaceFirst("^accuracy: ", ""));
+            }
+        }
+    }
+}

@@ -1,0 +1,55 @@
+package steward.cli.shared;
+
+import java.nio.file.Path;
+import java.util.function.Supplier;
+
+/**
+ * Prints where the turns so far are when a match ends by Ctrl-C. Nothing else is needed then: each turn was written
+ * when it was played, and no bot outlives this process.
+ */
+public final class Interruption implements AutoCloseable {
+
+    private final Thread hook;
+    private volatile boolean over;
+
+    /** @param file the replay, or {@code null} to print nothing */
+    public Interruption(Streams streams, Path file) {
+        this(streams, file == null ? null : "the turns so far are in " + file);
+    }
+
+    /** @param kept says where the results so far are, or {@code null} to print nothing */
+    public Interruption(Streams streams, String kept) {
+        this(streams, kept == null ? null : () -> kept);
+    }
+
+    /** @param kept is called at the interruption, on another thread; gives {@code null} to print nothing */
+    public Interruption(Streams streams, Supplier<String> kept) {
+        hook = kept == null ? null : new Thread(() -> {
+            String told = over ? null : kept.get();
+            if (told != null) {
+                streams.err().println("steward: interrupted; " + told);
+            }
+        }, "interruption");
+        if (hook != null) {
+            Runtime.getRuntime().addShutdownHook(hook);
+        }
+    }
+
+    /** The match has its result. */
+    public void over() {
+        over = true;
+    }
+
+    @Override
+    public void close() {
+        over = true;
+        try {
+            if (hook != null) {
+                Runtime.getRuntime().removeShutdownHook(hook);
+            }
+        } catch (IllegalStateException shutdown) {
+            // The hook is already running or has run.
+            return;
+        }
+    }
+}

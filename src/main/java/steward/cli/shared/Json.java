@@ -1,0 +1,119 @@
+package steward.cli.shared;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+import steward.game.JsonNumbers;
+import steward.replay.page.UnclosedOutputStream;
+import steward.text.TextFormat;
+import tools.jackson.core.JsonGenerator;
+import tools.jackson.core.JsonParser;
+import tools.jackson.core.JsonToken;
+import tools.jackson.core.ObjectReadContext;
+import tools.jackson.core.ObjectWriteContext;
+
+/**
+ * Small JSON values read as a whole, without the start-up cost of a data-binding library: objects are maps in their
+ * written order, arrays are lists, numbers are doubles, null is null. And the objects that commands print for programs.
+ */
+public final class Json {
+
+    private Json() {
+    }
+
+    /** Reads one object. */
+    public static Map<String, Object> object(byte[] json) {
+        try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), json, 0, json.length)) {
+            in.nextToken();
+            return object(in);
+        }
+    }
+
+    /** Reads one object. */
+    public static Map<String, Object> object(String json) {
+        try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), json)) {
+            in.nextToken();
+            return object(in);
+        }
+    }
+
+    /** Reads one array. */
+    public static List<Object> array(byte[] json) {
+        try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), json, 0, json.length)) {
+            in.nextToken();
+            return array(in);
+        }
+    }
+
+    /** Prints one object on a line of its own. */
+    public static void print(Streams streams, Consumer<JsonGenerator> fields) {
+        try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(),
+                new UnclosedOutputStream(streams.out()))) {
+            out.writeStartObject();
+            fields.accept(out);
+            out.writeEndObject();
+        }
+        streams.out().print('\n');
+    }
+
+    private static Map<String, Object> object(JsonParser in) {
+        Map<String, Object> fields = new LinkedHashMap<>();
+        while (in.nextToken() == JsonToken.PROPERTY_NAME) {
+            String name = in.currentName();
+            in.nextToken();
+            fields.put(name, value(in));
+        }
+        return fields;
+    }
+
+    private static List<Object> array(JsonParser in) {
+        List<Object> values = new ArrayList<>();
+        while (in.nextToken() != JsonToken.END_ARRAY) {
+            values.add(value(in));
+        }
+        return values;
+    }
+
+    private static Object value(JsonParser in) {
+        return switch (in.currentToken()) {
+            case START_OBJECT -> object(in);
+            case START_ARRAY -> array(in);
+            case VALUE_NUMBER_INT, VALUE_NUMBER_FLOAT -> in.getDoubleValue();
+            case VALUE_TRUE -> Boolean.TRUE;
+            case VALUE_FALSE -> Boolean.FALSE;
+            case VALUE_NULL -> null;
+            default -> in.getString();
+        };
+    }
+
+    /** The objects of an array; empty if it is missing. */
+    public static List<Map<?, ?>> objects(Object array) {
+        List<Map<?, ?>> objects = new ArrayList<>();
+        if (array instanceof List<?> list) {
+            for (Object each : list) {
+                if (each instanceof Map<?, ?> object) {
+                    objects.add(object);
+                }
+            }
+        }
+        return objects;
+    }
+
+    /** A number, or NaN if there is none. */
+    public static double number(Object value) {
+        return value instanceof Double number ? number : Double.NaN;
+    }
+
+    /** A scalar as readable text; {@code -} for nothing. */
+    public static String word(Object value, int decimals) {
+        if (value instanceof Double number) {
+            return TextFormat.number(number, decimals);
+        }
+        if (value instanceof Boolean flag) {
+            return flag ? "yes" : "no";
+        }
+        return value == null ? "-" : TextFormat.plain(value.toString());
+    }
+}

@@ -1,0 +1,94 @@
+package steward.cli.shared;
+
+import java.io.PrintStream;
+import java.nio.file.Path;
+import java.util.List;
+import steward.bot.command.CommandLine;
+import steward.contest.Failure;
+import steward.match.MatchResult;
+import steward.match.MatchResult.PlayerResult;
+import steward.text.TextFormat;
+
+/** The result of a match as readable text. */
+public final class MatchText {
+
+    private MatchText() {
+    }
+
+    /** One line: the winner, the ending, the turn. */
+    public static String headline(String scene, long seed, MatchResult result) {
+        int winner = result.winner();
+        String who = winner >= 0 ? result.players().get(winner).name() + " wins" : "a draw";
+        return TextFormat.plain(who + ": " + result.ending() + ", " + TextFormat.count(result.turns(), "turn") + " ("
+            + scene + ", seed " + seed + ")");
+    }
+
+    /** As {@link #headline(String, long, MatchResult)}, on the same line who failed and the last that it said. */
+    public static String headline(String scene, long seed, MatchResult result, List<Failure> failures) {
+        StringBuilder line = new StringBuilder(headline(scene, seed, result));
+        for (Failure failure : failures) {
+            line.append("; ").append(TextFormat.plain(FailureText.line(result.players().get(failure.player()).name(),
+                failure)));
+        }
+        return line.toString();
+    }
+
+    /** Everything about the result. */
+    public static void print(PrintStream out, String scene, long seed, MatchResult result) {
+        print(out, scene, seed, result, List.of());
+    }
+
+    /** Everything about the result, and more about those who failed. */
+    public static void print(PrintStream out, String scene, long seed, MatchResult result, List<Failure> failures) {
+        out.println(headline(scene, seed, result));
+        out.println();
+        table(out, result.players());
+        for (int player = 0; player < result.players().size(); player++) {
+            int number = player;
+            note(out, result.players().get(player),
+                failures.stream().filter(each -> each.player() == number).findFirst().orElse(null));
+        }
+    }
+
+    /** Where the replay is, and what to do with it. */
+    public static void printReplay(PrintStream out, Path file) {
+        String command = "  steward replay " + CommandLine.quote(List.of(file.toString()));
+        out.println();
+        out.println("Replay: " + file);
+        out.println(command + "            turn by turn");
+        out.println(command + " --verify   plays it again and compares every turn");
+    }
+
+    private static void table(PrintStream out, List<PlayerResult> players) {
+        int width = players.stream().mapToInt(player -> player.name().length()).max().orElse(0);
+        int names = Math.min(40, Math.max(4, width));
+        out.println("player  " + TextFormat.left("bot", names) + "  rank   score   average ms   worst ms   first ms");
+        for (int k = 0; k < players.size(); k++) {
+            PlayerResult player = players.get(k);
+            out.println(TextFormat.right(Integer.toString(k), 6) + "  "
+                + TextFormat.left(TextFormat.plain(TextFormat.shorten(player.name(), names)), names)
+                + TextFormat.right(Integer.toString(player.rank() + 1), 6)
+                + TextFormat.right(TextFormat.number(player.score(), 2), 8)
+                + TextFormat.right(TextFormat.ms(player.averageNanos()), 13)
+                + TextFormat.right(TextFormat.ms(player.worstNanos()), 11)
+                + TextFormat.right(TextFormat.ms(player.firstNanos()), 11));
+        }
+    }
+
+    private static void note(PrintStream out, PlayerResult player, Failure failure) {
+        String name = TextFormat.plain(player.name());
+        if (player.fault() != null) {
+            out.println(name + " failed" + (failure == null ? "" : " in turn " + failure.turn()) + ": "
+                + TextFormat.plain(player.fault()));
+        } else if (player.out() != null) {
+            out.println(name + " is out: " + TextFormat.plain(player.out()));
+        }
+        if (failure != null) {
+            FailureText.print(out, failure, "  ");
+        }
+        if (player.earlyTurns() > 0) {
+            out.println("warning: " + name + " wrote more lines than it was asked for, in "
+                + TextFormat.count(player.earlyTurns(), "turn") + "; they were taken for later answers");
+        }
+    }
+}

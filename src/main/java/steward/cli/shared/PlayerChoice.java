@@ -1,0 +1,29 @@
+package steward.cli.shared;
+
+import java.util.List;
+import steward.files.InputException;
+
+/** Which player of a recorded match {@code --player} means: a number, counted from 0, or a name. */
+public final class PlayerChoice {
+
+    private PlayerChoice() {
+    }
+
+    /**
+     * The player's number.
+     *
+     * @param typed  by a person
+     * @param names  of the players
+     * @param source name of the replay, for errors
+     * @throws InputException if there is no such player; says which there are
+     */
+    public static int of(String typed, List<String> names, String source) {
+        int named = names.indexOf(typed);
+        boolean number = typed.matches("[0-9]{1,3}") && Integer.parseInt(typed) < names.size();
+        if (!number && named < 0) {
+            throw new InputException("--player: found " + typed + ", expected 0 to " + (names.size() - 1) + " in "
+                + source + ", or a name: " + String.join(", ", names));
+        }
+        return number ? Integer.parseInt(typed) : named;
+    }
+}

@@ -1,0 +1,55 @@
+package steward.cli.shared;
+
+import java.io.PrintStream;
+import me.tongfei.progressbar.ConsoleProgressBarConsumer;
+import me.tongfei.progressbar.ProgressBar;
+import me.tongfei.progressbar.ProgressBarBuilder;
+import me.tongfei.progressbar.ProgressBarStyle;
+import steward.text.TextFormat;
+
+/**
+ * How many games or other steps are done and how long the rest will take, on one line of a terminal, erased at the end.
+ */
+public final class ProgressLine implements AutoCloseable {
+
+    /** Fixed, because finding the terminal's width would need another library. */
+    private static final int WIDTH = 79;
+    private static final int REFRESH_MS = 250;
+
+    /** How long the word on how it stands may be, so that there is room for the bar. */
+    private static final int WORD = 24;
+
+    private final ProgressBar bar;
+    private boolean closed;
+
+    public ProgressLine(PrintStream terminal, int games) {
+        this(terminal, "games", games);
+    }
+
+    /** @param task what is being done */
+    public ProgressLine(PrintStream terminal, String task, int steps) {
+        bar = new ProgressBarBuilder().setTaskName(task).setInitialMax(steps).setStyle(ProgressBarStyle.ASCII)
+            .setUpdateIntervalMillis(REFRESH_MS).clearDisplayOnFinish()
+            .setConsumer(new ConsoleProgressBarConsumer(terminal, WIDTH)).build();
+    }
+
+    /** One more; by any thread. */
+    public void step() {
+        bar.step();
+    }
+
+    /** One more, with a word on how it stands; by any thread. */
+    public void step(String standing) {
+        bar.setExtraMessage(TextFormat.plain(TextFormat.shorten(standing, WORD)));
+        bar.step();
+    }
+
+    /** The second time there is nothing to do. */
+    @Override
+    public synchronized void close() {
+        if (!closed) {
+            closed = true;
+            bar.close();
+        }
+    }
+}

@@ -1,0 +1,13 @@
+package steward.cli.shared;
+
+import java.util.Iterator;
+import steward.scene.SceneFiles;
+
+/** The names of the scenes that come with the program, for help and completion. */
+public final class ShippedScenes implements Iterable<String> {
+
+    @Override
+    public Iterator<String> iterator() {
+        return SceneFiles.shipped().iterator();
+    }
+}

@@ -1,0 +1,8 @@
+/**
+ * What several commands share: streams and terminals, options, messages of errors and their exit status, the list of
+ * games.
+ */
+@Internal
+package steward.cli.shared;
+
+import steward.Internal;

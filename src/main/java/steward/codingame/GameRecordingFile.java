@@ -1,0 +1,95 @@
+package steward.codingame;
+
+import java.util.stream.Collectors;
+import steward.replay.ReplayHeader;
+import tools.jackson.core.JacksonException;
+import tools.jackson.core.exc.UnexpectedEndOfInputException;
+import tools.jackson.databind.DeserializationFeature;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/**
+ * Finds the recording in what a person took for one: {@code {"success":{"gameResult":{"frames":[...],...}}}} or any of
+ * the inner objects. Of another file it says what it is.
+ */
+final class GameRecordingFile {
+
+    private static final JsonMapper MAPPER = JsonMapper.builder()
+        .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS).build();
+
+    private static final String EXPECTED = "expected CodinGame's game result with an array \"frames\"";
+    private static final int MOST_NAMES = 8;
+
+    private GameRecordingFile() {
+    }
+
+    /**
+     * The object whose field {@code frames} is an array with something in it.
+     *
+     * @param text   of the file
+     * @param source its name, for errors
+     * @throws IllegalArgumentException if it is no recording
+     */
+    static JsonNode gameResult(String text, String source) {
+        if (text.isBlank()) {
+            throw new IllegalArgumentException(source + ": found an empty file, " + EXPECTED);
+        }
+        if (text.startsWith(ReplayHeader.SIGNATURE)) {
+            throw new IllegalArgumentException(source + ": found a replay of Steward, " + EXPECTED
+                + "; 'steward replay' reads it as it is");
+        }
+        JsonNode root = parse(text, source);
+        JsonNode result = root.has("success") ? root.get("success") : root;
+        result = result.has("gameResult") ? result.get("gameResult") : result;
+        JsonNode frames = result.get("frames");
+        if (frames == null || !frames.isArray() || frames.isEmpty()) {
+            throw new IllegalArgumentException(source + ": found " + kind(result, frames) + ", " + EXPECTED);
+        }
+        return result;
+    }
+
+    private static JsonNode parse(String text, String source) {
+        try {
+            return MAPPER.readTree(text);
+        } catch (UnexpectedEndOfInputException cut) {
+            throw new IllegalArgumentException(source + place(cut)
+                + ": found the end of the file within the JSON: it was cut off, expected all of it");
+        } catch (JacksonException problem) {
+            String lines = jsonLines(text);
+            throw new IllegalArgumentException(source + (lines != null ? ": found " + lines + ", " + EXPECTED
+                : place(problem) + ": not JSON: " + problem.getOriginalMessage()));
+        }
+    }
+
+    private static String place(JacksonException problem) {
+        return problem.getLocation() == null ? ""
+            : ":" + problem.getLocation().getLineNr() + ":" + problem.getLocation().getColumnNr();
+    }
+
+    /** Several JSON values, one a line; {@code null} if it is something else. */
+    private static String jsonLines(String text) {
+        String first = text.stripLeading().lines().findFirst().orElse("");
+        if (first.startsWith("<")) {
+            return "a web page or XML";
+        }
+        try {
+            return MAPPER.readTree(first).isContainer() ? "JSON Lines, one value a line" : null;
+        } catch (JacksonException none) {
+            return null;
+        }
+    }
+
+    private static String kind(JsonNode result, JsonNode frames) {
+        if (result.has("views") && result.has("outputs") && result.has("uinput")) {
+            return "the game result that 'steward referee -l' writes (its -r writes a replay)";
+        }
+        if (frames != null) {
+            return frames.isArray() ? "an array \"frames\" without any" : "\"frames\" that is no array";
+        }
+        if (!result.isObject()) {
+            return "no frames: " + (result.isArray() ? "the file is an array" : "the file is " + result.getNodeType());
+        }
+        return "no frames" + (result.isEmpty() ? "" : result.propertyNames().stream().limit(MOST_NAMES)
+            .collect(Collectors.joining(", ", ": the object has ", "")));
+    }
+}

@@ -1,0 +1,130 @@
+package steward.contest;
+
+/**
+ * How long one bot took to answer, in one game or in many: counted in buckets of equal relative width, so that games
+ * add up and nothing grows with them. The first answers of games, which include the start of a program, are apart.
+ *
+ * <p>The buckets are those of HdrHistogram (G. Tene): below 2^7 ns one for each nanosecond, above 64 for each power of
+ * two. What is read from them is therefore at most 1/64 too high. The mean and the worst are exact.
+ */
+public final class AnswerTimes {
+
+    private static final int BITS = 6;
+    /** Buckets for each power of two. */
+    private static final int PER_POWER = 1 << BITS;
+    /** The last is that of {@code Long.MAX_VALUE}, whose highest bit is 62: 56 shifts, and 127. */
+    private static final int BUCKETS = (62 - BITS) * PER_POWER + 2 * PER_POWER;
+
+    private final int[] buckets = new int[BUCKETS];
+    private long count;
+    private double sum;
+    private long worst;
+    private int worstTurn;
+    private int worstGame;
+    private long firstCount;
+    private double firstSum;
+    private long firstWorst;
+
+    /** The first answer of a game. */
+    void addFirst(long nanos) {
+        firstCount++;
+        firstSum += nanos;
+        firstWorst = Math.max(firstWorst, nanos);
+    }
+
+    /** A later answer. */
+    void add(long nanos, int turn) {
+        buckets[bucket(nanos)]++;
+        count++;
+        sum += nanos;
+        if (nanos > worst || worstTurn == 0) {
+            worst = nanos;
+            worstTurn = turn;
+        }
+    }
+
+    /** The answers of a game, which are not from several games. */
+    void addAll(AnswerTimes game, int number) {
+        for (int k = 0; k < BUCKETS; k++) {
+            buckets[k] += game.buckets[k];
+        }
+        boolean earlier = game.worst == worst && number < worstGame;
+        if (game.count > 0 && (count == 0 || game.worst > worst || earlier)) {
+            worst = game.worst;
+            worstTurn = game.worstTurn;
+            worstGame = number;
+        }
+        count += game.count;
+        sum += game.sum;
+        firstCount += game.firstCount;
+        firstSum += game.firstSum;
+        firstWorst = Math.max(firstWorst, game.firstWorst);
+    }
+
+    /** The number itself below 2 * {@link #PER_POWER}; above, its highest bits and by how much they were shifted. */
+    private static int bucket(long nanos) {
+        long value = Math.max(0, nanos);
+        int shift = Math.max(0, Long.SIZE - 1 - Long.numberOfLeadingZeros(value) - BITS);
+        return shift * PER_POWER + (int) (value >>> shift);
+    }
+
+    /** The longest time that falls into a bucket. */
+    private static long longest(int bucket) {
+        int shift = Math.max(0, bucket / PER_POWER - 1);
+        long highest = bucket - (long) shift * PER_POWER;
+        return (highest << shift) + ((1L << shift) - 1);
+    }
+
+    /** How many answers, the first ones of games left out. */
+    public long count() {
+        return count;
+    }
+
+    /** In nanoseconds; NaN without answers. */
+    public double meanNanos() {
+        return count == 0 ? Double.NaN : sum / count;
+    }
+
+    /**
+     * So long took at most the given share of the answers, by the nearest rank.
+     *
+     * @param share 0..1
+     * @return in nanoseconds, at most 1/64 too high; 0 without answers
+     */
+    public long quantileNanos(double share) {
+        long rank = Math.max(1, (long) Math.ceil(share * count));
+        long seen = 0;
+        for (int k = 0; k < BUCKETS; k++) {
+            seen += buckets[k];
+            if (seen >= rank) {
+                return Math.min(longest(k), worst);
+            }
+        }
+        return worst;
+    }
+
+    /** The longest, in nanoseconds. */
+    public long worstNanos() {
+        return worst;
+    }
+
+    /** The game that had the longest, the first of several; 0 without answers. */
+    public int worstGame() {
+        return worstGame;
+    }
+
+    /** Its turn. */
+    public int worstTurn() {
+        return worstTurn;
+    }
+
+    /** The mean of the first answers; NaN without games. */
+    public double meanFirstNanos() {
+        return firstCount == 0 ? Double.NaN : firstSum / firstCount;
+    }
+
+    /** The longest of the first answers, in nanoseconds. */
+    public long worstFirstNanos() {
+        return firstWorst;
+    }
+}

@@ -1,0 +1,207 @@
+package steward.contest;
+
+import java.io.OutputStream;
+import java.util.ArrayList;
+import java.util.List;
+import steward.bot.Player;
+import steward.bot.UnstartablePlayer;
+import steward.bot.command.BotCommand;
+import steward.bot.process.BotProcess;
+import steward.files.InputException;
+import steward.game.GameSetup;
+import steward.match.MatchListener;
+import steward.match.MatchResult;
+import steward.match.Protocol;
+import steward.match.Referee;
+import steward.match.Seat;
+import steward.match.TeeListener;
+import steward.match.TimeControl;
+import steward.replay.ReplayHeader;
+import steward.replay.ReplayWriter;
+import steward.text.TextFormat;
+
+/**
+ * A scene and the bots that are to play in it, checked: any number of matches can be played, also at the same time.
+ *
+ * @param setup      the scene with its game
+ * @param entrants   the bots, in the order of the call
+ * @param time       how long they may take
+ * @param timeFactor by which the scene's limits are multiplied; {@code POSITIVE_INFINITY} for no deadlines
+ */
+public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double timeFactor) {
+
+    /**
+     * A bot.
+     *
+     * @param name     unlike the others' names
+     * @param bot      as it was named in the call
+     * @param protocol the language it speaks
+     * @param words    the program to start and its arguments
+     * @param problem  why it cannot be started, or {@code null}
+     */
+    public record Entrant(String name, String bot, Protocol protocol, List<String> words, String problem) {
+
+        /** One that can be started, as far as is known. */
+        public Entrant(String name, String bot, Protocol protocol, List<String> words) {
+            this(name, bot, protocol, words, null);
+        }
+
+        /** The same under another name. */
+        public Entrant named(String other) {
+            return new Entrant(other, bot, protocol, words, problem);
+        }
+
+        private Player player() {
+            return problem == null ? new BotProcess(name, words) : new UnstartablePlayer(name, problem);
+        }
+    }
+
+    /**
+     * Finds the bots; nothing is started.
+     *
+     * @param usual the protocol of bots without a prefix
+     * @throws InputException if the bots are not as many as the players, one cannot be started, or the scene does not
+     *                        have its protocol
+     */
+    public static Contest of(GameSetup setup, List<String> bots, Protocol usual, double timeFactor) {
+        Contest contest = withFailing(setup, bots, usual, timeFactor);
+        for (Entrant entrant : contest.entrants()) {
+            if (entrant.problem() != null) {
+                throw new InputException(entrant.problem());
+            }
+        }
+        return contest;
+    }
+
+    /**
+     * As {@link #of}, but a bot that cannot be started takes part, and fails when it is asked for the first time: for
+     * tools whose other bots are to play on.
+     */
+    public static Contest withFailing(GameSetup setup, List<String> bots, Protocol usual, double timeFactor) {
+        int players = setup.scene().players();
+        if (bots.size() != players) {
+            throw new InputException("found " + TextFormat.count(bots.size(), "bot") + ", expected "
+                + TextFormat.count(players, "bot") + ", one --bot for each player of the scene \""
+                + setup.scene().name()
+                + "\"");
+        }
+        List<Entrant> entrants = entrants(bots, usual);
+        checkProtocols(setup, entrants);
+        return new Contest(setup, entrants, timeControl(setup, timeFactor), timeFactor);
+    }
+
+    private static TimeControl timeControl(GameSetup setup, double factor) {
+        if (factor == Double.POSITIVE_INFINITY) {
+            return TimeControl.UNLIMITED;
+        }
+        try {
+            return TimeControl.of(setup.scene().time(), factor);
+        } catch (IllegalArgumentException problem) {
+            throw new InputException(problem.getMessage());
+        }
+    }
+
+    private static List<Entrant> entrants(List<String> bots, Protocol usual) {
+        BotCommand.Prefix prefix = usual == Protocol.JSON ? BotCommand.Prefix.JSON : BotCommand.Prefix.CODINGAME;
+        List<Entrant> entrants = new ArrayList<>();
+        for (String bot : bots) {
+            entrants.add(entrant(bot, prefix));
+        }
+        List<String> names = entrants.stream().map(Entrant::name).toList();
+        for (int k = 0; k < bots.size(); k++) {
+            entrants.set(k, entrants.get(k).named(unlikeOthers(names, k)));
+        }
+        return entrants;
+    }
+
+    private static Entrant entrant(String bot, BotCommand.Prefix usual) {
+        BotCommand command;
+        try {
+            command = BotCommand.parse(bot, usual);
+        } catch (IllegalArgumentException problem) {
+            Protocol spoken = usual == BotCommand.Prefix.CODINGAME ? Protocol.CODINGAME : Protocol.JSON;
+            return new Entrant(bot.isBlank() ? "nobody" : bot, bot, spoken, List.of(), problem.getMessage());
+        }
+        Protocol spoken = command.prefix() == BotCommand.Prefix.CODINGAME ? Protocol.CODINGAME : Protocol.JSON;
+        try {
+            return new Entrant(command.displayName(), command.toString(), spoken, command.resolve());
+        } catch (IllegalArgumentException problem) {
+            return new Entrant(command.displayName(), command.toString(), spoken, List.of(), problem.getMessage());
+        }
+    }
+
+    /** The bot's own name, or with its number where several have it, or where that would be another's. */
+    private static String unlikeOthers(List<String> names, int k) {
+        String name = names.get(k);
+        if (names.indexOf(name) == names.lastIndexOf(name)) {
+            return name;
+        }
+        String numbered = name + "-" + k;
+        while (names.contains(numbered)) {
+            numbered += "-" + k;
+        }
+        return numbered;
+    }
+
+    /** Refuses bots that speak what the scene's game does not. */
+    public static void checkProtocols(GameSetup setup, List<Entrant> entrants) {
+        for (Entrant entrant : entrants) {
+            if (entrant.protocol() == Protocol.CODINGAME && !hasText(setup)) {
+                throw new InputException("bot '" + entrant.bot() + "': the scene \"" + setup.scene().name()
+                    + "\" has no codingame protocol, expected a bot that speaks json");
+            }
+        }
+    }
+
+    private static boolean hasText(GameSetup setup) {
+        return setup.textCodec(setup.create(0)).isPresent();
+    }
+
+    /** Whether the scene's game speaks CodinGame's lines too; all games speak JSON. */
+    boolean hasBothProtocols() {
+        return hasText(setup);
+    }
+
+    public String sceneName() {
+        return setup.scene().name();
+    }
+
+    /** Which bot plays as a player when the bots have moved up by {@code rotation} places. */
+    public int entrantOf(int player, int rotation) {
+        return (player + rotation) % entrants.size();
+    }
+
+    /**
+     * Plays a match.
+     *
+     * @param rotation  by how many places the bots move up
+     * @param recording where the replay goes, or {@code null}; left open
+     * @param follower  is told of every turn after it has been recorded
+     * @throws RuntimeException if it could not be brought to a result
+     */
+    public MatchResult play(long seed, int rotation, OutputStream recording, MatchListener follower)
+            throws InterruptedException {
+        List<Seat> seats = new ArrayList<>();
+        for (int player = 0; player < entrants.size(); player++) {
+            Entrant entrant = entrants.get(entrantOf(player, rotation));
+            seats.add(new Seat(entrant.player(), entrant.protocol()));
+        }
+        MatchListener listener = recording == null ? follower
+            : new TeeListener(new ReplayWriter(recording, header(seed, rotation)), follower);
+        return Referee.of(setup, seed, seats, time, listener).play();
+    }
+
+    private ReplayHeader header(long seed, int rotation) {
+        List<String> names = new ArrayList<>();
+        List<String> bots = new ArrayList<>();
+        List<Protocol> protocols = new ArrayList<>();
+        for (int player = 0; player < entrants.size(); player++) {
+            Entrant entrant = entrants.get(entrantOf(player, rotation));
+            names.add(entrant.name());
+            bots.add(entrant.bot());
+            protocols.add(entrant.protocol());
+        }
+        return new ReplayHeader(setup.scene().gameId(), setup.scene().json(), seed, names, bots, protocols,
+            timeFactor);
+    }
+}

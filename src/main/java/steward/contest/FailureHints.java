@@ -1,0 +1,65 @@
+package steward.contest;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.BooleanSupplier;
+import java.util.regex.Pattern;
+import steward.bot.FaultMessages;
+import steward.match.Protocol;
+
+/** What beginners' bots fail of, guessed from how they failed. */
+final class FailureHints {
+
+    static final String FLUSH = "nothing ever came on its stdout; does it flush after every answer, and start in time?";
+    static final String CODINGAME = "it was sent JSON; is it a CodinGame bot? then write codingame: before its command";
+    static final String JSON = "it was sent CodinGame's lines; does it speak JSON? then write json: before its command";
+    static final String NOT_FOUND = "a program was not found: the command itself, one that it calls, or the "
+        + "interpreter in the first line of a script (#!), where a Windows line end would become part of its name";
+    static final String NOT_EXECUTABLE = "a program could not be executed: without permission (chmod +x), or on a "
+        + "folder that is mounted noexec; name its interpreter before it";
+
+    private static final int NOT_EXECUTABLE_STATUS = 126;
+    private static final int NOT_FOUND_STATUS = 127;
+
+    /** What says by itself why a program did not even begin. */
+    private static final Pattern CLEAR = Pattern.compile("SyntaxError|IndentationError|ModuleNotFoundError|ImportError"
+        + "|No such file|can't open|cannot open|ClassNotFound|Could not find or load|command not found|not found$");
+
+    private FailureHints() {
+    }
+
+    /**
+     * @param protocol what the bot was spoken to in
+     * @param other    whether the scene has the other protocol too
+     * @param answers  how many good answers it had given
+     * @param reason   as the referee says it
+     * @param received what came in place of an answer
+     * @param stderr   the last lines it wrote there
+     */
+    static List<String> of(Protocol protocol, BooleanSupplier other, int answers, String reason, String received,
+                           List<String> stderr) {
+        List<String> hints = new ArrayList<>();
+        if (FaultMessages.isExit(reason, NOT_FOUND_STATUS)) {
+            hints.add(NOT_FOUND);
+        } else if (FaultMessages.isExit(reason, NOT_EXECUTABLE_STATUS)) {
+            hints.add(NOT_EXECUTABLE);
+        } else if (answers == 0) {
+            if (FaultMessages.isLate(reason) && received.isEmpty()) {
+                hints.add(FLUSH);
+            }
+            if (speaksTheOther(protocol, reason, received, stderr) && other.getAsBoolean()) {
+                hints.add(protocol == Protocol.JSON ? CODINGAME : JSON);
+            }
+        }
+        return hints;
+    }
+
+    /** It died of the first thing it was told, or answered in another way. */
+    private static boolean speaksTheOther(Protocol protocol, String reason, String received, List<String> stderr) {
+        if (FaultMessages.isExit(reason)) {
+            return !reason.equals(FaultMessages.exited(0)) && stderr.stream().noneMatch(line -> CLEAR.matcher(line).find());
+        }
+        boolean object = received.stripLeading().startsWith("{");
+        return !received.isBlank() && object == (protocol == Protocol.CODINGAME);
+    }
+}

@@ -1,0 +1,122 @@
+package steward.contest;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.List;
+import steward.Internal;
+import steward.match.MatchListener;
+import steward.match.Turn;
+
+/**
+ * Follows one game for what its result does not tell: why bots failed, with the last lines they wrote to stderr, and
+ * how long each answer took. A turn costs it a few additions.
+ */
+@Internal
+public final class GameLog implements MatchListener {
+
+    /** As much of a line of stderr is kept, in characters. */
+    private static final int LONGEST = 200;
+
+    private final Contest contest;
+    private final int rotation;
+    private final String[][] stderr;
+    private final int[] asked;
+    private final int[] answers;
+    private final AnswerTimes[] times;
+    private final List<Failure> failures = new ArrayList<>();
+    private volatile int turns;
+
+    /** @param rotation by how many places the bots have moved up */
+    public GameLog(Contest contest, int rotation) {
+        this.contest = contest;
+        this.rotation = rotation;
+        int players = contest.entrants().size();
+        stderr = new String[players][Failure.LINES];
+        asked = new int[players];
+        answers = new int[players];
+        times = new AnswerTimes[players];
+        for (int player = 0; player < players; player++) {
+            times[player] = new AnswerTimes();
+        }
+    }
+
+    @Override
+    public void commands(Turn turn) {
+        for (int player = 0; player < turn.players(); player++) {
+            if (!turn.asked(player)) {
+                continue;
+            }
+            if (asked[player]++ == 0) {
+                times[player].addFirst(turn.nanos(player));
+            } else {
+                times[player].add(turn.nanos(player), turn.number());
+            }
+            if (turn.stderr(player) != null) {
+                remember(player, turn.stderr(player));
+            }
+            if (turn.answered(player)) {
+                answers[player]++;
+            } else if (turn.fault(player) != null) {
+                failures.add(failure(player, turn));
+            }
+        }
+    }
+
+    @Override
+    public void played(Turn turn) {
+        turns = turn.number();
+    }
+
+    /** Texts, not lines: most games need none. The latest is the first. */
+    private void remember(int player, String text) {
+        String[] texts = stderr[player];
+        System.arraycopy(texts, 0, texts, 1, texts.length - 1);
+        texts[0] = text;
+    }
+
+    private Failure failure(int player, Turn turn) {
+        List<String> lines = lastLines(stderr[player]);
+        String received = turn.answer(player) == null ? "" : turn.answer(player);
+        return new Failure(player, turn.number(), turn.fault(player), lines, FailureHints.of(
+            contest.entrants().get(contest.entrantOf(player, rotation)).protocol(), contest::hasBothProtocols,
+            answers[player], turn.fault(player), received, lines));
+    }
+
+    private static List<String> lastLines(String[] texts) {
+        StringBuilder all = new StringBuilder();
+        for (int k = texts.length - 1; k >= 0; k--) {
+            all.append(texts[k] == null ? "" : texts[k]);
+        }
+        Deque<String> last = new ArrayDeque<>();
+        all.toString().lines().filter(line -> !line.isBlank()).forEach(line -> {
+            if (last.size() == Failure.LINES) {
+                last.removeFirst();
+            }
+            last.addLast(shortened(line));
+        });
+        return List.copyOf(last);
+    }
+
+    private static String shortened(String line) {
+        if (line.length() <= LONGEST) {
+            return line;
+        }
+        return line.substring(0, Character.isHighSurrogate(line.charAt(LONGEST - 1)) ? LONGEST - 1 : LONGEST) + "...";
+    }
+
+    /** How many turns have been played; may be asked by any thread. */
+    int turns() {
+        return turns;
+    }
+
+    /** How long answers took, by player; when the game is over. */
+    List<AnswerTimes> times() {
+        return List.of(times);
+    }
+
+    /** Who failed, in the order in which it happened; when the game is over. */
+    public List<Failure> failures() {
+        return List.copyOf(failures);
+    }
+}

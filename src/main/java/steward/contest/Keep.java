@@ -1,0 +1,38 @@
+package steward.contest;
+
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Optional;
+
+/** Which replays of a series are kept. */
+public enum Keep {
+
+    /** Every one; also that of a game that was broken off, if it has a turn. */
+    ALL,
+    /** Of games that the first bot of the call has lost. */
+    LOST,
+    /** Of games in which any bot failed, and of those without a result. */
+    FAILED,
+    /** Not one; nothing is recorded. */
+    NONE;
+
+    /** As it is written in a call. */
+    public String word() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+
+    /** By its {@link #word}. */
+    public static Optional<Keep> of(String word) {
+        return Arrays.stream(values()).filter(each -> each.word().equals(word)).findFirst();
+    }
+
+    /** Whether the replay of a game that is over is kept. */
+    boolean keeps(Contest contest, Series.Played game) {
+        return switch (this) {
+            case ALL -> true;
+            case LOST -> game.result() != null && game.result().players().get(game.playerOf(contest, 0)).rank() > 0;
+            case FAILED -> game.result() == null || game.result().anyFault();
+            case NONE -> false;
+        };
+    }
+}

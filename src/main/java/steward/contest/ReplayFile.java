@@ -1,0 +1,130 @@
+package steward.contest;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import steward.Internal;
+import steward.files.InputException;
+import steward.files.OutputFiles;
+import steward.replay.WriteBehind;
+
+/** The replay of one game as a file: it remembers what went wrong with it, and leaves nothing empty behind. */
+@Internal
+public final class ReplayFile extends OutputStream {
+
+    private final Path path;
+    private final OutputStream stream;
+    private IOException problem;
+
+    /** @throws InputException if it cannot be opened, or exists and is not to be overwritten */
+    public ReplayFile(Path path, boolean overwrite) {
+        this.path = path;
+        stream = new WriteBehind(OutputFiles.open(path, overwrite));
+    }
+
+    @Override
+    public void write(int one) throws IOException {
+        write(new byte[] {(byte) one}, 0, 1);
+    }
+
+    @Override
+    public void write(byte[] bytes, int from, int length) throws IOException {
+        try {
+            stream.write(bytes, from, length);
+        } catch (IOException found) {
+            problem = found;
+            throw found;
+        }
+    }
+
+    @Override
+    public void flush() throws IOException {
+        try {
+            stream.flush();
+        } catch (IOException found) {
+            problem = found;
+            throw found;
+        }
+    }
+
+    /** What could not be written any more is remembered, see {@link #problem}; nothing is thrown. */
+    @Override
+    public void close() {
+        try {
+            stream.close();
+        } catch (IOException found) {
+            problem = problem == null ? found : problem;
+        }
+    }
+
+    /** What went wrong with the file, and what has become of it; {@code null} if nothing. */
+    public String problem() {
+        if (problem == null) {
+            return null;
+        }
+        String what = path + ": cannot be written: " + problem.getMessage();
+        if (!exists()) {
+            return what + "; it had no turn, and is removed";
+        }
+        return isOurs() ? what + "; the turns before are in it" : what;
+    }
+
+    /** Whether anything went wrong with the file. */
+    public boolean isBroken() {
+        return problem != null;
+    }
+
+    /** When it is closed: removes a file that has no turn. */
+    public void removeIfEmpty() {
+        if (isOurs() && !hasTurn()) {
+            remove();
+        }
+    }
+
+    /** Devices and links are not: they were there before, and stay. */
+    private boolean isOurs() {
+        return Files.isRegularFile(path, LinkOption.NOFOLLOW_LINKS);
+    }
+
+    /** Whether there is a complete line after that of the header. */
+    private boolean hasTurn() {
+        byte[] bytes = new byte[1 << 13];
+        int lines = 0;
+        try (InputStream file = Files.newInputStream(path)) {
+            for (int count = file.read(bytes); count >= 0; count = file.read(bytes)) {
+                for (int k = 0; k < count; k++) {
+                    lines += bytes[k] == '\n' ? 1 : 0;
+                }
+                if (lines >= 2) {
+                    return true;
+                }
+            }
+            return false;
+        } catch (IOException unreadable) {
+            return true;                               // who knows: nothing that was recorded is lost
+        }
+    }
+
+    /** Removes the file, whatever is in it. */
+    void remove() {
+        try {
+            if (isOurs()) {
+                Files.delete(path);
+            }
+        } catch (IOException stays) {
+            // It has to stay, then.
+            return;
+        }
+    }
+
+    boolean exists() {
+        return Files.exists(path);
+    }
+
+    Path path() {
+        return path;
+    }
+}

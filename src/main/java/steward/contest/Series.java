@@ -1,0 +1,118 @@
+package steward.contest;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import steward.files.OutputFiles;
+import steward.match.MatchResult;
+
+/**
+ * Many games between the same bots. Game k, counted from 0, has the seed {@code first + k}; with {@code swap} each seed
+ * is played once for every way to move the bots up, one after the other.
+ *
+ * @param contest what is played
+ * @param first   seed of the first game
+ * @param seeds   how many seeds
+ * @param swap    whether the bots change sides
+ * @param folder  for the replays, or {@code null}
+ * @param keep    which replays are kept when their games are over
+ */
+public record Series(Contest contest, long first, int seeds, boolean swap, Path folder, Keep keep) {
+
+    private static final int LEAST_DIGITS = 4;
+
+    /**
+     * A game of the series.
+     *
+     * @param number   counted from 1
+     * @param seed     its seed
+     * @param rotation by how many places the bots had moved up
+     * @param result   or {@code null} if it could not be brought to one
+     * @param failure  why it could not, or {@code null}
+     * @param failures of bots, in the order in which they happened, without lines of stderr
+     * @param replay   where it is, or {@code null} if there is none
+     */
+    public record Played(int number, long seed, int rotation, MatchResult result, String failure,
+                         List<Failure> failures, Path replay) {
+
+        /** Copies the list. */
+        public Played {
+            failures = List.copyOf(failures);
+        }
+
+        /** Which bot of the call was a player. */
+        public int entrantOf(Contest contest, int player) {
+            return contest.entrantOf(player, rotation);
+        }
+
+        /** Which player a bot of the call was. */
+        public int playerOf(Contest contest, int entrant) {
+            int player = 0;
+            while (contest.entrantOf(player, rotation) != entrant) {
+                player++;
+            }
+            return player;
+        }
+
+        /** Whether there is a result, and all players failed in the same turn: then nobody has earned it. */
+        public boolean allFailed() {
+            return result != null && failures.size() == result.players().size()
+                && failures.stream().allMatch(failure -> failure.turn() == failures.get(0).turn());
+        }
+
+        Played without(String problem) {
+            return new Played(number, seed, rotation, null, problem, failures, replay);
+        }
+
+        Played unkept() {
+            return new Played(number, seed, rotation, result, failure, failures, null);
+        }
+    }
+
+    /** Without a folder where nothing is to be kept. */
+    public Series {
+        folder = keep == Keep.NONE ? null : folder;
+    }
+
+    /** How many games there are in all. */
+    public int games() {
+        return seeds * sides();
+    }
+
+    private int sides() {
+        return swap ? contest.entrants().size() : 1;
+    }
+
+    /** The seed of a game, counted from 1. */
+    public long seed(int number) {
+        return first + (number - 1) / sides();
+    }
+
+    /** By how many places the bots have moved up in a game, counted from 1. */
+    public int rotation(int number) {
+        return (number - 1) % sides();
+    }
+
+    /** The replay of a game, counted from 1; or {@code null}. */
+    public Path file(int number) {
+        if (folder == null) {
+            return null;
+        }
+        String digits = Integer.toString(number);
+        int width = Math.max(LEAST_DIGITS, Integer.toString(games()).length());
+        return folder.resolve("game-" + "0".repeat(width - digits.length()) + digits + ".jsonl");
+    }
+
+    /** Checks that all replays can be written. */
+    public void prepare(boolean overwrite) {
+        if (folder == null) {
+            return;
+        }
+        OutputFiles.prepareFolder(folder);
+        for (int number = 1; number <= games() && !overwrite; number++) {
+            if (Files.exists(file(number))) {
+                throw OutputFiles.exists(file(number));
+            }
+        }
+    }
+}

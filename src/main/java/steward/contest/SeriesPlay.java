@@ -1,0 +1,200 @@
+package steward.contest;
+
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import steward.files.InputException;
+import steward.match.MatchResult;
+
+/**
+ * A series while it is played, several games at the same time. What fails in one game is told in it and ends no other,
+ * with one exception: when a replay cannot be written, on a full disk say, no further games are begun, since theirs
+ * could not be either; those under way are played to their end.
+ */
+public final class SeriesPlay {
+
+    private final Series series;
+    private final boolean overwrite;
+    private final Standings standings;
+
+    /** Guarded by this, as is all below: games that are under way. */
+    private final Set<Game> underWay = new LinkedHashSet<>();
+    private int begun;
+    private boolean brokenOff;
+    private String stopped;
+
+    /** @param overwrite whether replays that exist are replaced */
+    public SeriesPlay(Series series, boolean overwrite) {
+        this.series = series;
+        this.overwrite = overwrite;
+        standings = new Standings(series.contest());
+    }
+
+    /**
+     * A game under way.
+     *
+     * @param file    its replay, or {@code null}
+     * @param refused why its replay cannot be opened, or {@code null}
+     */
+    private record Game(int number, long seed, int rotation, GameLog log, ReplayFile file, String refused) {
+    }
+
+    /** The games that are over. */
+    public Standings standings() {
+        return standings;
+    }
+
+    /**
+     * Plays all games. Call once.
+     *
+     * @param each called after each game, by any thread
+     */
+    public void play(int threads, Runnable each) throws InterruptedException {
+        int used = Math.min(threads, series.games());
+        ExecutorService workers = Executors.newFixedThreadPool(used, SeriesPlay::daemon);
+        try {
+            List<Future<?>> working = new ArrayList<>();
+            for (int k = 0; k < used; k++) {
+                working.add(workers.submit(() -> {
+                    while (playNext()) {
+                        each.run();
+                    }
+                    return null;
+                }));
+            }
+            for (Future<?> one : working) {
+                one.get();
+            }
+        } catch (ExecutionException problem) {
+            throw new IllegalStateException("a game of the series", problem.getCause());
+        } finally {
+            workers.shutdownNow();
+        }
+    }
+
+    private static Thread daemon(Runnable work) {
+        Thread thread = new Thread(work, "series");
+        thread.setDaemon(true);
+        return thread;
+    }
+
+    /** Whether there was one, and it counts. */
+    private boolean playNext() throws InterruptedException {
+        Game game = begin();
+        if (game == null) {
+            return false;
+        }
+        MatchResult result = null;
+        String problem = game.refused();
+        if (problem == null) {
+            try {
+                result = series.contest().play(game.seed(), game.rotation(), game.file(), game.log());
+            } catch (UncheckedIOException failed) {
+                problem = failed.getMessage();
+            } catch (InterruptedException interrupted) {
+                close(game);
+                cut(game);
+                throw interrupted;
+            }
+        }
+        close(game);
+        return end(game, result, problem);
+    }
+
+    /** The next game, its replay open; {@code null} if there is none any more. */
+    private synchronized Game begin() {
+        if (brokenOff || stopped != null || begun == series.games()) {
+            return null;
+        }
+        int number = ++begun;
+        ReplayFile file = null;
+        String refused = null;
+        try {
+            file = series.file(number) == null ? null : new ReplayFile(series.file(number), overwrite);
+        } catch (InputException problem) {
+            refused = problem.getMessage();
+        }
+        int rotation = series.rotation(number);
+        Game game = new Game(number, series.seed(number), rotation, new GameLog(series.contest(), rotation), file,
+            refused);
+        underWay.add(game);
+        return game;
+    }
+
+    private static void close(Game game) {
+        if (game.file() != null) {
+            game.file().close();
+        }
+    }
+
+    /** Counts a game, unless the series has been broken off meanwhile; whether it does. */
+    private synchronized boolean end(Game game, MatchResult found, String failed) {
+        if (brokenOff) {
+            return false;
+        }
+        underWay.remove(game);
+        ReplayFile file = game.file();
+        boolean broken = file != null && file.isBroken();
+        List<Failure> failures = game.log().failures();
+        Series.Played played = new Series.Played(game.number(), game.seed(), game.rotation(), broken ? null : found,
+            failed, failures.stream().map(Failure::brief).toList(), file == null ? null : file.path());
+        if (file != null && played.result() == null) {
+            file.removeIfEmpty();
+        }
+        if (file != null && !series.keep().keeps(series.contest(), played)) {
+            file.remove();
+        }
+        if (broken) {
+            played = played.without(file.problem());
+            stopped = stopped == null ? played.failure() : stopped;
+        }
+        standings.add(file == null || file.exists() ? played : played.unkept(), failures, game.log().times());
+        return true;
+    }
+
+    /**
+     * Breaks the series off, from any thread: what is under way does not count, and its replays are removed, but for
+     * those with a turn if all are kept.
+     *
+     * @return the replays of unfinished games that are kept
+     */
+    public synchronized List<Path> breakOff() {
+        brokenOff = true;
+        List<Path> kept = new ArrayList<>();
+        for (Game game : underWay) {
+            if (!cut(game)) {
+                kept.add(game.file().path());
+            }
+        }
+        return kept;
+    }
+
+    /** Whether nothing is left of a game that has been broken off. */
+    private boolean cut(Game game) {
+        if (game.file() == null) {
+            return true;
+        }
+        if (series.keep() == Keep.ALL && game.log().turns() > 0) {
+            return false;
+        }
+        game.file().remove();
+        return true;
+    }
+
+    /** Whether {@link #breakOff} has been called. */
+    public synchronized boolean isBrokenOff() {
+        return brokenOff;
+    }
+
+    /** Why the series ended before its last game, or {@code null}. */
+    public synchronized String stopped() {
+        return stopped;
+    }
+}

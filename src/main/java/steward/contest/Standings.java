@@ -1,0 +1,123 @@
+package steward.contest;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import steward.match.MatchResult;
+
+/**
+ * The games of a series that are over, and what they add up to. May be asked by any thread while games are played;
+ * what is asked for does not depend on the order in which they ended.
+ */
+public final class Standings {
+
+    private final Contest contest;
+    private final TreeMap<Integer, Series.Played> games = new TreeMap<>();
+    private final AnswerTimes[] times;
+    private final double[] points;
+    private int results;
+    private int failed;
+
+    /** The first failure of each kind, with its lines, by bot and kind. */
+    private final Map<List<Object>, FirstFailure> firsts = new LinkedHashMap<>();
+
+    private record FirstFailure(int game, Failure failure) {
+    }
+
+    Standings(Contest contest) {
+        this.contest = contest;
+        int entrants = contest.entrants().size();
+        points = new double[entrants];
+        times = new AnswerTimes[entrants];
+        for (int k = 0; k < entrants; k++) {
+            times[k] = new AnswerTimes();
+        }
+    }
+
+    /**
+     * One more.
+     *
+     * @param failures with their lines, of which only those of the first failure of a kind are kept
+     * @param measured answer times by player
+     */
+    synchronized void add(Series.Played game, List<Failure> failures, List<AnswerTimes> measured) {
+        games.put(game.number(), game);
+        for (Failure failure : failures) {
+            FirstFailure one = new FirstFailure(game.number(), failure);
+            firsts.merge(List.of(game.entrantOf(contest, failure.player()), failure.kind()), one,
+                (before, now) -> now.game() < before.game() ? now : before);
+        }
+        for (int player = 0; player < measured.size(); player++) {
+            times[game.entrantOf(contest, player)].addAll(measured.get(player), game.number());
+        }
+        MatchResult result = game.result();
+        if (result != null) {
+            results++;
+            failed += result.anyFault() ? 1 : 0;
+            for (int player = 0; player < result.players().size(); player++) {
+                points[game.entrantOf(contest, player)] += Tally.points(result, player);
+            }
+        }
+    }
+
+    /** In the order of their numbers. */
+    public synchronized List<Series.Played> games() {
+        return List.copyOf(games.values());
+    }
+
+    /** How many games have a result. */
+    public synchronized int results() {
+        return results;
+    }
+
+    /** In how many games with a result a bot failed. */
+    public synchronized int gamesWithFaults() {
+        return failed;
+    }
+
+    /** Points per game of a bot so far, by its place in the call; NaN without games. As {@link Tally#points}. */
+    public synchronized double points(int entrant) {
+        return points[entrant] / results;
+    }
+
+    /** How a bot did, by its place in the call. */
+    public Tally tally(int entrant) {
+        return Tally.of(contest, games(), entrant);
+    }
+
+    /** How long a bot took to answer; to be looked at when no more games are played. */
+    public synchronized AnswerTimes times(int entrant) {
+        return times[entrant];
+    }
+
+    /** Mean turns of the games that have a result; NaN without any. */
+    public double meanTurns() {
+        return games().stream().filter(game -> game.result() != null).mapToInt(game -> game.result().turns())
+            .average().orElse(Double.NaN);
+    }
+
+    /** The games in which all bots failed in the same turn: they say nothing about who plays better. */
+    public List<Series.Played> allFailed() {
+        return games().stream().filter(Series.Played::allFailed).toList();
+    }
+
+    /** Why bots failed, the bot and kind of the earliest game first. */
+    public synchronized List<FailureKind> failures() {
+        Map<List<Object>, List<FailureKind.Occurrence>> found = new LinkedHashMap<>();
+        for (Series.Played game : games.values()) {
+            for (Failure failure : game.failures()) {
+                found.computeIfAbsent(List.of(game.entrantOf(contest, failure.player()), failure.kind()),
+                    key -> new ArrayList<>()).add(new FailureKind.Occurrence(game, failure.turn()));
+            }
+        }
+        List<FailureKind> kinds = new ArrayList<>();
+        found.forEach((key, occurrences) -> kinds.add(
+            new FailureKind((Integer) key.get(0), List.copyOf(occurrences), firsts.get(key).failure())));
+        kinds.sort(Comparator.comparingInt((FailureKind kind) -> kind.game().number())
+            .thenComparingInt(FailureKind::entrant));
+        return kinds;
+    }
+}

@@ -1,0 +1,115 @@
+package steward.files;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.OpenOption;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+
+/** Opens the files that replays and pages are written to, before the match is played. */
+public final class OutputFiles {
+
+    private OutputFiles() {
+    }
+
+    /** A path as it was typed. */
+    public static Path path(String typed) {
+        try {
+            return Path.of(typed);
+        } catch (InvalidPathException problem) {
+            throw new InputException("'" + typed + "': found no possible file name: " + problem.getReason());
+        }
+    }
+
+    /**
+     * A new file; with {@code overwrite} also one that exists. Every line is handed to the system at once, so that
+     * recorded turns survive a crash.
+     *
+     * @throws InputException if it cannot be written, or exists and is not to be overwritten
+     */
+    public static OutputStream open(Path file, boolean overwrite) {
+        check(file, overwrite);
+        OpenOption[] options = overwrite
+            ? new OpenOption[] {StandardOpenOption.WRITE, StandardOpenOption.CREATE,
+                StandardOpenOption.TRUNCATE_EXISTING}
+            : new OpenOption[] {StandardOpenOption.WRITE, StandardOpenOption.CREATE_NEW};
+        try {
+            return Files.newOutputStream(file, options);
+        } catch (FileAlreadyExistsException problem) {
+            throw exists(file);
+        } catch (IOException problem) {
+            throw new InputException(file + ": cannot be written: " + reason(file, problem));
+        }
+    }
+
+    /**
+     * Checks a file without opening it.
+     *
+     * @throws InputException if it is a folder, or exists and is not to be overwritten
+     */
+    public static void check(Path file, boolean overwrite) {
+        if (Files.isDirectory(file)) {
+            throw new InputException(file + ": found a folder, expected the name of a file");
+        }
+        if (!overwrite && Files.exists(file)) {
+            throw exists(file);
+        }
+    }
+
+    /**
+     * Makes sure that a folder exists and can be written into.
+     *
+     * @throws InputException if it cannot be made or written into
+     */
+    public static void prepareFolder(Path folder) {
+        try {
+            if (!Files.isDirectory(folder)) {
+                Files.createDirectory(folder);
+            }
+            if (!Files.isWritable(folder)) {
+                throw new InputException(folder + ": cannot be written into: no permission");
+            }
+        } catch (FileAlreadyExistsException problem) {
+            throw new InputException(folder + ": found a file, expected a folder, there or to be made");
+        } catch (IOException problem) {
+            throw new InputException(folder + ": cannot be made: " + reason(folder, problem));
+        }
+    }
+
+    /** Whether both are the same file, there already or about to be; nothing is the same as no file. */
+    public static boolean isSame(Path one, Path other) {
+        if (one == null || other == null) {
+            return false;
+        }
+        try {
+            return one.toAbsolutePath().normalize().equals(other.toAbsolutePath().normalize())
+                || Files.exists(one) && Files.exists(other) && Files.isSameFile(one, other);
+        } catch (IOException problem) {
+            return false;
+        }
+    }
+
+    /** The error for a file that exists already. */
+    public static InputException exists(Path file) {
+        return new InputException(file + ": exists already, and is kept; --overwrite would replace it");
+    }
+
+    private static String reason(Path file, IOException problem) {
+        Path folder = file.toAbsolutePath().getParent();
+        if (problem instanceof AccessDeniedException) {
+            return "no permission";
+        }
+        if (folder != null && !Files.exists(folder)) {
+            return "there is no folder " + folder;
+        }
+        if (folder != null && !Files.isDirectory(folder)) {
+            return folder + " is not a folder";
+        }
+        return problem instanceof NoSuchFileException ? "there is no such place" : problem.getMessage();
+    }
+}

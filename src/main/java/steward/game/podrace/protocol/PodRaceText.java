@@ -1,0 +1,215 @@
+package steward.game.podrace.protocol;
+
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import steward.game.TextCodec;
+import steward.game.podrace.PodRace;
+import steward.game.podrace.PodRaceSettings;
+import steward.game.podrace.PodState;
+
+/**
+ * CodinGame's line protocols of the pod race. Where each player has several pods (the upper leagues), the setup is
+ * laps, number of checkpoints and their places, and a turn shows each pod, own ones first, as {@code x y vx vy angle
+ * nextCheckPointId}. Where each has one (the lower leagues) there is no setup, and a turn is {@code x y nextX nextY
+ * nextDist nextAngle} and a line {@code x y} per opponent.
+ *
+ * <p>Answers are one line per pod, {@code X Y THRUST|SHIELD|BOOST message}. They are read as leniently as real bots
+ * need it: any number of blanks, a carriage return, decimals and a plus in X and Y, lower-case words, blanks at the end,
+ * and no third word, which means full thrust; the published referee refuses all of these but blanks between the words,
+ * and a blank behind Y. Where two blanks stand behind Y, what follows may be a message and the thrust is full. Lines
+ * before a bad one take effect.
+ */
+public final class PodRaceText implements TextCodec {
+
+    private static final int FULL_TURN = 360;
+
+    /** What languages print for a double; Java alone would also read 1d, 0x1p3, NaN and Infinity. */
+    private static final Pattern DECIMAL = Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
+
+    /** Two blanks or more behind Y stand for a thrust that is left out: what follows is a message. */
+    private static final Pattern MESSAGE_ONLY = Pattern.compile("\\S+\\s+\\S+\\s\\s+(.*\\D.*)");
+
+    private final PodRace race;
+    private final PodRaceSettings settings;
+    private final String[] messages;
+
+    public PodRaceText(PodRace race) {
+        this.race = race;
+        settings = race.settings();
+        messages = new String[race.players()];
+    }
+
+    private boolean isSinglePod() {
+        return settings.podsPerPlayer() == 1;
+    }
+
+    @Override
+    public void writeSetup(StringBuilder out, int player) {
+        if (isSinglePod()) {
+            return;
+        }
+        double[][] checkpoints = race.checkpoints();
+        out.append(settings.laps()).append('\n').append(checkpoints.length).append('\n');
+        for (double[] checkpoint : checkpoints) {
+            append(out, checkpoint[0], ' ');
+            append(out, checkpoint[1], '\n');
+        }
+    }
+
+    @Override
+    public void writeTurn(StringBuilder out, int player) {
+        if (isSinglePod()) {
+            writeSinglePod(out, player);
+            return;
+        }
+        writePods(out, player);
+        for (int other = 0; other < race.players(); other++) {
+            if (other != player) {
+                writePods(out, other);
+            }
+        }
+    }
+
+    private void writePods(StringBuilder out, int player) {
+        int first = player * settings.podsPerPlayer();
+        for (int pod = first; pod < first + settings.podsPerPlayer(); pod++) {
+            PodState state = race.pod(pod);
+            append(out, state.x(), ' ');
+            append(out, state.y(), ' ');
+            append(out, state.vx(), ' ');
+            append(out, state.vy(), ' ');
+            out.append(angle(state.heading())).append(' ').append(race.nextCheckpoint(pod)).append('\n');
+        }
+    }
+
+    /** Whole degrees, 0..360 after wrapping and rounding; -1 while unset. */
+    static long angle(double heading) {
+        return Double.isNaN(heading) ? -1 : Math.round(PodJsonCache.degrees(heading));
+    }
+
+    private void writeSinglePod(StringBuilder out, int player) {
+        PodState state = race.pod(player);
+        double[] next = race.checkpoints()[race.nextCheckpoint(player)];
+        double dx = next[0] - state.x();
+        double dy = next[1] - state.y();
+        append(out, state.x(), ' ');
+        append(out, state.y(), ' ');
+        append(out, next[0], ' ');
+        append(out, next[1], ' ');
+        append(out, Math.sqrt(dx * dx + dy * dy), ' ');
+        out.append(relativeAngle(state.heading(), dx, dy)).append('\n');
+        for (int other = 0; other < race.players(); other++) {
+            if (other != player) {
+                append(out, race.pod(other).x(), ' ');
+                append(out, race.pod(other).y(), '\n');
+            }
+        }
+    }
+
+    /** The direction of (dx, dy) as seen from the heading, whole degrees -180..180; 0 while the heading is unset. */
+    static long relativeAngle(double heading, double dx, double dy) {
+        if (Double.isNaN(heading)) {
+            return 0;
+        }
+        double degrees = (Math.toDegrees(StrictMath.atan2(dy, dx)) - PodJsonCache.degrees(heading)) % FULL_TURN;
+        double wrapped = degrees > FULL_TURN / 2 ? degrees - FULL_TURN
+            : degrees < -FULL_TURN / 2 ? degrees + FULL_TURN : degrees;
+        return Math.round(wrapped);
+    }
+
+    private static void append(StringBuilder out, double value, char end) {
+        out.append(Math.round(value)).append(end);
+    }
+
+    @Override
+    public int answerLines(int player) {
+        return settings.podsPerPlayer();
+    }
+
+    @Override
+    public String readAnswer(int player, byte[] answer, int length) {
+        messages[player] = null;
+        String[] lines = new String(answer, 0, length, StandardCharsets.UTF_8).split("\n", -1);
+        if (lines.length != settings.podsPerPlayer()) {
+            return "found " + lines.length + " lines, expected " + settings.podsPerPlayer();
+        }
+        List<String> said = new ArrayList<>();
+        int first = player * settings.podsPerPlayer();
+        for (int k = 0; k < lines.length; k++) {
+            String wrong = readLine(first + k, lines[k], said);
+            if (wrong != null) {
+                return "line " + (k + 1) + " of " + lines.length + ": " + wrong;
+            }
+        }
+        messages[player] = said.isEmpty() ? null : String.join(" | ", said);
+        return null;
+    }
+
+    /** Gives one pod its command. @return what is wrong, or {@code null} */
+    private String readLine(int pod, String line, List<String> said) {
+        String[] words = line.strip().split("\\s+", 4);
+        if (words.length < 2) {
+            return "found \"" + shorten(line.strip()) + "\", expected X Y and a thrust, SHIELD or BOOST";
+        }
+        double x = decimal(words[0]);
+        double y = decimal(words[1]);
+        if (Double.isNaN(x) || Double.isNaN(y)) {
+            return (Double.isNaN(x) ? "X: found \"" + shorten(words[0]) : "Y: found \"" + shorten(words[1]))
+                + "\", expected a finite number";
+        }
+        int thrust = words.length < 3 ? settings.maximumThrust() : thrust(words[2]);
+        if (thrust == PodRace.NO_COMMAND) {
+            Matcher message = MESSAGE_ONLY.matcher(line.strip());
+            if (!message.matches()) {
+                return "thrust: found \"" + shorten(words[2]) + "\", expected a whole number 0.."
+                    + settings.maximumThrust() + ", SHIELD or BOOST";
+            }
+            race.command(pod, x, y, settings.maximumThrust());
+            said.add(message.group(1));
+            return null;
+        }
+        race.command(pod, x, y, thrust);
+        if (words.length == 4) {
+            said.add(words[3]);
+        }
+        return null;
+    }
+
+    @Override
+    public String message(int player) {
+        return messages[player];
+    }
+
+    /** A decimal number, or NaN. */
+    private static double decimal(String word) {
+        if (!DECIMAL.matcher(word).matches()) {
+            return Double.NaN;
+        }
+        double value = Double.parseDouble(word);
+        return Double.isFinite(value) ? value + 0.0 : Double.NaN;
+    }
+
+    private int thrust(String word) {
+        switch (word.toUpperCase(Locale.ROOT)) {
+            case "SHIELD" -> {
+                return PodRace.SHIELD;
+            }
+            case "BOOST" -> {
+                return PodRace.BOOST;
+            }
+            default -> {
+                double value = decimal(word);
+                boolean good = value == Math.rint(value) && value >= 0 && value <= settings.maximumThrust();
+                return good ? (int) value : PodRace.NO_COMMAND;
+            }
+        }
+    }
+
+    private static String shorten(String text) {
+        return text.length() <= 40 ? text : text.substring(0, 40) + "...";
+    }
+}

@@ -1,0 +1,83 @@
+package steward.game.podrace.protocol;
+
+import java.util.List;
+import java.util.Optional;
+import steward.game.FrameCodec;
+import steward.game.Game;
+import steward.game.GameSetup;
+import steward.game.GameType;
+import steward.game.TextCodec;
+import steward.game.podrace.PodRace;
+import steward.game.podrace.PodRaceSettings;
+import steward.physics.Arena;
+import steward.physics.Contacts;
+import steward.physics.Wall;
+import steward.scene.Part;
+import steward.scene.Plan;
+import steward.scene.Scene;
+
+/** The pod race as a {@link GameType}. */
+public final class PodRaceType implements GameType {
+
+    @Override
+    public String id() {
+        return "pod-race";
+    }
+
+    @Override
+    public PodRaceSetup open(Scene scene) {
+        PodRaceSettings settings = PodRaceSettings.read(scene);
+        checkRoom(scene, settings);
+        scene.root().done();
+        int bumpers = scene.field().map(field -> field.bumpers().size()).orElse(0);
+        int bodies = settings.pods() + bumpers;
+        Plan plan = Plan.of(scene, new Contacts(1), settings.restitution(), bumpers > 0, bodies, List.of(
+            new Part("headings", true, "pods turn at most 18 degrees a turn", Part.When.COMMANDS),
+            new Part("checkpoint sweeps", true, "checkpoints count along the whole path of a turn",
+                Part.When.OUTCOME)));
+        return new PodRaceSetup(scene, settings, plan);
+    }
+
+    private static void checkRoom(Scene scene, PodRaceSettings settings) {
+        if (scene.field().isEmpty()) {
+            return;
+        }
+        for (Wall wall : scene.field().get().walls()) {
+            if (wall instanceof Arena arena && arena.radius() <= settings.radius()) {
+                throw scene.root().block("pods").error("radius", Double.toString(settings.radius()),
+                    "less than the radius of the arena, " + arena.radius());
+            }
+        }
+    }
+
+    /**
+     * A pod race with the settings of one scene.
+     *
+     * @param scene    the scene
+     * @param settings its blocks {@code pods} and {@code race}
+     * @param plan     the parts that the scene requires
+     */
+    public record PodRaceSetup(Scene scene, PodRaceSettings settings, Plan plan) implements GameSetup {
+
+        @Override
+        public PodRace create(long seed) {
+            return new PodRace(settings, scene, plan, seed);
+        }
+
+        /** A race on a given map, {@code [n][x, y]}, for tests against recordings and for simulators. */
+        public PodRace create(double[][] checkpoints) {
+            return new PodRace(settings, scene, plan, checkpoints);
+        }
+
+        @Override
+        public FrameCodec codec(Game game) {
+            return new PodRaceJson((PodRace) game, scene);
+        }
+
+        /** CodinGame's protocols: that of the single-pod leagues where each player has one pod. */
+        @Override
+        public Optional<TextCodec> textCodec(Game game) {
+            return Optional.of(new PodRaceText((PodRace) game));
+        }
+    }
+}

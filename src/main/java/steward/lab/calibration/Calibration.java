@@ -1,0 +1,262 @@
+package steward.lab.calibration;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.StringJoiner;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.LongFunction;
+import steward.game.GameSetup;
+import steward.lab.oracle.TurnTruth;
+import steward.lab.trial.Probe;
+import steward.numerics.StateHash;
+import steward.physics.Advance;
+import steward.physics.Arithmetic;
+import steward.physics.Bodies;
+import steward.physics.PhysicsParts;
+import steward.scene.Accuracy;
+import steward.scene.AccuracyFigures;
+import steward.scene.PhysicsFingerprint;
+import steward.scene.SceneKey;
+
+/*
+ * Work is counted, not timed, so that the figures are the same on every machine. A turn scans all pairs, and all bodies
+ * and walls, once per step, or once more than there are moments with impacts; each scan costs a weight per pair, each
+ * impact another. The weights are the costs relative to a scan for overlaps, as `steward tradeoff` shows them, rounded:
+ * they only have to give the order of the rungs.
+ */
+
+/**
+ * The error of each rung of the ladder after one turn, over many states of seeded play of a scene, compared with the
+ * oracle: the largest position error of a body, before positions are rounded at the end of a turn (rounding would hide
+ * most errors and magnify a few). States come in blocks, each from a play with a seed of its own, so that any number of
+ * threads gives the same figures; the blocks done so far can be read at any time.
+ */
+public final class Calibration {
+
+    /** How many states a calibration has by default. */
+    public static final int STATES = 100_000;
+    /** The rung on which the games are played that states come from, whatever the scene's rung. */
+    public static final Accuracy PLAYED_ON = Accuracy.event(Arithmetic.DOUBLE);
+    /** States per play; the first block is also the sample that shows whether stored figures still hold. */
+    public static final int BLOCK = 1000;
+
+    /** Weight of a pair in a step's scan, the unit of all weights. */
+    private static final double STEP_WEIGHT = 1;
+    private static final double[] EVENT_WEIGHTS = {3, 3, 4, 5};
+    private static final int DIGITS = 3;
+    private static final double LEAST_PLAIN = 1e-3;
+    /** Weight of an impact. */
+    private static final double IMPACT_WEIGHT = 5;
+
+    private final GameSetup setup;
+    private final LongFunction<SeededPlay> plays;
+    private final PhysicsParts parts;
+    private final List<Accuracy> rungs = Accuracy.ladder();
+    private final int states;
+    private final Block[] blocks;
+    private final AtomicInteger next = new AtomicInteger();
+
+    /** The results of a block of states. */
+    private record Block(double[][] errors, double[] work, int withImpacts) {
+    }
+
+    /**
+     * The figures of a calibration.
+     *
+     * @param states      how many states were measured
+     * @param withImpacts how many of these had impacts
+     * @param rungs       the figures of each rung, in the order of the ladder
+     * @param sample      a hash of the errors of the first block
+     */
+    public record Figures(int states, int withImpacts, List<AccuracyFigures.OfRung> rungs, String sample) {
+    }
+
+    /**
+     * @param setup  a scene whose contacts all bounce, opened on {@link #PLAYED_ON}
+     * @param plays  seeded play of it, from a seed
+     * @param states how many states, at least 1
+     * @throws IllegalArgumentException if contacts ask the game: the oracle has no reactions
+     */
+    public Calibration(GameSetup setup, LongFunction<SeededPlay> plays, int states) {
+        this.setup = setup;
+        this.plays = plays;
+        this.states = states;
+        parts = setup.plan().physics(null);
+        blocks = new Block[(states + BLOCK - 1) / BLOCK];
+    }
+
+    /**
+     * Measures the remaining blocks.
+     *
+     * @param threads how many
+     * @param done    called by any of the threads after each block
+     * @throws InterruptedException if the calling thread is interrupted; results so far are kept
+     */
+    public void run(int threads, Runnable done) throws InterruptedException {
+        AtomicReference<Throwable> problem = new AtomicReference<>();
+        Thread[] workers = new Thread[threads];
+        for (int k = 0; k < threads; k++) {
+            workers[k] = new Thread(() -> work(done), "calibration-" + k);
+            workers[k].setUncaughtExceptionHandler((thread, thrown) -> problem.compareAndSet(null, thrown));
+            workers[k].setDaemon(true);
+            workers[k].start();
+        }
+        for (Thread worker : workers) {
+            worker.join();
+        }
+        if (problem.get() != null) {
+            throw new IllegalStateException("calibration of " + setup.scene().name() + ": " + problem.get(),
+                problem.get());
+        }
+    }
+
+    private void work(Runnable done) {
+        for (int k = next.getAndIncrement(); k < blocks.length; k = next.getAndIncrement()) {
+            Block block = measure(k, Math.min(BLOCK, states - k * BLOCK));
+            synchronized (blocks) {
+                blocks[k] = block;
+            }
+            done.run();
+        }
+    }
+
+    /** How many blocks there are. */
+    public int blocks() {
+        return blocks.length;
+    }
+
+    private Block measure(int number, int count) {
+        SeededPlay play = plays.apply(number);
+        List<Advance> advances = rungs.stream().map(rung -> rung.advance(new PhysicsParts(parts.law(),
+            rung.arithmetic(), parts.contacts(), parts.walls(), null, parts.infiniteMasses()))).toList();
+        double[][] errors = new double[rungs.size()][count];
+        double[] work = new double[rungs.size()];
+        int withImpacts = 0;
+        Moments moments = new Moments();
+        for (int k = 0; k < count; k++) {
+            Bodies start = play.next();
+            TurnTruth truth = TurnTruth.of(start, parts);
+            withImpacts += truth.impacts() > 0 ? 1 : 0;
+            Bodies bodies = new Bodies(start.capacity());
+            for (int r = 0; r < advances.size(); r++) {
+                bodies.copyFrom(start);
+                moments.clear();
+                advances.get(r).turn(bodies, moments);
+                errors[r][k] = truth.limited() ? Double.POSITIVE_INFINITY : truth.positionError(bodies);
+                work[r] += work(rungs.get(r), moments, tests(start));
+            }
+        }
+        return new Block(errors, work, withImpacts);
+    }
+
+    /** How many pairs, and bodies with walls, a scan tests. */
+    private int tests(Bodies bodies) {
+        int movable = 0;
+        for (int k = 0; k < bodies.size(); k++) {
+            movable += bodies.inverseMass[k] > 0 ? 1 : 0;
+        }
+        int fixed = bodies.size() - movable;
+        return movable * (movable - 1) / 2 + movable * fixed + movable * parts.walls().size();
+    }
+
+    private static double work(Accuracy rung, Moments moments, int tests) {
+        double looks = rung.way() == Accuracy.Way.STEP ? rung.steps() * STEP_WEIGHT
+            : (moments.moments + 1) * EVENT_WEIGHTS[rung.arithmetic().ordinal()];
+        return looks * tests + moments.impacts * IMPACT_WEIGHT;
+    }
+
+    /** Counts impacts, and the distinct times at which there are any. */
+    private static final class Moments extends Probe {
+
+        private int moments;
+        private double last;
+
+        void clear() {
+            impacts = 0;
+            moments = 0;
+            last = -1;
+        }
+
+        @Override
+        public void impact(double time, int a, int b, double ax, double ay, double bx, double by, double nx,
+                           double ny, double j, double energy, double massA, double massB, double vax, double vay,
+                           double vaxAfter, double vayAfter, double vbx, double vby, double vbxAfter,
+                           double vbyAfter) {
+            impacts++;
+            moments += time == last ? 0 : 1;
+            last = time;
+        }
+    }
+
+    /** Figures of all blocks that are complete without a gap from the first on; of 0 states if there are none. */
+    public Figures figures() {
+        List<Block> done;
+        synchronized (blocks) {
+            done = Arrays.stream(blocks).takeWhile(block -> block != null).toList();
+        }
+        int count = done.stream().mapToInt(block -> block.errors[0].length).sum();
+        List<AccuracyFigures.OfRung> figures = new ArrayList<>();
+        for (int r = 0; r < rungs.size() && count > 0; r++) {
+            int rung = r;
+            double[] errors = done.stream().flatMapToDouble(block -> Arrays.stream(block.errors[rung])).sorted()
+                .toArray();
+            double work = 0;
+            for (Block block : done) {
+                work += block.work[r];
+            }
+            figures.add(new AccuracyFigures.OfRung(rungs.get(r), work / count,
+                AccuracyFigures.SHARES.stream().map(share -> atShare(errors, share)).toList()));
+        }
+        return new Figures(count, done.stream().mapToInt(Block::withImpacts).sum(), figures,
+            done.isEmpty() ? "" : sample(done.get(0)));
+    }
+
+    /** The least error that at least this share of the states does not exceed. */
+    static double atShare(double[] sorted, String share) {
+        int count = new BigDecimal(share).multiply(BigDecimal.valueOf(sorted.length))
+            .setScale(0, RoundingMode.CEILING).intValueExact();
+        return sorted[Math.max(1, count) - 1];
+    }
+
+    private static String sample(Block block) {
+        StateHash hash = new StateHash();
+        for (double[] errors : block.errors) {
+            for (double error : errors) {
+                hash.add(error);
+            }
+        }
+        return StateHash.toHex(hash.value());
+    }
+
+    /** The figures as a file that {@link AccuracyFigures} reads; errors are rounded up to three digits. */
+    public String text(Figures figures) {
+        StringJoiner rungs = new StringJoiner(",\n    ", "[\n    ", "\n  ]");
+        for (AccuracyFigures.OfRung rung : figures.rungs) {
+            StringJoiner errors = new StringJoiner(", ", "{ ", " }");
+            for (int k = 0; k < rung.errors().size(); k++) {
+                errors.add("\"" + AccuracyFigures.SHARES.get(k) + "\": " + number(rung.errors().get(k)));
+            }
+            rungs.add("{ \"rung\": \"" + rung.rung() + "\", \"work\": " + number(rung.work())
+                + ",\n      \"positionErrors\": " + errors + " }");
+        }
+        return "{\n  \"format\": " + AccuracyFigures.FORMAT + ",\n  \"key\": \"" + SceneKey.of(setup.scene())
+            + "\",\n  \"physics\": \"" + PhysicsFingerprint.text() + "\",\n  \"sample\": \"" + figures.sample
+            + "\",\n  \"states\": " + figures.states + ",\n  \"statesWithImpacts\": " + figures.withImpacts
+            + ",\n  \"rungs\": " + rungs + "\n}\n";
+    }
+
+    private static String number(double value) {
+        if (value == 0 || value == Double.POSITIVE_INFINITY) {
+            return value == 0 ? "0" : '"' + AccuracyFigures.UNKNOWN + '"';
+        }
+        BigDecimal rounded = new BigDecimal(value).round(new MathContext(DIGITS, RoundingMode.CEILING))
+            .stripTrailingZeros();
+        return value < LEAST_PLAIN ? rounded.toString().toLowerCase(Locale.ROOT) : rounded.toPlainString();
+    }
+}

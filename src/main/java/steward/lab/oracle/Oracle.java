@@ -1,0 +1,164 @@
+package steward.lab.oracle;
+
+import java.math.BigDecimal;
+import java.util.ArrayList;
+import java.util.List;
+import steward.physics.ImpactLaw;
+import steward.physics.Wall;
+
+/**
+ * A turn computed from the definitions in {@link Decimals#COUNT} decimal digits: find the earliest touch of all pairs
+ * and walls, move all bodies there, let the impact react, search again. Slow, and meant to be obviously right: nothing
+ * is kept from one impact to the next, and only pairs too far apart to meet in the rest of the turn are skipped
+ * ({@link OracleBroadPhase}). It reads {@link ImpactLaw} and {@link Wall} as plain data and calls nothing of the
+ * physics.
+ *
+ * <p>Where the physics has to decide whether two rounded distances are equal, the oracle treats numbers that agree to
+ * {@code COUNT - 16} digits as equal: a body moved to a touch does touch, and a body that slides does not approach.
+ *
+ * <p>Caveat: all contacts bounce (no {@code ASK}), and a turn that reaches the limit on impacts stops there.
+ */
+public final class Oracle {
+
+    private final ImpactLaw law;
+    private final List<Wall> walls;
+    private final OracleReaction reaction;
+    private boolean limited;
+
+    public Oracle(ImpactLaw law, List<Wall> walls) {
+        this.law = law;
+        this.walls = List.copyOf(walls);
+        reaction = new OracleReaction(law, this.walls);
+    }
+
+    /** A future touch; b is an index or {@code ~wall}. */
+    private record Touch(BigDecimal until, int a, int b) {
+
+        /** Order of pairs: the lower body first, then the other; walls after all bodies. */
+        boolean isBefore(Touch other) {
+            int low = b < 0 ? a : Math.min(a, b);
+            int otherLow = other.b < 0 ? other.a : Math.min(other.a, other.b);
+            if (low != otherLow || b < 0 != other.b < 0) {
+                return low != otherLow ? low < otherLow : b >= 0;
+            }
+            return b < 0 ? ~b < ~other.b : Math.max(a, b) < Math.max(other.a, other.b);
+        }
+    }
+
+    /** Whether the last turn reached the limit on impacts; then it stopped there, in the middle of the turn. */
+    public boolean limited() {
+        return limited;
+    }
+
+    /** Plays for a duration from now, a turn being 1; changes the bodies. */
+    List<OracleImpact> play(List<OracleBody> bodies, BigDecimal duration) {
+        List<OracleImpact> impacts = new ArrayList<>();
+        BigDecimal now = BigDecimal.ZERO;
+        int bound = law.maximumImpacts() > 0 ? law.maximumImpacts() : 10_000 + 1_000 * bodies.size();
+        limited = false;
+        for (;;) {
+            List<Touch> next = together(touches(bodies, duration.subtract(now)));
+            if (next.isEmpty()) {
+                fly(bodies, duration.subtract(now));
+                return impacts;
+            }
+            if (impacts.size() >= bound) {
+                limited = true;
+                return impacts;
+            }
+            BigDecimal earliest = next.get(0).until;
+            fly(bodies, earliest);
+            for (Touch touch : next) {
+                OracleImpact impact = reaction.react(bodies, touch.a, touch.b, now.add(touch.until));
+                if (impact != null) {
+                    impacts.add(impact);
+                }
+            }
+            now = now.add(earliest);
+        }
+    }
+
+    /** One turn. */
+    public List<OracleImpact> turn(List<OracleBody> bodies) {
+        return play(bodies, BigDecimal.ONE);
+    }
+
+    private static void fly(List<OracleBody> bodies, BigDecimal time) {
+        bodies.forEach(body -> body.fly(time));
+    }
+
+    /** All touches within a time, in scan order: pairs, then walls. */
+    private List<Touch> touches(List<OracleBody> bodies, BigDecimal left) {
+        List<Touch> touches = new ArrayList<>();
+        int size = bodies.size();
+        boolean descending = law.scanOrder() == ImpactLaw.ScanOrder.DESCENDING;
+        OracleBroadPhase reach = new OracleBroadPhase(bodies);
+        double time = left.doubleValue();
+        for (int k = 0; k < size; k++) {
+            int i = descending ? size - 1 - k : k;
+            for (int m = 0; m < (descending ? i : size - 1 - i); m++) {
+                int j = descending ? i - 1 - m : i + 1 + m;
+                if (!reach.apart(i, j, time)) {
+                    add(touches, pair(bodies.get(i), bodies.get(j)), left, i, j);
+                }
+            }
+        }
+        for (int i = 0; i < size; i++) {
+            for (int w = 0; w < walls.size() && bodies.get(i).mass != null; w++) {
+                if (!reach.apart(i, walls.get(w), time)) {
+                    add(touches, OracleTimeOfImpact.wall(bodies.get(i), walls.get(w)), left, i, ~w);
+                }
+            }
+        }
+        return touches;
+    }
+
+    private static void add(List<Touch> touches, BigDecimal until, BigDecimal left, int a, int b) {
+        if (until != null && until.compareTo(left) <= 0) {
+            touches.add(new Touch(until, a, b));
+        }
+    }
+
+    private BigDecimal pair(OracleBody p, OracleBody q) {
+        if (p.mass == null && q.mass == null) {
+            return null;
+        }
+        BigDecimal dx = p.x.subtract(q.x);
+        BigDecimal dy = p.y.subtract(q.y);
+        BigDecimal touch = p.radius.add(q.radius);
+        if (law.separatingPairsReact() && OracleTimeOfImpact.within(dx, dy, touch)) {
+            return BigDecimal.ZERO;
+        }
+        return OracleTimeOfImpact.circle(dx, dy, p.vx.subtract(q.vx), p.vy.subtract(q.vy), touch);
+    }
+
+    /**
+     * The impacts that react next: the earliest alone, ties to the lowest pair; or all within the batch window, in
+     * order.
+     */
+    private List<Touch> together(List<Touch> touches) {
+        List<Touch> sorted = new ArrayList<>();
+        for (Touch touch : touches) {
+            int place = sorted.size();
+            while (place > 0 && isLater(sorted.get(place - 1), touch)) {
+                place--;
+            }
+            sorted.add(place, touch);
+        }
+        if (sorted.isEmpty() || law.batchWindow() > 0 || law.separatingPairsReact()) {
+            BigDecimal window = Decimals.of(law.batchWindow()).add(Decimals.SAME);
+            return sorted.stream()
+                .filter(touch -> touch.until.subtract(sorted.get(0).until).compareTo(window) <= 0).toList();
+        }
+        Touch lowest = sorted.get(0);
+        for (Touch touch : sorted) {
+            lowest = !isLater(touch, sorted.get(0)) && touch.isBefore(lowest) ? touch : lowest;
+        }
+        return List.of(lowest);
+    }
+
+    /** Whether one touch is later than another by more than rounding, a turn being 1. */
+    private static boolean isLater(Touch one, Touch other) {
+        return one.until.subtract(other.until).compareTo(Decimals.SAME) > 0;
+    }
+}

@@ -1,0 +1,74 @@
+package steward.lab.oracle;
+
+import java.math.BigDecimal;
+import java.util.ArrayList;
+import java.util.List;
+import steward.physics.Bodies;
+
+/** A body of the oracle: a circle with a position and a velocity of {@link Decimals#COUNT} digits. */
+public final class OracleBody {
+
+    public BigDecimal x;
+    public BigDecimal y;
+    public BigDecimal vx;
+    public BigDecimal vy;
+    public final BigDecimal radius;
+    /** {@code null} for an infinite mass. */
+    final BigDecimal mass;
+    final BigDecimal restitution;
+
+    private OracleBody(Bodies from, int k) {
+        x = Decimals.of(from.x[k]);
+        y = Decimals.of(from.y[k]);
+        vx = Decimals.of(from.vx[k]);
+        vy = Decimals.of(from.vy[k]);
+        radius = Decimals.of(from.radius[k]);
+        mass = from.mass[k] == Double.POSITIVE_INFINITY ? null : Decimals.of(from.mass[k]);
+        restitution = Decimals.of(from.restitution[k]);
+    }
+
+    /** All bodies, with the stored values converted exactly. */
+    public static List<OracleBody> of(Bodies bodies) {
+        List<OracleBody> all = new ArrayList<>();
+        for (int k = 0; k < bodies.size(); k++) {
+            all.add(new OracleBody(bodies, k));
+        }
+        return all;
+    }
+
+    /** 1 / mass. */
+    BigDecimal inverseMass() {
+        return mass == null ? BigDecimal.ZERO : Decimals.divide(BigDecimal.ONE, mass);
+    }
+
+    /** Moves the body along a straight line. */
+    void fly(BigDecimal time) {
+        move(vx.multiply(time), vy.multiply(time));
+    }
+
+    void move(BigDecimal dx, BigDecimal dy) {
+        x = Decimals.round(x.add(dx));
+        y = Decimals.round(y.add(dy));
+    }
+
+    /** Applies an impulse along a unit vector; an infinite mass does not change. */
+    void push(BigDecimal impulse, BigDecimal nx, BigDecimal ny) {
+        if (mass != null) {
+            BigDecimal change = Decimals.divide(impulse, mass);
+            vx = Decimals.round(vx.add(change.multiply(nx)));
+            vy = Decimals.round(vy.add(change.multiply(ny)));
+        }
+    }
+
+    /** Reverses the velocity. */
+    void reverse() {
+        vx = vx.negate();
+        vy = vy.negate();
+    }
+
+    /** Kinetic energy m v.v / 2, exact; 0 for an infinite mass. */
+    public BigDecimal energy() {
+        return mass == null ? BigDecimal.ZERO
+            : Decimals.dot(vx, vy, vx, vy).multiply(mass).divide(BigDecimal.valueOf(2));
+    }
+}

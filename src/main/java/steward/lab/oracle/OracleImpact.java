@@ -1,0 +1,19 @@
+package steward.lab.oracle;
+
+import java.math.BigDecimal;
+
+/**
+ * One impact computed by the oracle.
+ *
+ * @param time    within the turn
+ * @param a       index of the first body
+ * @param b       index of the second body, or {@code ~w} for the wall with index w
+ * @param impulse along the normal from a to b
+ * @param ax      centre of a at the impact
+ * @param bx      centre of b; of a itself for a wall
+ * @param vax     velocity of a afterwards
+ * @param vbx     velocity of b afterwards; 0 for a wall
+ */
+public record OracleImpact(BigDecimal time, int a, int b, BigDecimal impulse, BigDecimal ax, BigDecimal ay,
+                    BigDecimal bx, BigDecimal by, BigDecimal vax, BigDecimal vay, BigDecimal vbx, BigDecimal vby) {
+}

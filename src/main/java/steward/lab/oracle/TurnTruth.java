@@ -1,0 +1,186 @@
+package steward.lab.oracle;
+
+import java.math.BigDecimal;
+import java.math.RoundingMode;
+import java.util.Arrays;
+import java.util.List;
+import steward.physics.Bodies;
+import steward.physics.Impact;
+import steward.physics.Motion;
+import steward.physics.PhysicsParts;
+import steward.physics.TurnLog;
+
+/*
+ * A true number t is kept as t = h + l, h the double nearest to t and l the one nearest to the rest, so that |f - t| of
+ * a double f is (f - h) - l with one rounding of a number of its own size. The error of the energy is summed as m (f -
+ * t)(f + t) / 2, in which only a true number is subtracted from a computed one.
+ */
+
+/**
+ * The true turn from a given start, computed by the {@link Oracle}; any rung can be compared with it. Slow to create,
+ * fast to query. Immutable.
+ */
+public final class TurnTruth {
+
+    private final List<OracleBody> end;
+    private final int size;
+    private final double[] high;
+    private final double[] low;
+    private final double[] mass;
+    private final double energy;
+    private final long[] pairs;
+    private final boolean limited;
+
+    private TurnTruth(Bodies start, List<OracleBody> end, List<OracleImpact> impacts, boolean limited) {
+        this.end = end;
+        this.limited = limited;
+        size = end.size();
+        high = new double[4 * size];
+        low = new double[4 * size];
+        mass = Arrays.copyOf(start.mass, size);
+        BigDecimal sum = BigDecimal.ZERO;
+        for (int k = 0; k < size; k++) {
+            OracleBody body = end.get(k);
+            keep(4 * k, body.x);
+            keep(4 * k + 1, body.y);
+            keep(4 * k + 2, body.vx);
+            keep(4 * k + 3, body.vy);
+            sum = sum.add(body.energy());
+        }
+        energy = sum.doubleValue();
+        pairs = impacts.stream()
+            .mapToLong(impact -> pair(start.id(impact.a()), impact.b() < 0 ? impact.b() : start.id(impact.b())))
+            .sorted().toArray();
+    }
+
+    private void keep(int k, BigDecimal value) {
+        high[k] = value.doubleValue();
+        low[k] = value.subtract(Decimals.of(high[k])).doubleValue();
+    }
+
+    /**
+     * Plays the turn; the bodies are not changed.
+     *
+     * @param parts their law and walls are used; the arithmetic is not
+     * @throws IllegalArgumentException if not everything bounces: the oracle has no reactions
+     */
+    public static TurnTruth of(Bodies start, PhysicsParts parts) {
+        if (!parts.contacts().allBounce()) {
+            throw new IllegalArgumentException("the oracle needs contacts that all bounce");
+        }
+        List<OracleBody> bodies = OracleBody.of(start);
+        Oracle oracle = new Oracle(parts.law(), parts.walls());
+        List<OracleImpact> impacts = oracle.turn(bodies);
+        return new TurnTruth(start, bodies, impacts, oracle.limited());
+    }
+
+    /** How many impacts there are. */
+    public int impacts() {
+        return pairs.length;
+    }
+
+    /** Whether the turn reached the limit on impacts; then nothing may be compared with it. */
+    public boolean limited() {
+        return limited;
+    }
+
+    /**
+     * Compares a computed turn with the true one.
+     *
+     * @param after all bodies after the turn, in the order of the start
+     * @param log   of the turn
+     */
+    public TurnError error(Bodies after, TurnLog log) {
+        return new TurnError(positionError(after), beyond(pairs, found(log)), beyond(found(log), pairs),
+            energyError(after));
+    }
+
+    /** The largest error of a body's centre, in u; infinite if it is not a number. */
+    public double positionError(Bodies after) {
+        double most = 0;
+        for (int k = 0; k < size; k++) {
+            double dx = off(4 * k, after.x[k]);
+            double dy = off(4 * k + 1, after.y[k]);
+            double distance = Math.sqrt(dx * dx + dy * dy);
+            most = distance <= most ? most : Double.isNaN(distance) ? Double.POSITIVE_INFINITY : distance;
+        }
+        return most;
+    }
+
+    private double energyError(Bodies after) {
+        double wrong = 0;
+        for (int k = 0; k < size; k++) {
+            if (mass[k] < Double.POSITIVE_INFINITY) {
+                wrong += mass[k] * (off(4 * k + 2, after.vx[k]) * (after.vx[k] + high[4 * k + 2])
+                    + off(4 * k + 3, after.vy[k]) * (after.vy[k] + high[4 * k + 3])) / 2;
+            }
+        }
+        return wrong == 0 ? 0 : Double.isNaN(wrong) ? Double.POSITIVE_INFINITY : Math.abs(wrong) / energy;
+    }
+
+    private double off(int k, double found) {
+        return found - high[k] - low[k];
+    }
+
+    /**
+     * How many bodies end the turn with numbers that differ from the true ones, after the scene's rounding of both. The
+     * true drag is the decimal in the scene: 0.15 of 100 leaves 85.
+     *
+     * @param start  the bodies before the turn: their drag is used
+     * @param ended  the bodies after the turn and after {@link Motion#endTurn}
+     * @param motion the scene's motion, which rounds both positions and velocities
+     */
+    public int differing(Bodies start, Bodies ended, Motion motion) {
+        int count = 0;
+        for (int k = 0; k < size; k++) {
+            OracleBody body = end.get(k);
+            BigDecimal keep = BigDecimal.ONE.subtract(BigDecimal.valueOf(motion.drag() ? start.drag[k] : 0));
+            boolean same = nearest(body.x) == ended.x[k] && nearest(body.y) == ended.y[k]
+                && cut(body.vx.multiply(keep)) == ended.vx[k] && cut(body.vy.multiply(keep)) == ended.vy[k];
+            count += same ? 0 : 1;
+        }
+        return count;
+    }
+
+    /** floor(x + 1/2). */
+    private static double nearest(BigDecimal value) {
+        return value.add(BigDecimal.valueOf(0.5)).setScale(0, RoundingMode.FLOOR).doubleValue();
+    }
+
+    private static double cut(BigDecimal value) {
+        return value.setScale(0, RoundingMode.DOWN).doubleValue();
+    }
+
+    private static long[] found(TurnLog log) {
+        long[] found = new long[log.impacts()];
+        for (int k = 0; k < found.length; k++) {
+            Impact impact = log.impact(k);
+            found[k] = pair(impact.a(), impact.b());
+        }
+        Arrays.sort(found);
+        return found;
+    }
+
+    /** Two ids in either order, or an id and {@code ~wall}, as one number. */
+    private static long pair(int a, int b) {
+        return b < 0 ? (long) a << Integer.SIZE | b & 0xffff_ffffL
+            : (long) Math.min(a, b) << Integer.SIZE | Math.max(a, b);
+    }
+
+    /** How many elements of the first array have no partner in the second; both ascending. */
+    private static int beyond(long[] ones, long[] others) {
+        int count = 0;
+        int k = 0;
+        for (long one : ones) {
+            while (k < others.length && others[k] < one) {
+                k++;
+            }
+            if (k < others.length && others[k] == one) {
+                k++;
+            } else {
+                count++;
+            }
+        }
+        return count;
+    }
+}

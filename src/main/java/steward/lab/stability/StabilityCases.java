@@ -1,0 +1,71 @@
+package steward.lab.stability;
+
+import java.util.List;
+import steward.lab.stability.crowds.BulletCase;
+import steward.lab.stability.crowds.CrowdCase;
+import steward.lab.stability.crowds.DensePackingCase;
+import steward.lab.stability.crowds.InelasticCollapseCase;
+import steward.lab.stability.crowds.LatticeCase;
+import steward.lab.stability.crowds.LongRunCase;
+import steward.lab.stability.crowds.MirrorCase;
+import steward.lab.stability.crowds.NewtonsCradleCase;
+import steward.lab.stability.crowds.OfficialHeapsCase;
+import steward.lab.stability.crowds.TimeReversalCase;
+import steward.lab.stability.pairs.ContactCase;
+import steward.lab.stability.pairs.CornerCase;
+import steward.lab.stability.pairs.ExtremeSpeedsCase;
+import steward.lab.stability.pairs.GrazingCase;
+import steward.lab.stability.pairs.LateTimesCase;
+import steward.lab.stability.pairs.MassesCase;
+import steward.lab.stability.pairs.NearAndFarCase;
+import steward.lab.stability.pairs.OfficialEdgesCase;
+import steward.lab.stability.pairs.PiBlocksCase;
+import steward.lab.stability.pairs.RadiusRatioCase;
+import steward.lab.stability.pairs.RandomPairsCase;
+import steward.lab.stability.pairs.RoundingCase;
+import steward.lab.trial.StabilityCase;
+
+/** The rows of the stability table, in order; the only place that lists them. */
+public final class StabilityCases {
+
+    private StabilityCases() {
+    }
+
+    /** All cases. */
+    public static List<StabilityCase> all() {
+        return all(0);
+    }
+
+    /** @param crowdImpacts how many impacts each crowd is played for, or 0 for the number of the run length */
+    public static List<StabilityCase> all(long crowdImpacts) {
+        return List.of(
+            new PiBlocksCase(),
+            new GrazingCase(),
+            new NearAndFarCase(),
+            new ContactCase(),
+            new MassesCase(),
+            new ExtremeSpeedsCase(),
+            new BulletCase(),
+            new RadiusRatioCase(),
+            new LateTimesCase(),
+            new CornerCase(),
+            new NewtonsCradleCase(),
+            new MirrorCase(),
+            new InelasticCollapseCase(),
+            new LatticeCase(),
+            new OfficialHeapsCase(),
+            new OfficialEdgesCase(),
+            new DensePackingCase(),
+            new TimeReversalCase(),
+            new LongRunCase(10, 5e-14),
+            new LongRunCase(100, 1e-14),
+            new LongRunCase(1000, 1e-15),
+            new CrowdCase(100, 0.1, 100_000_000, crowdImpacts),
+            new CrowdCase(1000, 0.1, 1_000_000_000, crowdImpacts),
+            new CrowdCase(10_000, 0.1, 100_000_000, crowdImpacts),
+            new CrowdCase(1000, 0.8, 100_000_000, crowdImpacts),
+            new RoundingCase(),
+            new RandomPairsCase(200),
+            new RandomPairsCase(900));
+    }
+}

@@ -1,0 +1,75 @@
+package steward.lab.stability.pairs;
+
+import steward.lab.trial.Finding;
+import steward.lab.trial.PairSampler;
+import steward.lab.trial.PairTally;
+import steward.lab.trial.Progress;
+import steward.lab.trial.RunLength;
+import steward.lab.trial.Rung;
+import steward.lab.trial.StabilityCase;
+import steward.numerics.SplitMix64;
+import steward.physics.Bodies;
+
+/**
+ * Passes that nearly touch: at R (1 - 10^-k), R (1 + 10^-k), and exactly tangent, one unit in the last place to either
+ * side.
+ */
+public final class GrazingCase implements StabilityCase {
+
+    private static final long SEED = 2;
+
+    @Override
+    public String name() {
+        return "grazing passes";
+    }
+
+    @Override
+    public String demand() {
+        return "R(1 +- 10^-k), k = 1..16, and tangent +- 1 ulp: 0 wrong decisions on exact, counted on the others";
+    }
+
+    @Override
+    public Finding run(Rung rung, RunLength size, Progress progress) {
+        PairTally tally = new PairTally(rung);
+        SplitMix64 random = new SplitMix64(SEED);
+        for (int k = 1; k <= 16; k++) {
+            progress.reached((k - 1) / 16.0, tally::text);
+            for (int n = 0; n < size.pick(400, 10_000, 200_000); n++) {
+                double off = StrictMath.pow(10, -k);
+                double touch = PairSampler.around(random, random.nextInt(-3, 4));
+                tally.add(PairSampler.passing(random, touch, n % 2 == 0 ? 1 - off : 1 + off,
+                    touch * 3 * random.nextDouble(),
+                    0.1 + 0.8 * random.nextDouble(), base(random, touch), base(random, touch)), false);
+            }
+        }
+        for (int n = 0; n < size.pick(400, 10_000, 200_000); n++) {
+            tangents(tally, random);
+        }
+        return Finding.of(rung.isExact(), tally.isRight(), tally.text());
+    }
+
+    private static double base(SplitMix64 random, double touch) {
+        return random.nextInt(2) == 0 ? 0 : touch * 20 * (random.nextDouble() - 0.5);
+    }
+
+    /** Along x, and along (4, 3) with an offset of touch (-3, 4) / 5: exact for a multiple of 5. */
+    private static void tangents(PairTally tally, SplitMix64 random) {
+        double touch = 5 * (1 + random.nextInt(1000));
+        double scale = 1 + random.nextInt(50);
+        for (int hair = -1; hair <= 1; hair++) {
+            double offset = touch + hair * Math.ulp(touch);
+            tally.add(pair(-40 * scale, offset, 160 * scale, 0, touch), false);
+            double x = -3 * (touch / 5);
+            tally.add(pair(x - 40 * scale + hair * Math.ulp(x), 4 * (touch / 5) - 30 * scale, 80 * scale, 60 * scale,
+                touch), false);
+        }
+    }
+
+    private static Bodies pair(double x, double y, double vx, double vy, double touch) {
+        Bodies bodies = new Bodies(2);
+        bodies.add(x, y, touch * 0.5, 1);
+        bodies.add(0, 0, touch * 0.5, 1);
+        bodies.setVelocity(0, vx, vy);
+        return bodies;
+    }
+}

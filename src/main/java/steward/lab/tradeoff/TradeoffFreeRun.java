@@ -1,0 +1,63 @@
+package steward.lab.tradeoff;
+
+import java.util.Arrays;
+import java.util.List;
+import steward.lab.oracle.Oracle;
+import steward.lab.oracle.OracleBody;
+import steward.physics.Advance;
+import steward.physics.Bodies;
+import steward.physics.PhysicsParts;
+import steward.physics.TurnSink;
+
+/**
+ * Bodies that fly on by themselves, turn after turn, on every rung and in truth: after how many turns a rung diverges.
+ */
+final class TradeoffFreeRun {
+
+    /** A body farther than this from its true position, in u, has diverged. */
+    static final double OFF = 1;
+
+    private TradeoffFreeRun() {
+    }
+
+    /**
+     * After how many turns each rung has diverged; one more than the bound if it never does.
+     *
+     * @param bound how many turns at most; fewer if the true turn reaches the law's limit on impacts
+     */
+    static int[] turns(Bodies start, PhysicsParts parts, List<Advance> rungs, int bound) {
+        List<OracleBody> truth = OracleBody.of(start);
+        Oracle oracle = new Oracle(parts.law(), parts.walls());
+        int[] turns = new int[rungs.size()];
+        Bodies[] bodies = new Bodies[turns.length];
+        Arrays.fill(turns, bound + 1);
+        for (int r = 0; r < turns.length; r++) {
+            bodies[r] = new Bodies(start.capacity());
+            bodies[r].copyFrom(start);
+        }
+        boolean some = true;
+        for (int turn = 1; turn <= bound && some && !oracle.limited(); turn++) {
+            oracle.turn(truth);
+            some = false;
+            for (int r = 0; r < turns.length && !oracle.limited(); r++) {
+                if (turns[r] > bound) {
+                    rungs.get(r).turn(bodies[r], TurnSink.NONE);
+                    turns[r] = isOff(bodies[r], truth) ? turn : turns[r];
+                    some |= turns[r] > bound;
+                }
+            }
+        }
+        return turns;
+    }
+
+    private static boolean isOff(Bodies bodies, List<OracleBody> truth) {
+        for (int k = 0; k < truth.size(); k++) {
+            double dx = bodies.x[k] - truth.get(k).x.doubleValue();
+            double dy = bodies.y[k] - truth.get(k).y.doubleValue();
+            if (!(dx * dx + dy * dy <= OFF * OFF)) {
+                return true;
+            }
+        }
+        return false;
+    }
+}

@@ -1,0 +1,51 @@
+package steward.lab.tradeoff.report;
+
+import java.util.List;
+import java.util.function.Function;
+import steward.lab.tradeoff.TradeoffRow;
+
+/** The columns of the files, in their order: the same names in CSV and JSON. */
+final class TradeoffFields {
+
+    /**
+     * A column.
+     *
+     * @param value a text, a boolean, an integer or a double of a row
+     */
+    record Field(String name, Function<TradeoffRow, Object> value) {
+    }
+
+    /** All columns; a number that is not finite is empty in CSV and null in JSON. */
+    static final List<Field> ALL = List.of(
+        new Field("scene", TradeoffRow::scene),
+        new Field("rung", TradeoffRow::rung),
+        new Field("states", TradeoffRow::states),
+        new Field("impacts", TradeoffRow::impacts),
+        new Field("rounds", TradeoffRow::rounds),
+        new Field("nanosPerTurn", row -> row.cost().nanosPerTurn()),
+        new Field("nanosPerImpact", row -> row.cost().nanosPerImpact()),
+        new Field("bytesPerTurn", row -> row.cost().bytesPerTurn()),
+        new Field("costRatio", TradeoffRow::costRatio),
+        new Field("errorMedian", TradeoffRow::median),
+        new Field("error99", TradeoffRow::most99),
+        new Field("errorWorst", TradeoffRow::worst),
+        new Field("missed", TradeoffRow::missed),
+        new Field("invented", TradeoffRow::invented),
+        new Field("energyError", TradeoffRow::energyError),
+        new Field("freeTurns", TradeoffRow::freeTurns),
+        new Field("freeBound", TradeoffRow::freeBound),
+        new Field("integersDiffering", TradeoffRow::differing),
+        new Field("integersCompared", TradeoffRow::compared),
+        new Field("onFront", TradeoffRow::onFront));
+
+    private TradeoffFields() {
+    }
+
+    /** As it stands in a line of CSV; names of scenes and rungs may have anything in them. */
+    static String text(Object value) {
+        if (value instanceof Double number) {
+            return Double.isFinite(number) ? number.toString() : "";
+        }
+        return value instanceof String text ? '"' + text.replace("\"", "\"\"") + '"' : value.toString();
+    }
+}

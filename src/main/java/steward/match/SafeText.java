@@ -1,0 +1,46 @@
+package steward.match;
+
+import java.nio.charset.StandardCharsets;
+import steward.Internal;
+
+/** Makes texts from players safe to print on a terminal and to store in a replay. */
+@Internal
+public final class SafeText {
+
+    /** How much of a line is quoted, in characters. */
+    private static final int MOST = 120;
+    /** The most bytes of UTF-8 per Java character, which bounds how much must be decoded. */
+    private static final int BYTES_PER_CHARACTER = 4;
+    private static final char REPLACEMENT = '\uFFFD';
+
+    private SafeText() {
+    }
+
+    /** The beginning of a line, with control characters replaced by question marks. */
+    public static String line(byte[] bytes, int length) {
+        String line = new String(bytes, 0, Math.min(length, BYTES_PER_CHARACTER * MOST), StandardCharsets.UTF_8)
+            .replaceAll("\\p{Cntrl}", "?");
+        if (line.length() <= MOST) {
+            return line;
+        }
+        int end = Character.isHighSurrogate(line.charAt(MOST - 1)) ? MOST - 1 : MOST;
+        return line.substring(0, end) + "...";
+    }
+
+    /**
+     * The text with U+FFFD in place of every unpaired surrogate: JSON can contain one, UTF-8 cannot.
+     *
+     * @return {@code null} for {@code null}
+     */
+    static String wellFormed(String text) {
+        if (text == null || text.chars().noneMatch(c -> Character.isSurrogate((char) c))) {
+            return text;
+        }
+        StringBuilder fit = new StringBuilder(text.length());
+        text.codePoints().forEach(point -> {
+            boolean half = point <= Character.MAX_VALUE && Character.isSurrogate((char) point);
+            fit.appendCodePoint(half ? REPLACEMENT : point);
+        });
+        return fit.toString();
+    }
+}

@@ -1,0 +1,167 @@
+package steward.physics.event;
+
+import java.util.ArrayList;
+import java.util.List;
+import steward.physics.Bodies;
+import steward.physics.Contacts;
+import steward.physics.ImpactLaw;
+import steward.physics.PhysicsParts;
+import steward.physics.Wall;
+import steward.physics.time.PairTime;
+import steward.physics.time.WallTime;
+
+/** A search for impacts in the rest of a turn. A scene gets the scans for the parts that it has, and no others. */
+abstract sealed class Scan {
+
+    /** Offers every impact from {@code now} to the end of the turn. */
+    abstract void find(Bodies bodies, double now, ImpactQueue queue);
+
+    /** The scans that a scene needs: pairs, and walls if there are any. */
+    static Scan[] of(PhysicsParts parts, PairTime time) {
+        return of(parts, time, new WallTime.Plain(parts.walls().toArray(new Wall[0])));
+    }
+
+    /** The same with another computation of times of impact at walls. */
+    static Scan[] of(PhysicsParts parts, PairTime time, WallTime wallTime) {
+        List<Scan> scans = new ArrayList<>();
+        boolean plain = parts.contacts().allBounce() && !parts.infiniteMasses();
+        boolean descending = parts.law().scanOrder() == ImpactLaw.ScanOrder.DESCENDING;
+        if (parts.contacts().bodiesMeet()) {
+            scans.add(!plain ? new SelectedPairs(time, parts.contacts(), descending)
+                : descending ? new DescendingPairs(time) : new AscendingPairs(time));
+        }
+        if (!parts.walls().isEmpty()) {
+            scans.add(new Walls(wallTime, parts.walls().size(),
+                parts.contacts().allBounce() ? null : parts.contacts()));
+        }
+        return scans.toArray(new Scan[0]);
+    }
+
+    static final class AscendingPairs extends Scan {
+
+        private final PairTime time;
+
+        AscendingPairs(PairTime time) {
+            this.time = time;
+        }
+
+        @Override
+        void find(Bodies bodies, double now, ImpactQueue queue) {
+            int size = bodies.size();
+            for (int i = 0; i < size - 1; i++) {
+                for (int j = i + 1; j < size; j++) {
+                    offer(bodies, i, j, time, now, queue);
+                }
+            }
+        }
+    }
+
+    static final class DescendingPairs extends Scan {
+
+        private final PairTime time;
+
+        DescendingPairs(PairTime time) {
+            this.time = time;
+        }
+
+        @Override
+        void find(Bodies bodies, double now, ImpactQueue queue) {
+            for (int i = bodies.size() - 1; i > 0; i--) {
+                for (int j = i - 1; j >= 0; j--) {
+                    offer(bodies, i, j, time, now, queue);
+                }
+            }
+        }
+    }
+
+    /** Leaves out pairs that ignore each other, pass through each other, or both have infinite mass. */
+    static final class SelectedPairs extends Scan {
+
+        private final PairTime time;
+        private final Contacts contacts;
+        private final boolean descending;
+
+        SelectedPairs(PairTime time, Contacts contacts, boolean descending) {
+            this.time = time;
+            this.contacts = contacts;
+            this.descending = descending;
+        }
+
+        @Override
+        void find(Bodies bodies, double now, ImpactQueue queue) {
+            int size = bodies.size();
+            for (int high = 1; high < size; high++) {
+                int i = descending ? size - high : high;
+                for (int low = 0; low < i; low++) {
+                    int j = descending ? i - 1 - low : low;
+                    if (canReact(bodies, i, j)) {
+                        if (descending) {
+                            offer(bodies, i, j, time, now, queue);
+                        } else {
+                            offer(bodies, j, i, time, now, queue);
+                        }
+                    }
+                }
+            }
+        }
+
+        private boolean canReact(Bodies bodies, int i, int j) {
+            return switch (contacts.between(bodies.kind[i], bodies.kind[j])) {
+                case NONE -> false;
+                case BOUNCE -> bodies.inverseMass[i] + bodies.inverseMass[j] > 0;
+                case ASK -> bodies.passing().isEmpty() || !bodies.passing().contains(bodies.id(i), bodies.id(j));
+            };
+        }
+    }
+
+    /** Every body against every wall. */
+    static final class Walls extends Scan {
+
+        private final WallTime time;
+        private final int count;
+        private final Contacts contacts;
+
+        /** @param contacts {@code null} when every body bounces off walls */
+        Walls(WallTime time, int count, Contacts contacts) {
+            this.time = time;
+            this.count = count;
+            this.contacts = contacts;
+        }
+
+        @Override
+        void find(Bodies bodies, double now, ImpactQueue queue) {
+            double left = 1 - now;
+            for (int i = 0; i < bodies.size(); i++) {
+                if (contacts == null ? bodies.inverseMass[i] == 0 : !canReact(bodies, i)) {
+                    continue;
+                }
+                for (int w = 0; w < count; w++) {
+                    double until = time.until(bodies, i, w);
+                    if (until <= left && !isPassing(bodies, i, w)) {
+                        queue.offer(now + until, i, ~w);
+                    }
+                }
+            }
+        }
+
+        private boolean canReact(Bodies bodies, int i) {
+            return switch (contacts.withWall(bodies.kind[i])) {
+                case NONE -> false;
+                case BOUNCE -> bodies.inverseMass[i] > 0;
+                case ASK -> true;
+            };
+        }
+
+        private boolean isPassing(Bodies bodies, int i, int w) {
+            return contacts != null && !bodies.passing().isEmpty() && bodies.passing().contains(bodies.id(i), ~w);
+        }
+    }
+
+    /** Offers the impact of a pair if it falls into the turn. */
+    private static void offer(Bodies bodies, int i, int j, PairTime time, double now, ImpactQueue queue) {
+        double until = time.until(bodies, i, j);
+        if (until <= 1 - now) {
+            queue.offer(now + until, i, j);
+        }
+    }
+}

@@ -1,0 +1,70 @@
+package steward.physics.event;
+
+import java.util.Arrays;
+import steward.physics.Arithmetic;
+import steward.physics.Bodies;
+import steward.physics.PhysicsParts;
+import steward.physics.TurnSink;
+import steward.physics.time.PairTime;
+
+/**
+ * The rest of a turn whose impacts have reached their bound, without impulses: the two bodies of a new contact, or the
+ * body at a wall, stop for the rest of the turn. Every step stops at least one more body, so it ends.
+ */
+public final class Standstill {
+
+    private final Scan[] scans;
+    private final ImpactQueue queue = new ImpactQueue.OneAtATime();
+
+    Standstill(PhysicsParts parts) {
+        scans = Scan.of(parts, new PairTime.ApproachIsImpact(Arithmetic.DOUBLE));
+    }
+
+    /** Plays the rest of the turn from {@code now}; velocities are restored afterwards. */
+    void finish(Bodies bodies, double now, TurnSink sink) {
+        int size = bodies.size();
+        double[] vx = Arrays.copyOf(bodies.vx, size);
+        double[] vy = Arrays.copyOf(bodies.vy, size);
+        boolean[] stopped = new boolean[size];
+        double time = now;
+        for (;;) {
+            queue.clear();
+            for (Scan scan : scans) {
+                scan.find(bodies, time, queue);
+            }
+            if (queue.nextBatch() == 0) {
+                break;
+            }
+            EventAdvance.fly(bodies, queue.time(0) - time);
+            time = queue.time(0);
+            stop(bodies, queue.a(0), time, stopped, sink);
+            if (queue.b(0) >= 0) {
+                stop(bodies, queue.b(0), time, stopped, sink);
+            }
+        }
+        EventAdvance.fly(bodies, 1 - time);
+        System.arraycopy(vx, 0, bodies.vx, 0, size);
+        System.arraycopy(vy, 0, bodies.vy, 0, size);
+        sink.impactLimit(now, ids(bodies, stopped));
+    }
+
+    private static void stop(Bodies bodies, int body, double time, boolean[] stopped, TurnSink sink) {
+        if (!stopped[body]) {
+            stopped[body] = true;
+            bodies.vx[body] = 0;
+            bodies.vy[body] = 0;
+            sink.knot(bodies.id(body), time, bodies.x[body], bodies.y[body]);
+        }
+    }
+
+    private static int[] ids(Bodies bodies, boolean[] stopped) {
+        int[] ids = new int[stopped.length];
+        int count = 0;
+        for (int i = 0; i < stopped.length; i++) {
+            if (stopped[i]) {
+                ids[count++] = bodies.id(i);
+            }
+        }
+        return Arrays.copyOf(ids, count);
+    }
+}

@@ -1,0 +1,125 @@
+package steward.physics.impulse;
+
+import steward.physics.Bodies;
+import steward.physics.Contacts;
+import steward.physics.PassingPairs;
+import steward.physics.PhysicsParts;
+import steward.physics.Reaction;
+import steward.physics.TurnSink;
+import steward.physics.Wall;
+
+/** The response to a contact: an impact, or what the scene's {@link Reaction} answers. */
+public abstract sealed class ContactResponse {
+
+    /** Responds to a contact. @return false if the bodies were altered, so that all predictions are out of date */
+    public abstract boolean react(Bodies bodies, int a, int b, double time, TurnSink sink);
+
+    /** Called after each free flight: ends the passing of pairs that have separated. */
+    public abstract void releaseSeparatedPairs(Bodies bodies);
+
+    public static ContactResponse of(PhysicsParts parts, Collision collision, Wall[] walls) {
+        return parts.reaction() == null ? new Bounce(collision) : new Ask(collision, parts, walls);
+    }
+
+    /** Every contact is an impact. */
+    static final class Bounce extends ContactResponse {
+
+        private final Collision collision;
+
+        Bounce(Collision collision) {
+            this.collision = collision;
+        }
+
+        @Override
+        public boolean react(Bodies bodies, int a, int b, double time, TurnSink sink) {
+            collision.react(bodies, a, b, time, sink);
+            return true;
+        }
+
+        @Override
+        public void releaseSeparatedPairs(Bodies bodies) {
+        }
+    }
+
+    /** {@code ASK} contacts are decided by the reaction. */
+    static final class Ask extends ContactResponse {
+
+        private final Collision collision;
+        private final Contacts contacts;
+        private final Reaction reaction;
+        private final Wall[] walls;
+
+        Ask(Collision collision, PhysicsParts parts, Wall[] walls) {
+            this.collision = collision;
+            this.contacts = parts.contacts();
+            this.reaction = parts.reaction();
+            this.walls = walls;
+        }
+
+        @Override
+        public boolean react(Bodies bodies, int a, int b, double time, TurnSink sink) {
+            Contacts.Meaning meaning = b < 0
+                ? contacts.withWall(bodies.kind[a]) : contacts.between(bodies.kind[a], bodies.kind[b]);
+            if (meaning == Contacts.Meaning.BOUNCE) {
+                collision.react(bodies, a, b, time, sink);
+                return true;
+            }
+            int idA = bodies.id(a);
+            int idB = b < 0 ? b : bodies.id(b);
+            sink.knot(idA, time, bodies.x[a], bodies.y[a]);
+            if (b >= 0) {
+                sink.knot(idB, time, bodies.x[b], bodies.y[b]);
+            }
+            switch (reaction.on(time, a, b, bodies)) {
+                case BOUNCE -> {
+                    if (bodies.inverseMass[a] + (b < 0 ? 0 : bodies.inverseMass[b]) > 0) {
+                        collision.react(bodies, a, b, time, sink);
+                    } else {
+                        bodies.passing().add(idA, idB);         // two infinite masses exchange no impulse
+                    }
+                    return true;
+                }
+                case PASS -> {
+                    bodies.passing().add(idA, idB);
+                    return true;
+                }
+                default -> {
+                    return false;
+                }
+            }
+        }
+
+        /** Pairs that have separated, or of which a body was removed, no longer pass through each other. */
+        @Override
+        public void releaseSeparatedPairs(Bodies bodies) {
+            PassingPairs passing = bodies.passing();
+            for (int k = passing.size() - 1; k >= 0; k--) {
+                int a = bodies.indexOf(passing.first(k));
+                int second = passing.second(k);
+                boolean apart = second < 0
+                    ? a < 0 || walls[~second].gap(bodies.x[a], bodies.y[a], bodies.radius[a]) > 0
+                        && !approachesWall(bodies, a, walls[~second])
+                    : areSeparatedOrRemoved(bodies, a, bodies.indexOf(second));
+                if (apart) {
+                    passing.remove(k);
+                }
+            }
+        }
+
+        private static boolean approachesWall(Bodies bodies, int a, Wall wall) {
+            double x = bodies.x[a];
+            double y = bodies.y[a];
+            return wall.normalX(x, y) * bodies.vx[a] + wall.normalY(x, y) * bodies.vy[a] > 0;
+        }
+
+        private static boolean areSeparatedOrRemoved(Bodies bodies, int a, int b) {
+            if (a < 0 || b < 0) {
+                return true;
+            }
+            double dx = bodies.x[b] - bodies.x[a];
+            double dy = bodies.y[b] - bodies.y[a];
+            double approach = dx * (bodies.vx[b] - bodies.vx[a]) + dy * (bodies.vy[b] - bodies.vy[a]);
+            return approach >= 0 && Math.sqrt(dx * dx + dy * dy) > bodies.radius[a] + bodies.radius[b];
+        }
+    }
+}

@@ -1,0 +1,185 @@
+package steward.physics.queue;
+
+import static steward.physics.queue.Crowd.CHANGES;
+import static steward.physics.queue.Crowd.EVENT;
+import static steward.physics.queue.Crowd.PARTNER;
+import static steward.physics.queue.Crowd.PARTNER_CHANGES;
+
+import steward.physics.Advance;
+import steward.physics.Arithmetic;
+import steward.physics.Bodies;
+import steward.physics.ImpactLaw;
+import steward.physics.PhysicsParts;
+import steward.physics.TurnSink;
+import steward.physics.Wall;
+import steward.physics.event.EventAdvance;
+import steward.physics.event.Standstill;
+import steward.physics.impulse.Collision;
+import steward.physics.impulse.ContactResponse;
+import steward.physics.impulse.ExactCollision;
+import steward.physics.time.ExactPairs;
+import steward.physics.time.ExactWalls;
+import steward.physics.time.LowParts;
+import steward.physics.time.Magnitudes;
+
+/**
+ * The exact event loop for many bodies: the same law and the same impacts as {@link EventAdvance}, at a cost per impact
+ * that hardly depends on the number of bodies. Bodies are kept in cells and impacts are predicted only among
+ * neighbours; each body has one event in a queue; and each has a local clock, so that only bodies that have an impact
+ * are moved (after B. Lubachevsky, "How to Simulate Billiards and Similar Systems", 1991, with a queue after G. Paul,
+ * 2007).
+ *
+ * <p>An event is the predicted next impact of a body or its cell crossing. After an impact the events of its bodies are
+ * predicted anew. A prediction of another body with one of these becomes stale: this is detected by the count of flight
+ * changes when the event is due, and then that body is predicted anew.
+ *
+ * <p>Every turn starts from the bodies alone, so that its result depends on nothing else. Ties go to the lowest pair of
+ * ids. The bound on impacts is kept as in {@link Standstill}. Allocates nothing in a turn once its arrays have grown,
+ * except in the rare turns that reach the bound on impacts or are left to {@code EventAdvance}.
+ *
+ * <p>A turn with numbers whose squares leave the range of doubles is left to {@code EventAdvance} in the exact
+ * arithmetic, which scales them.
+ *
+ * <p>Caveats: the impacts are those of {@code EventAdvance} except for rounding: that class moves every body at every
+ * impact, this one moves a body only at its own, and where the motion is chaotic the last digits grow into differences
+ * after some dozens of impacts per body. Laws in which impacts react in batches are refused, see {@link #refusal}.
+ */
+public final class QueueAdvance implements Advance {
+
+    private final PhysicsParts parts;
+    private final ImpactLaw law;
+    private final boolean descending;
+    private final Crowd crowd;
+    private final EventBuckets events;
+    private final QueuePairs pairs;
+    private final QueueSearch search;
+    private final QueueContactResponse response;
+    private final ContactResponse passing;
+
+    /** @throws IllegalArgumentException if {@link #refusal} refuses the law */
+    public QueueAdvance(PhysicsParts parts) {
+        String refusal = refusal(parts.law());
+        if (refusal != null) {
+            throw new IllegalArgumentException("queue: " + refusal);
+        }
+        Wall[] walls = parts.walls().toArray(new Wall[0]);
+        this.parts = parts;
+        law = parts.law();
+        descending = law.scanOrder() == ImpactLaw.ScanOrder.DESCENDING;
+        boolean exact = parts.arithmetic() == Arithmetic.EXACT;
+        crowd = new Crowd(exact);
+        events = new EventBuckets(new EventOrder(crowd));
+        pairs = QueuePairs.of(crowd, parts);
+        Collision collision;
+        if (exact) {
+            ExactPairs exactPairs = new ExactPairs(law);
+            ExactWalls exactWalls = new ExactWalls(walls);
+            LowParts rounded = new LowParts();
+            search = new ExactQueueSearch(crowd, events, walls, pairs, exactPairs, exactWalls);
+            collision = ExactCollision.of(law, walls, exactPairs, exactWalls, rounded);
+            response = QueueContactResponse.of(crowd, parts, collision, rounded, walls);
+        } else {
+            search = new QueueSearch(crowd, events, parts.arithmetic(), walls, pairs);
+            collision = Collision.of(law, parts.arithmetic(), walls);
+            response = QueueContactResponse.of(crowd, parts, collision, null, walls);
+        }
+        passing = ContactResponse.of(parts, collision, walls);
+    }
+
+    /** Why a law needs a scan of all pairs after each impact, or {@code null} if it does not. */
+    public static String refusal(ImpactLaw law) {
+        return law.batchWindow() > 0 ? "impacts within batchWindow react together"
+            : law.separatingPairsReact() ? "separatingPairs react" : null;
+    }
+
+    @Override
+    public void turn(Bodies bodies, TurnSink sink) {
+        if (!Magnitudes.fitPlainArithmetic(bodies)) {
+            EventAdvance.inExactArithmetic(parts).turn(bodies, sink);
+            return;
+        }
+        if (bodies.size() > 0) {
+            response.begin(bodies, sink);
+            crowd.nowLow = 0;
+            if (pairs != null) {
+                pairs.begin(bodies);
+            }
+            crowd.load(bodies, 0);
+            predict(bodies.capacity(), 0);
+            processEvents(bodies, sink);
+        }
+        passing.releaseSeparatedPairs(bodies);
+    }
+
+    /** The size of its arrays after a turn, in bytes: below 200 per body of the capacity, from a capacity of 150 on. */
+    public long bytes() {
+        return crowd.bytes() + events.bytes() + search.bytes();
+    }
+
+    /** Predicts the events of all bodies, at a time to which all have been moved. */
+    private void predict(int capacity, double now) {
+        events.begin(crowd.size, capacity, now, crowd.meanGap());
+        search.begin(capacity);
+        for (int body = 0; body < crowd.size; body++) {
+            search.predict(body, now);
+        }
+    }
+
+    private void processEvents(Bodies bodies, TurnSink sink) {
+        int[] link = crowd.link;
+        int left = law.impactLimit(bodies.size());
+        double last = 0;
+        for (int body = events.first(); body >= 0; body = events.first()) {
+            double now = events.time(body);
+            int at = 8 * body;
+            if (link[at + EVENT] != 0) {
+                search.cross(body, now);
+            } else if (isStale(body)) {
+                search.predict(body, now);
+            } else if (left-- > 0) {
+                react(bodies, body, link[at + PARTNER], now);
+                last = now;
+            } else {
+                new QueueStandstill(crowd, events, search).finish(bodies, last, sink);
+                return;
+            }
+        }
+        crowd.nowLow = 0;
+        crowd.store(bodies, 1);
+    }
+
+    private boolean isStale(int body) {
+        int partner = crowd.link[8 * body + PARTNER];
+        return partner >= 0 && crowd.link[8 * partner + CHANGES] != crowd.link[8 * body + PARTNER_CHANGES];
+    }
+
+    private void react(Bodies bodies, int body, int partner, double now) {
+        crowd.setNow(body);
+        double nowLow = crowd.nowLow;
+        if (partner < 0) {
+            crowd.flyTo(body, now);
+            if (response.react(body, partner, now)) {
+                countChange(body);
+                search.predict(body, now);
+                return;
+            }
+        } else {
+            crowd.flyToContact(body, partner, now);
+            boolean isFirst = crowd.index[body] < crowd.index[partner] != descending;
+            if (response.react(isFirst ? body : partner, isFirst ? partner : body, now)) {
+                countChange(body);
+                countChange(partner);
+                search.predict(body, now);
+                search.predict(partner, now);
+                return;
+            }
+        }
+        crowd.nowLow = nowLow;
+        crowd.load(bodies, now);
+        predict(bodies.capacity(), now);
+    }
+
+    private void countChange(int body) {
+        crowd.link[8 * body + CHANGES]++;
+    }
+}

@@ -1,0 +1,88 @@
+package steward.physics.time;
+
+import steward.numerics.DoubleDouble;
+import steward.physics.Arithmetic;
+
+/** The time of impact of two circles, in one arithmetic. */
+public abstract sealed class CircleTime {
+
+    /**
+     * Relative to the square of the touching distance: 32 roundings, while the official root is accurate to about
+     * three.
+     */
+    private static final double ROUNDING = 0x1p-48;
+
+    /** @return an instance for one thread at a time */
+    public static CircleTime of(Arithmetic arithmetic) {
+        return switch (arithmetic) {
+            case OFFICIAL -> new Official();
+            case DOUBLE -> new Stable();
+            case COMPENSATED -> new Compensated();
+            case EXACT -> new Exact();
+        };
+    }
+
+    /** Time until two circles touch that do not touch now; see {@link TimeOfImpact}. */
+    abstract double until(double dx, double dy, double dvx, double dvy, double touch);
+
+    /**
+     * The same for a law in which only approach reacts: an approaching pair that touches except for rounding errors
+     * must not be missed.
+     */
+    public double untilApproachingMeet(double dx, double dy, double dvx, double dvy, double touch) {
+        return until(dx, dy, dvx, dvy, touch);
+    }
+
+    /** {@link TimeOfImpact#circlesOfficial}. */
+    private static final class Official extends CircleTime {
+
+        @Override
+        double until(double dx, double dy, double dvx, double dvy, double touch) {
+            return TimeOfImpact.circlesOfficial(dx, dy, dvx, dvy, touch);
+        }
+
+        /**
+         * Close to contact the official roots consist of rounding errors, and a root that is not above 0 counts as a
+         * miss.
+         */
+        @Override
+        public double untilApproachingMeet(double dx, double dy, double dvx, double dvy, double touch) {
+            return dx * dx + dy * dy - touch * touch <= ROUNDING * touch * touch
+                ? 0 : TimeOfImpact.circlesOfficial(dx, dy, dvx, dvy, touch);
+        }
+    }
+
+    /** {@link TimeOfImpact#circles}. */
+    private static final class Stable extends CircleTime {
+
+        @Override
+        double until(double dx, double dy, double dvx, double dvy, double touch) {
+            return TimeOfImpact.circles(dx, dy, dvx, dvy, touch);
+        }
+    }
+
+    /** {@link CompensatedTime#circles}. */
+    private static final class Compensated extends CircleTime {
+
+        @Override
+        double until(double dx, double dy, double dvx, double dvy, double touch) {
+            return CompensatedTime.circles(dx, dy, dvx, dvy, touch);
+        }
+    }
+
+    /**
+     * {@link ExactCircles}, for callers that need only the time rounded to a double. The event loop does not use this:
+     * it refines the times of impacts that happen and keeps lower bounds for the others.
+     */
+    private static final class Exact extends CircleTime {
+
+        private final ExactCircles circles = new ExactCircles();
+        private final DoubleDouble time = new DoubleDouble();
+
+        @Override
+        double until(double dx, double dy, double dvx, double dvy, double touch) {
+            boolean hit = circles.load(dx, 0, dy, 0, dvx, 0, dvy, 0, touch, 0).firstTouch(time);
+            return hit ? time.high() : Double.POSITIVE_INFINITY;
+        }
+    }
+}

@@ -1,0 +1,94 @@
+package steward.physics.time;
+
+import steward.physics.Arithmetic;
+import steward.physics.Bodies;
+import steward.physics.ImpactLaw;
+
+/**
+ * The time of the next impact of a pair of circles. Whether a touching pair reacts depends on the law; the rest is
+ * geometry.
+ */
+public abstract sealed class PairTime permits PairTime.TouchIsImpact, PairTime.ApproachIsImpact, PairTime.Overlap,
+    PairTime.ClosingOverlap, ExactPairs {
+
+    private static final double NEVER = Double.POSITIVE_INFINITY;
+
+    /** Time from now to the impact of two circles, given by their indices; 0 for an impact now. */
+    public abstract double until(Bodies bodies, int i, int j);
+
+    public static PairTime of(ImpactLaw law, Arithmetic arithmetic) {
+        return law.separatingPairsReact() ? new TouchIsImpact(arithmetic) : new ApproachIsImpact(arithmetic);
+    }
+
+    /** The official games: a touching pair reacts, even while separating. */
+    static final class TouchIsImpact extends PairTime {
+
+        private final CircleTime circles;
+
+        TouchIsImpact(Arithmetic arithmetic) {
+            circles = CircleTime.of(arithmetic);
+        }
+
+        @Override
+        public double until(Bodies bodies, int i, int j) {
+            double dx = bodies.x[i] - bodies.x[j];
+            double dy = bodies.y[i] - bodies.y[j];
+            double touch = bodies.radius[i] + bodies.radius[j];
+            if (Math.sqrt(dx * dx + dy * dy) <= touch) {
+                return 0;
+            }
+            return circles.until(dx, dy, bodies.vx[i] - bodies.vx[j], bodies.vy[i] - bodies.vy[j], touch);
+        }
+    }
+
+    /** Physics: only an approach ends in an impact. */
+    public static final class ApproachIsImpact extends PairTime {
+
+        private final CircleTime circles;
+
+        public ApproachIsImpact(Arithmetic arithmetic) {
+            circles = CircleTime.of(arithmetic);
+        }
+
+        @Override
+        public double until(Bodies bodies, int i, int j) {
+            double dx = bodies.x[i] - bodies.x[j];
+            double dy = bodies.y[i] - bodies.y[j];
+            double dvx = bodies.vx[i] - bodies.vx[j];
+            double dvy = bodies.vy[i] - bodies.vy[j];
+            if (!(dx * dvx + dy * dvy < 0)) {
+                return NEVER;
+            }
+            double touch = bodies.radius[i] + bodies.radius[j];
+            if (Math.sqrt(dx * dx + dy * dy) <= touch) {
+                return 0;
+            }
+            return circles.untilApproachingMeet(dx, dy, dvx, dvy, touch);
+        }
+    }
+
+    /** Present overlaps only: 0 for a touching pair, never for the others. */
+    public static final class Overlap extends PairTime {
+
+        @Override
+        public double until(Bodies bodies, int i, int j) {
+            double dx = bodies.x[i] - bodies.x[j];
+            double dy = bodies.y[i] - bodies.y[j];
+            double touch = bodies.radius[i] + bodies.radius[j];
+            return dx * dx + dy * dy <= touch * touch ? 0 : NEVER;
+        }
+    }
+
+    /** Present overlaps of approaching pairs only. */
+    public static final class ClosingOverlap extends PairTime {
+
+        @Override
+        public double until(Bodies bodies, int i, int j) {
+            double dx = bodies.x[i] - bodies.x[j];
+            double dy = bodies.y[i] - bodies.y[j];
+            double touch = bodies.radius[i] + bodies.radius[j];
+            return dx * dx + dy * dy <= touch * touch
+                && dx * (bodies.vx[i] - bodies.vx[j]) + dy * (bodies.vy[i] - bodies.vy[j]) < 0 ? 0 : NEVER;
+        }
+    }
+}

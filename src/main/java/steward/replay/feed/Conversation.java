@@ -1,0 +1,136 @@
+package steward.replay.feed;
+
+import java.io.ByteArrayOutputStream;
+import java.util.Arrays;
+import java.util.List;
+import steward.bot.Answer;
+import steward.bot.Player;
+import steward.game.GameTypes;
+import steward.game.JsonNumbers;
+import steward.match.Dialogue;
+import steward.match.LineBuffer;
+import steward.match.Protocol;
+import steward.match.SafeText;
+import steward.replay.RecordedMatch;
+import steward.replay.RecordedTurn;
+import steward.replay.ReplayException;
+import steward.replay.verify.Difference;
+import steward.replay.verify.Resimulation;
+import tools.jackson.core.JacksonException;
+import tools.jackson.core.JsonGenerator;
+import tools.jackson.core.JsonParser;
+import tools.jackson.core.JsonToken;
+import tools.jackson.core.ObjectWriteContext;
+
+/**
+ * A bot that is sent what a player of a recorded match was sent. The lines are not recorded: they follow from the game,
+ * which is played again. There are no deadlines.
+ */
+final class Conversation {
+
+    private static final byte[] NONE = {};
+
+    private final Resimulation again;
+    private final Dialogue dialogue;
+    private final int player;
+    private final Player bot;
+    private final Answer answer = new Answer();
+    private boolean started;
+
+    /** @throws IllegalArgumentException if the game does not speak the protocol */
+    Conversation(RecordedMatch match, GameTypes types, int player, Protocol protocol, Player bot) {
+        again = new Resimulation(match.header(), types, match.source());
+        dialogue = Dialogue.of(protocol, again.setup(), again.game(), again.codec());
+        this.player = player;
+        this.bot = bot;
+    }
+
+    Resimulation again() {
+        return again;
+    }
+
+    int player() {
+        return player;
+    }
+
+    /** Time and stderr of the last answer. */
+    Answer answer() {
+        return answer;
+    }
+
+    /** The message that came with the last answer, or {@code null}. */
+    String message() {
+        return dialogue.message(player);
+    }
+
+    /** Whether the player is to be asked in the turn that comes. */
+    boolean isIn() {
+        return again.game().isIn(player);
+    }
+
+    /**
+     * Sends the turn that comes and compares the answer with the recorded one. A good answer is the player's command
+     * then, until another is read.
+     */
+    FedTurn ask(RecordedTurn recorded, boolean replaced) {
+        if (!started) {
+            LineBuffer setup = dialogue.setup(player);
+            bot.tell(setup.bytes(), setup.size());
+            started = true;
+        }
+        LineBuffer frame = dialogue.turn(player);
+        Player.Ending ending = bot.ask(frame.bytes(), frame.size(), dialogue.answerLines(player), Long.MAX_VALUE,
+            answer);
+        boolean gone = ending != Player.Ending.ANSWERED;
+        boolean none = recorded.faults()[player] != null || replaced && !recorded.hasCommand(player);
+        byte[] then = none ? NONE : recordedCommand(recorded);
+        String fault = gone ? answer.fault() : read();
+        List<Difference> differences = List.of();
+        if (fault == null && then.length > 0) {
+            byte[] now = command();
+            differences = Arrays.equals(then, now) ? List.of()
+                : Difference.all(recorded.number(), "command", then, now);
+        }
+        return new FedTurn(recorded.number(), replaced, fault, recorded.faults()[player], differences, gone);
+    }
+
+    private String read() {
+        String wrong = dialogue.readAnswer(player, answer.bytes(), answer.length());
+        return wrong == null ? null : wrong + "; received: " + SafeText.line(answer.bytes(), answer.length());
+    }
+
+    /** The recorded command in the form that this program writes. */
+    private byte[] recordedCommand(RecordedTurn recorded) {
+        try (JsonParser in = RecordedTurn.parser(recorded.commands())) {
+            in.nextToken();
+            JsonToken token = in.nextToken();
+            for (int other = 0; other < player && token != JsonToken.END_ARRAY; other++) {
+                in.skipChildren();
+                token = in.nextToken();
+            }
+            boolean there = token != JsonToken.END_ARRAY && token != JsonToken.VALUE_NULL;
+            String wrong = there ? again.codec().readCommand(in, player) : "found none, expected a command";
+            if (wrong != null) {
+                throw new ReplayException(recorded.where() + ": commands[" + player + "]: " + wrong);
+            }
+            return command();
+        } catch (JacksonException problem) {
+            throw new ReplayException(recorded.where() + ": commands: " + problem.getOriginalMessage());
+        }
+    }
+
+    /** The player's command as it stands. */
+    private byte[] command() {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), bytes)) {
+            again.codec().writeCommand(out, player);
+        }
+        return bytes.toByteArray();
+    }
+
+    /** Sends the last lines, if the bot was sent any lines. */
+    void end() {
+        LineBuffer end = dialogue.end(player);
+        bot.finish(end.bytes(), end.size());
+    }
+}

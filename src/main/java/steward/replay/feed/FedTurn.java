@@ -1,0 +1,28 @@
+package steward.replay.feed;
+
+import java.util.List;
+import steward.replay.verify.Difference;
+
+/**
+ * What a bot did when it was sent a recorded turn, beside what was recorded of it.
+ *
+ * @param number        of the turn, counted from 1
+ * @param replaced      whether its answer was played in place of the recorded one
+ * @param fault         what is wrong with its answer, or why there is none; or {@code null}
+ * @param recordedFault the same as it was recorded
+ * @param differences   between the commands, if both are good
+ * @param gone          whether the bot can be asked no more
+ */
+public record FedTurn(int number, boolean replaced, String fault, String recordedFault, List<Difference> differences,
+                      boolean gone) {
+
+    /** Copies the list. */
+    public FedTurn {
+        differences = List.copyOf(differences);
+    }
+
+    /** Whether it did what was recorded. */
+    public boolean same() {
+        return differences.isEmpty() && (fault == null ? recordedFault == null : fault.equals(recordedFault));
+    }
+}

@@ -1,0 +1,103 @@
+package steward.replay.feed;
+
+import java.util.function.Consumer;
+import java.util.function.IntConsumer;
+import steward.bot.Player;
+import steward.game.Game;
+import steward.game.GameTypes;
+import steward.match.Protocol;
+import steward.numerics.StateHash;
+import steward.replay.JsonLine;
+import steward.replay.RecordedMatch;
+import steward.replay.RecordedTurn;
+import steward.replay.ReplayException;
+import steward.replay.verify.Difference;
+import steward.replay.verify.Resimulation;
+
+/**
+ * Sends a bot everything that one player of a recorded match was sent, turn by turn, and compares its answers with the
+ * recorded ones. What is played is what was recorded, whatever the bot answers.
+ */
+public final class Feed {
+
+    /** How feeding came to its end. */
+    public enum Ending {
+        /** All turns were sent in which the player was asked, and the end of the match if it has one. */
+        WHOLE,
+        /** The turn was reached that should be the last; the bot waits for more. */
+        STOPPED,
+        /** The bot can be asked no more. */
+        BOT_GONE
+    }
+
+    private final RecordedMatch match;
+    private final Conversation conversation;
+
+    /**
+     * @param player   counted from 0
+     * @param protocol that the bot speaks
+     * @param bot      not asked anything yet; finished only if the match comes to its end
+     * @throws ReplayException              if the match cannot be played again
+     * @throws steward.scene.json.SceneException if its scene cannot be played
+     * @throws IllegalArgumentException     if the scene's game does not speak the protocol
+     */
+    public Feed(RecordedMatch match, GameTypes types, int player, Protocol protocol, Player bot) {
+        this.match = match;
+        conversation = new Conversation(match, types, player, protocol, bot);
+    }
+
+    /**
+     * Sends the turns.
+     *
+     * @param until  last turn to be sent
+     * @param before is told each turn before it is sent
+     * @param after  is told what the bot did
+     * @throws ReplayException if the match cannot be played again as it was recorded
+     */
+    public Ending run(int until, IntConsumer before, Consumer<FedTurn> after) {
+        boolean failed = false;
+        for (RecordedTurn turn : match.turns()) {
+            if (conversation.isIn()) {
+                if (turn.number() > until) {
+                    return Ending.STOPPED;
+                }
+                before.accept(turn.number());
+                FedTurn fed = conversation.ask(turn, false);
+                after.accept(fed);
+                if (fed.gone()) {
+                    return Ending.BOT_GONE;
+                }
+            }
+            failed |= turn.faults()[conversation.player()] != null;
+            play(conversation.again(), turn);
+        }
+        if (until <= match.lastAsked(conversation.player())) {
+            return Ending.STOPPED;
+        }
+        if (match.ending() != null && !failed) {
+            conversation.end();
+        }
+        return Ending.WHOLE;
+    }
+
+    private static void play(Resimulation again, RecordedTurn turn) {
+        requireSame(turn, again.play(turn));
+        checkHash(again.game(), turn);
+    }
+
+    /** Refuses a turn that cannot be played again. */
+    static void requireSame(RecordedTurn turn, Difference difference) {
+        if (difference != null) {
+            throw new ReplayException(turn.where() + ": cannot be played again: " + difference);
+        }
+    }
+
+    /** Refuses a turn from which on other lines would be sent than were sent then. */
+    static void checkHash(Game game, RecordedTurn turn) {
+        JsonLine outcome = new JsonLine(turn.where(), turn.outcome());
+        if (outcome.has("hash") && !outcome.text("hash").equals(StateHash.toHex(game.hash()))) {
+            throw new ReplayException(turn.where() + ": turn " + turn.number() + " differs when it is played again: "
+                + "what the bot was sent from then on cannot be told");
+        }
+    }
+}

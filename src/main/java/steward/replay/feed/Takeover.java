@@ -1,0 +1,261 @@
+package steward.replay.feed;
+
+import java.io.OutputStream;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.function.IntConsumer;
+import steward.bot.Player;
+import steward.game.Game;
+import steward.game.GameTypes;
+import steward.match.MatchResult;
+import steward.match.Protocol;
+import steward.match.Stopwatch;
+import steward.match.Turn;
+import steward.replay.RecordedMatch;
+import steward.replay.RecordedTurn;
+import steward.replay.ReplayException;
+import steward.replay.ReplayHeader;
+import steward.replay.ReplayWriter;
+import steward.replay.verify.Resimulation;
+import tools.jackson.core.JacksonException;
+import tools.jackson.core.JsonParser;
+import tools.jackson.core.JsonToken;
+
+/**
+ * Lets a bot play on in place of one player of a recorded match, against what the others did then, and records that as
+ * a match of its own. Up to a turn the bot is sent what was sent then, and what was recorded is played; from that turn
+ * on its own commands are.
+ *
+ * <p>The others do not see what has changed: their commands are applied as they are. The match ends when the rules say
+ * so, or where a player who is still in has neither a command nor a fault recorded; then the new recording has no
+ * result.
+ */
+public final class Takeover {
+
+    /**
+     * What came of it.
+     *
+     * @param turns  how many the new recording has
+     * @param result or {@code null} if there is none
+     * @param reason why there is none, or {@code null}
+     * @param ahead  who was ahead at the end, by name, players who tie all of them
+     */
+    public record Outcome(int turns, MatchResult result, String reason, List<String> ahead) {
+    }
+
+    private final RecordedMatch match;
+    private final List<String> names;
+    private final int from;
+    private final Conversation conversation;
+    private final Resimulation again;
+    private final Game game;
+    private final ReplayWriter writer;
+    private final Stopwatch[] watches;
+    private final String[] faults;
+
+    /**
+     * As {@link Feed}.
+     *
+     * @param asked its name stands in the new recording, with the player's number where another player has it
+     * @param from  first turn that the bot plays; the player is in then
+     * @param bot   how it was called
+     * @param out   for the new recording
+     */
+    public Takeover(RecordedMatch match, GameTypes types, int player, Protocol protocol, Player asked, int from,
+                    String bot, OutputStream out) {
+        this.match = match;
+        this.from = from;
+        conversation = new Conversation(match, types, player, protocol, asked);
+        again = conversation.again();
+        game = again.game();
+        names = names(match.header().names(), player, asked.name());
+        writer = new ReplayWriter(out, header(match.header(), names, player, protocol, bot));
+        watches = new Stopwatch[game.players()];
+        faults = new String[game.players()];
+        for (int k = 0; k < watches.length; k++) {
+            watches[k] = new Stopwatch();
+        }
+    }
+
+    private static List<String> names(List<String> recorded, int player, String name) {
+        List<String> names = new ArrayList<>(recorded);
+        names.set(player, null);
+        String own = name;
+        while (names.contains(own)) {
+            own += "-" + player;
+        }
+        names.set(player, own);
+        return names;
+    }
+
+    /** The same match, in which nobody was hurried and another bot plays. */
+    private static ReplayHeader header(ReplayHeader recorded, List<String> names, int player, Protocol protocol,
+                                       String bot) {
+        List<String> bots = new ArrayList<>(recorded.bots());
+        bots.set(player, bot);
+        List<Protocol> protocols = new ArrayList<>(recorded.protocols());
+        protocols.set(player, protocol);
+        return new ReplayHeader(recorded.game(), recorded.scene(), recorded.seed(), names, bots, protocols,
+            Double.POSITIVE_INFINITY);
+    }
+
+    /**
+     * Plays.
+     *
+     * @param before is told each turn before it is sent to the bot
+     * @param after  is told what the bot did
+     * @throws ReplayException if the match cannot be played again up to the turn
+     */
+    public Outcome run(IntConsumer before, Consumer<FedTurn> after) {
+        writer.start(game, again.codec());
+        for (RecordedTurn recorded : match.turns()) {
+            boolean replaced = recorded.number() >= from;
+            String missing = replaced ? missing(recorded) : null;
+            if (missing != null) {
+                return unfinished(missing);
+            }
+            FedTurn fed = null;
+            if (conversation.isIn()) {
+                before.accept(recorded.number());
+                fed = conversation.ask(recorded, replaced);
+                after.accept(fed);
+            }
+            if (fed != null && fed.gone() && !replaced) {
+                return unfinished("the bot has ended before turn " + from);
+            }
+            String problem = replaced ? play(recorded, fed) : playAgain(recorded);
+            if (problem != null) {
+                return unfinished(problem);
+            }
+            if (game.isOver()) {
+                return finished();
+            }
+        }
+        return unfinished("the recording ends");
+    }
+
+    /** Who of the others is in, but neither did anything in this turn nor failed; or {@code null}. */
+    private String missing(RecordedTurn recorded) {
+        for (int other = 0; other < game.players(); other++) {
+            if (other != conversation.player() && game.isIn(other) && !recorded.hasCommand(other)
+                && recorded.faults()[other] == null) {
+                return "of " + match.header().names().get(other) + " no command was recorded in turn "
+                    + recorded.number();
+            }
+        }
+        return null;
+    }
+
+    private String playAgain(RecordedTurn recorded) {
+        Feed.requireSame(recorded, again.prepare(recorded));
+        Turn turn = Turn.of(recorded.number(), game.players());
+        for (int player = 0; player < game.players(); player++) {
+            record(turn, recorded, player);
+        }
+        play(turn);
+        Feed.checkHash(game, recorded);
+        return null;
+    }
+
+    /** @return {@code null}, or why the turn cannot be played */
+    private String play(RecordedTurn recorded, FedTurn fed) {
+        String wrong = readOthers(recorded);
+        if (wrong != null) {
+            return wrong;
+        }
+        Turn turn = Turn.of(recorded.number(), game.players());
+        for (int player = 0; player < game.players(); player++) {
+            if (player != conversation.player()) {
+                if (game.isIn(player)) {
+                    record(turn, recorded, player);
+                    if (turn.fault(player) != null) {
+                        game.eliminate(player, turn.fault(player));      // who failed then fails now
+                    }
+                }
+            } else if (fed != null && fed.fault() == null) {
+                turn.answer(player, conversation.message(), conversation.answer().stderr(),
+                    conversation.answer().nanos());
+            } else if (fed != null) {
+                turn.fail(player, fed.fault(), conversation.answer().stderr(), conversation.answer().nanos());
+                game.eliminate(player, turn.fault(player));
+            }
+        }
+        play(turn);
+        return null;
+    }
+
+    private String readOthers(RecordedTurn recorded) {
+        try (JsonParser in = RecordedTurn.parser(recorded.commands())) {
+            in.nextToken();
+            for (int player = 0; player < game.players(); player++) {
+                JsonToken token = in.nextToken();
+                if (player == conversation.player() || !game.isIn(player) || token == JsonToken.VALUE_NULL) {
+                    in.skipChildren();
+                    continue;
+                }
+                String wrong = again.codec().readCommand(in, player);
+                if (wrong != null) {
+                    return recorded.where() + ": commands[" + player + "]: " + wrong;
+                }
+            }
+            return null;
+        } catch (JacksonException problem) {
+            return recorded.where() + ": commands: " + problem.getOriginalMessage();
+        }
+    }
+
+    private static void record(Turn turn, RecordedTurn recorded, int player) {
+        if (recorded.faults()[player] != null) {
+            turn.fail(player, recorded.faults()[player], recorded.stderr()[player], recorded.nanos(player));
+        } else if (recorded.hasCommand(player)) {
+            turn.answer(player, recorded.messages()[player], recorded.stderr()[player], recorded.nanos(player));
+        }
+    }
+
+    private void play(Turn turn) {
+        for (int player = 0; player < turn.players(); player++) {
+            if (turn.asked(player)) {
+                watches[player].add(turn.nanos(player));
+            }
+            faults[player] = turn.fault(player) == null ? faults[player] : turn.fault(player);
+        }
+        writer.commands(turn);
+        game.play();
+        writer.played(turn);
+    }
+
+    private Outcome finished() {
+        int[] ranks = game.ranks();
+        double[] scores = game.scores();
+        List<MatchResult.PlayerResult> players = new ArrayList<>();
+        for (int player = 0; player < ranks.length; player++) {
+            Stopwatch watch = watches[player];
+            players.add(new MatchResult.PlayerResult(names.get(player), ranks[player],
+                scores[player], faults[player], game.eliminationReason(player), watch.answers(), watch.averageNanos(),
+                watch.worstNanos(), watch.firstNanos(), 0));
+        }
+        MatchResult result = new MatchResult(game.turn(), game.ending(), players);
+        writer.end(result);
+        if (faults[conversation.player()] == null) {
+            conversation.end();
+        }
+        return new Outcome(game.turn(), result, null, ahead());
+    }
+
+    private Outcome unfinished(String reason) {
+        return new Outcome(game.turn(), null, reason, ahead());
+    }
+
+    private List<String> ahead() {
+        int[] ranks = game.ranks();
+        List<String> ahead = new ArrayList<>();
+        for (int player = 0; player < ranks.length; player++) {
+            if (ranks[player] == 0) {
+                ahead.add(names.get(player));
+            }
+        }
+        return Collections.unmodifiableList(ahead);
+    }
+}

@@ -1,0 +1,128 @@
+package steward.replay.page;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Base64;
+import java.util.zip.Deflater;
+import java.util.zip.GZIPOutputStream;
+import steward.replay.JsonLine;
+import steward.replay.RecordedTurn;
+import steward.replay.ReplayException;
+import steward.replay.ReplayReader;
+import tools.jackson.core.JacksonException;
+
+/**
+ * Writes a replay as one HTML page that shows the match: page, styles, script and replay in a single file that opens
+ * from disk and asks no network for anything. The replay is embedded as gzip in base64, whose alphabet cannot end a
+ * script element; the browser unpacks it.
+ *
+ * <p>A replay that was cut off is embedded up to the cut, and the page says so.
+ */
+public final class ReplayPage {
+
+    private ReplayPage() {
+    }
+
+    /**
+     * @param html  is not closed
+     * @param title heading of the page, plain text
+     * @throws IOException     if the replay cannot be read or the page cannot be written
+     * @throws ReplayException if the file is no replay, of a newer format, or damaged before its end
+     */
+    public static void write(Path replay, OutputStream html, String title) throws IOException {
+        ReplayReader.open(replay).close();                   // says which path cannot be read, and why
+        write(Files.readAllBytes(replay), replay.toString(), html, title);
+    }
+
+    /**
+     * @param replay read to its end, not closed
+     * @param source name of the replay, for errors
+     * @param html   is not closed
+     * @param title  heading of the page, plain text
+     * @throws IOException     if the replay cannot be read or the page cannot be written
+     * @throws ReplayException if it is no replay, of a newer format, or damaged before its end
+     */
+    public static void write(InputStream replay, String source, OutputStream html, String title) throws IOException {
+        write(replay.readAllBytes(), source, html, title);
+    }
+
+    private static void write(byte[] replay, String source, OutputStream html, String title) throws IOException {
+        String warning = check(replay, source);
+        byte[] whole = warning == null ? replay : upToCut(replay);
+        PageTemplate page = new PageTemplate(title);
+        page.put("policy", page.policy("'none'"));
+        page.put("save", "");
+        page.put("source", warning == null ? "" : "data-warning=\"" + PageTemplate.escape(warning) + "\"");
+        page.write(html, out -> embed(whole, out));
+    }
+
+    /**
+     * Writes the page of a match that is being played. It holds no replay but follows server-sent events: each event's
+     * data is one line of the replay (header, turns, result), sent from the beginning to every client; the result ends
+     * it, or an event of type {@code end}.
+     *
+     * @param html  is not closed
+     * @param title heading of the page, plain text
+     * @param feed  address of the events, relative to the page
+     * @param save  address under which the page as a file is found, relative to the page, or {@code null} for none
+     * @throws IOException if the page cannot be written
+     */
+    public static void writeLive(OutputStream html, String title, String feed, String save) throws IOException {
+        PageTemplate page = new PageTemplate(title);
+        page.put("policy", page.policy("'self'"));
+        page.put("save", save == null ? "" : "<a href=\"" + PageTemplate.escape(save) + "\" download>Save</a>");
+        page.put("source", "data-feed=\"" + PageTemplate.escape(feed) + "\"");
+        page.write(html, out -> { });
+    }
+
+    /** Reads the replay to its end; returns where it was cut off, without the name of the file, or null. */
+    private static String check(byte[] replay, String source) {
+        try (ReplayReader reader = new ReplayReader(new ByteArrayInputStream(replay), source)) {
+            RecordedTurn turn;
+            do {
+                turn = reader.next();
+            } while (turn != null);
+            String warning = reader.warning();
+            return warning != null && warning.startsWith(source + ": ")
+                ? "This recording was " + warning.substring(source.length() + 2) + "." : warning;
+        }
+    }
+
+    /** Without the line that was cut; a last line that only lacks its end is whole, as for the reader. */
+    private static byte[] upToCut(byte[] replay) {
+        int end = replay.length;
+        while (end > 0 && replay[end - 1] != '\n') {
+            end--;
+        }
+        boolean isWhole = end == replay.length || isObject(Arrays.copyOfRange(replay, end, replay.length));
+        return isWhole ? replay : Arrays.copyOf(replay, end);
+    }
+
+    private static boolean isObject(byte[] line) {
+        try {
+            new JsonLine("last line", line);
+            return true;
+        } catch (JacksonException problem) {
+            return false;
+        }
+    }
+
+    private static void embed(byte[] replay, OutputStream html) throws IOException {
+        OutputStream base64 = Base64.getEncoder().wrap(new UnclosedOutputStream(html));
+        try (OutputStream gzip = new SmallestGzip(base64)) {
+            gzip.write(replay);
+        }
+    }
+
+    private static final class SmallestGzip extends GZIPOutputStream {
+        SmallestGzip(OutputStream out) throws IOException {
+            super(out);
+            def.setLevel(Deflater.BEST_COMPRESSION);
+        }
+    }
+}

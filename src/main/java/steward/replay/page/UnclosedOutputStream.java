@@ -1,0 +1,24 @@
+package steward.replay.page;
+
+import java.io.FilterOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+
+/** Lets a writer be closed without closing what it writes to: the end of its part is not the end of the whole. */
+public final class UnclosedOutputStream extends FilterOutputStream {
+
+    /** @param out is flushed, not closed */
+    public UnclosedOutputStream(OutputStream out) {
+        super(out);
+    }
+
+    @Override
+    public void write(byte[] bytes, int from, int count) throws IOException {
+        out.write(bytes, from, count);
+    }
+
+    @Override
+    public void close() throws IOException {
+        flush();
+    }
+}

@@ -1,0 +1,57 @@
+package steward.replay.verify;
+
+import steward.game.FrameCodec;
+import steward.game.Game;
+import steward.game.JsonNumbers;
+import steward.physics.Impact;
+import steward.physics.TurnLog;
+import tools.jackson.core.JsonGenerator;
+
+/**
+ * What another referee can have shown of a turn just played, as it shows it: places of impacts rounded, half the sum of
+ * both velocities before, rounded, in place of the velocities; the ranks as they stand.
+ */
+final class ObservableOutcome {
+
+    private ObservableOutcome() {
+    }
+
+    /** Fields of an outcome; the caller opens and closes the object. */
+    static void write(JsonGenerator out, Game game, FrameCodec codec) {
+        TurnLog log = game.log();
+        if (log.impacts() > 0) {
+            out.writeArrayPropertyStart("impacts");
+            for (int k = 0; k < log.impacts(); k++) {
+                write(out, log.impact(k));
+            }
+            out.writeEndArray();
+        }
+        out.writeObjectPropertyStart("state");
+        codec.writeState(out);
+        out.writeEndObject();
+        out.writeArrayPropertyStart("ranks");
+        for (int rank : game.ranks()) {
+            out.writeNumber(rank);
+        }
+        out.writeEndArray();
+    }
+
+    private static void write(JsonGenerator out, Impact impact) {
+        out.writeStartObject();
+        JsonNumbers.write(out, "time", impact.time());
+        out.writeNumberProperty("a", impact.a());
+        if (impact.isWall()) {
+            out.writeNumberProperty("wall", impact.wall());
+        } else {
+            out.writeNumberProperty("b", impact.b());
+        }
+        out.writeNumberProperty("ax", Math.round(impact.ax()));
+        out.writeNumberProperty("ay", Math.round(impact.ay()));
+        out.writeNumberProperty("bx", Math.round(impact.bx()));
+        out.writeNumberProperty("by", Math.round(impact.by()));
+        JsonNumbers.write(out, "impulse", impact.impulse());
+        out.writeNumberProperty("meanVx", Math.round((impact.vaxBefore() + impact.vbxBefore()) / 2));
+        out.writeNumberProperty("meanVy", Math.round((impact.vayBefore() + impact.vbyBefore()) / 2));
+        out.writeEndObject();
+    }
+}

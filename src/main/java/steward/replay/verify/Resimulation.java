@@ -1,0 +1,163 @@
+package steward.replay.verify;
+
+import steward.game.FrameCodec;
+import steward.game.Game;
+import steward.game.GameSetup;
+import steward.game.GameTypes;
+import steward.game.JsonNumbers;
+import steward.game.LineParser;
+import steward.replay.RecordedTurn;
+import steward.replay.ReplayException;
+import steward.replay.ReplayHeader;
+import tools.jackson.core.JacksonException;
+import tools.jackson.core.JsonParser;
+import tools.jackson.core.JsonToken;
+import tools.jackson.core.ObjectReadContext;
+
+/** Plays a recorded match again, from its scene, seed, commands and faults. */
+public final class Resimulation {
+
+    private final GameSetup setup;
+    private final Game game;
+    private final FrameCodec codec;
+    private final LineParser lines = new LineParser();
+    private final String[] noFaults;
+
+    /**
+     * @param source name of the replay, for errors about its scene
+     * @throws ReplayException              if the header says another game or number of players than its scene
+     * @throws steward.scene.json.SceneException if the scene in the header is not one that the known games can play
+     */
+    public Resimulation(ReplayHeader header, GameTypes types, String source) {
+        setup = types.open(header.scene(), source + " (scene)");
+        if (!header.game().equals(setup.scene().gameId())) {
+            throw new ReplayException(source + ":1: game: found " + header.game() + ", expected "
+                + setup.scene().gameId() + " as in the scene");
+        }
+        game = setup.create(header.seed());
+        codec = setup.codec(game);
+        noFaults = new String[game.players()];
+        if (game.players() != header.names().size()) {
+            throw new ReplayException(source + ":1: players: found " + header.names().size() + ", expected "
+                + game.players() + " as in the scene");
+        }
+    }
+
+    /** The scene of the header, opened. */
+    public GameSetup setup() {
+        return setup;
+    }
+
+    /** The game as it stands after the turns played again. */
+    public Game game() {
+        return game;
+    }
+
+    /** Its codec. */
+    public FrameCodec codec() {
+        return codec;
+    }
+
+    /**
+     * Plays one recorded turn.
+     *
+     * @return {@code null}, or the difference because of which it cannot be played
+     */
+    public Difference play(RecordedTurn turn) {
+        Difference difference = prepare(turn);
+        if (difference == null) {
+            game.play();
+        }
+        return difference;
+    }
+
+    /** Everything of a turn except playing it: commands are read, and players that failed are out. */
+    public Difference prepare(RecordedTurn turn) {
+        int expected = game.turn() + 1;
+        if (game.isOver()) {
+            return new Difference(turn.number(), "turn", Integer.toString(turn.number()),
+                "the match is over: " + game.ending());
+        }
+        if (turn.number() != expected) {
+            return new Difference(expected, "turn", Integer.toString(turn.number()), Integer.toString(expected));
+        }
+        Difference wrong = readCommands(turn);
+        if (wrong != null) {
+            return wrong;
+        }
+        for (int player = 0; player < game.players(); player++) {
+            if (turn.faults()[player] != null) {
+                game.eliminate(player, turn.faults()[player]);
+            }
+        }
+        return null;
+    }
+
+    private Difference readCommands(RecordedTurn turn) {
+        byte[] json = turn.commands();
+        return readCommands(json, 0, json.length, turn.faults()) >= 0 ? null : readCarefully(turn);
+    }
+
+    /**
+     * Reads the commands of a turn in which no player failed.
+     *
+     * @return how many bytes there are behind them; negative if there is anything wrong or unusual about them
+     */
+    int readCommands(byte[] json, int from, int to) {
+        return readCommands(json, from, to, noFaults);
+    }
+
+    private int readCommands(byte[] json, int from, int to, String[] faults) {
+        if (!LineParser.canRead(json, from, to)) {
+            return -1;
+        }
+        try {
+            JsonParser in = lines.begin(json, from, to);
+            if (in.nextToken() == JsonToken.START_ARRAY && readEach(in, faults)) {
+                return lines.endValue();
+            }
+            lines.reset();
+            return -1;
+        } catch (JacksonException problem) {
+            lines.reset();
+            return -1;
+        }
+    }
+
+    private boolean readEach(JsonParser in, String[] faults) {
+        int player = 0;
+        for (JsonToken token = in.nextToken(); token != JsonToken.END_ARRAY; token = in.nextToken()) {
+            boolean wanted = player < game.players() && game.isIn(player) && faults[player] == null;
+            if (wanted != (token != JsonToken.VALUE_NULL) || wanted && codec.readCommand(in, player) != null) {
+                return false;
+            }
+            player++;
+        }
+        return player == game.players();
+    }
+
+    /** What is wrong with the commands, which are read to be told. */
+    private Difference readCarefully(RecordedTurn turn) {
+        byte[] json = turn.commands();
+        int player = 0;
+        try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), json, 0, json.length)) {
+            in.nextToken();
+            for (JsonToken token = in.nextToken(); token != JsonToken.END_ARRAY; token = in.nextToken()) {
+                boolean wanted = player < game.players() && game.isIn(player) && turn.faults()[player] == null;
+                if (wanted != (token != JsonToken.VALUE_NULL)) {
+                    return new Difference(turn.number(), "commands[" + player + "]", wanted ? "null" : "a command",
+                        wanted ? "a command" : "null");
+                }
+                String wrong = wanted ? codec.readCommand(in, player) : null;
+                if (wrong != null) {
+                    return new Difference(turn.number(), "commands[" + player + "]", wrong, "a command");
+                }
+                player++;
+            }
+        } catch (JacksonException problem) {
+            return new Difference(turn.number(), "commands", problem.getOriginalMessage(), "JSON");
+        }
+        return player == game.players() ? null
+            : new Difference(turn.number(), "commands", player + " entries", game.players() + " entries");
+    }
+}

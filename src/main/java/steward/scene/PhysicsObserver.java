@@ -1,0 +1,21 @@
+package steward.scene;
+
+import steward.Internal;
+import steward.physics.Advance;
+import steward.physics.PhysicsParts;
+
+/** Observer of the advances that games take from their plan. It may replace them by its own, for measurements. */
+@FunctionalInterface
+@Internal
+public interface PhysicsObserver {
+
+    /** Changes nothing. */
+    PhysicsObserver NONE = (parts, advance) -> advance;
+
+    /**
+     * @param parts   the parts of the physics
+     * @param advance the advance that the scene requires
+     * @return the advance that the game gets
+     */
+    Advance observe(PhysicsParts parts, Advance advance);
+}

@@ -1,0 +1,103 @@
+package steward.scene.json;
+
+import java.util.List;
+import java.util.Map;
+import steward.Internal;
+import tools.jackson.core.JsonGenerator;
+
+/** A value of a scene file as it was written, with its position. Numbers keep their text. */
+@Internal
+public sealed interface JsonValue {
+
+    /** Where it begins. */
+    SourcePosition place();
+
+    /** How an error names it: {@code found ...}. */
+    String shown();
+
+    /** Writes the value as it was read. */
+    void write(JsonGenerator json);
+
+    /** An object; fields in the order of the file. */
+    record JsonObject(SourcePosition place, Map<String, Entry> entries) implements JsonValue {
+
+        @Override
+        public String shown() {
+            return "an object";
+        }
+
+        @Override
+        public void write(JsonGenerator json) {
+            json.writeStartObject();
+            entries.forEach((name, entry) -> {
+                json.writeName(name);
+                entry.value.write(json);
+            });
+            json.writeEndObject();
+        }
+    }
+
+    /** A field of an object; the position is that of the name. */
+    record Entry(SourcePosition place, JsonValue value) { }
+
+    /** An array. */
+    record JsonArray(SourcePosition place, List<JsonValue> values) implements JsonValue {
+
+        @Override
+        public String shown() {
+            return values.isEmpty() ? "an empty array" : "an array";
+        }
+
+        @Override
+        public void write(JsonGenerator json) {
+            json.writeStartArray();
+            values.forEach(value -> value.write(json));
+            json.writeEndArray();
+        }
+    }
+
+    /** A string, without its quotes and escapes. */
+    record JsonText(SourcePosition place, String text) implements JsonValue {
+
+        private static final int MOST_SHOWN = 60;
+
+        @Override
+        public String shown() {
+            String start = text.length() > MOST_SHOWN ? text.substring(0, MOST_SHOWN) + "..." : text;
+            return '"' + start.replaceAll("\\p{Cntrl}", "?") + '"';
+        }
+
+        @Override
+        public void write(JsonGenerator json) {
+            json.writeString(text);
+        }
+    }
+
+    /** A number; its text is kept, so that no digit is lost when the scene is written again. */
+    record JsonNumber(SourcePosition place, String text) implements JsonValue {
+
+        @Override
+        public String shown() {
+            return text;
+        }
+
+        @Override
+        public void write(JsonGenerator json) {
+            json.writeNumber(text);
+        }
+    }
+
+    /** {@code true}, {@code false} or {@code null}. */
+    record JsonLiteral(SourcePosition place, String text) implements JsonValue {
+
+        @Override
+        public String shown() {
+            return text;
+        }
+
+        @Override
+        public void write(JsonGenerator json) {
+            json.writeRawValue(text);
+        }
+    }
+}

@@ -1,0 +1,94 @@
+package steward.text;
+
+import java.math.BigDecimal;
+import java.math.RoundingMode;
+
+/** How commands format numbers and texts, the same in every locale. */
+public final class TextFormat {
+
+    private static final double NANOS_PER_MS = 1e6;
+
+    private TextFormat() {
+    }
+
+    /** A number for a table: at most {@code decimals} decimals, no trailing zeros, no negative zero. */
+    public static String number(double value, int decimals) {
+        if (value == Math.rint(value) && Math.abs(value) < 1e15) {
+            return Long.toString((long) value);
+        }
+        if (Double.isNaN(value) || Double.isInfinite(value)) {
+            return Double.toString(value);
+        }
+        BigDecimal rounded = BigDecimal.valueOf(value).setScale(decimals, RoundingMode.HALF_EVEN);
+        String text = rounded.stripTrailingZeros().toPlainString();
+        return text.length() <= 16 ? text : Double.toString(value);
+    }
+
+    /** A number with exactly {@code decimals} decimals. */
+    public static String fixed(double value, int decimals) {
+        return Double.isNaN(value) ? "-" : BigDecimal.valueOf(value).setScale(decimals, RoundingMode.HALF_EVEN)
+            .toPlainString();
+    }
+
+    /** Nanoseconds as milliseconds with two decimals. */
+    public static String ms(long nanos) {
+        return fixed(nanos / NANOS_PER_MS, 2);
+    }
+
+    /** {@code 1 turn}, {@code 2 turns}. */
+    public static String count(long number, String what) {
+        return number + " " + what + (number == 1 ? "" : "s");
+    }
+
+    /** Right-aligned: padded with blanks on the left. */
+    public static String right(String text, int width) {
+        return " ".repeat(Math.max(0, width - text.length())) + text;
+    }
+
+    /** Left-aligned: padded with blanks on the right. */
+    public static String left(String text, int width) {
+        return text + " ".repeat(Math.max(0, width - text.length()));
+    }
+
+    /** At most {@code most} characters; a longer text ends in "...". */
+    public static String shorten(String text, int most) {
+        return text.length() <= most ? text : text.substring(0, most - 3) + "...";
+    }
+
+    /**
+     * Wraps a line between items, so that no line is wider unless a single item is.
+     *
+     * @param separator between items, two characters; its non-blank part stays at the end of a line
+     * @param indent    starts every line but the first
+     */
+    public static String wrap(String items, String separator, int width, String indent) {
+        StringBuilder text = new StringBuilder();
+        int used = 0;
+        for (String item : items.split(separator)) {
+            if (used > 0 && used + separator.length() + item.length() >= width) {
+                text.append(separator.strip()).append('\n').append(indent).append(item);
+                used = indent.length() + item.length();
+            } else {
+                text.append(used > 0 ? separator : "").append(item);
+                used += (used > 0 ? separator.length() : 0) + item.length();
+            }
+        }
+        return text.toString();
+    }
+
+    /**
+     * Text from a bot or a file made safe for a terminal: control characters other than line feed and tab become a
+     * question mark.
+     */
+    public static String plain(String text) {
+        StringBuilder plain = null;
+        for (int k = 0; k < text.length(); k++) {
+            char c = text.charAt(k);
+            if (Character.isISOControl(c) && c != '\n' && c != '\t') {
+                plain = plain == null ? new StringBuilder(text) : plain;
+                plain.setCharAt(k, '?');
+            }
+        }
+        return plain == null ? text : plain.toString();
+    }
+}

@@ -1,0 +1,8 @@
+/**
+ * Formatting for people: the nearest known word to a misspelt one, columns, counts and units, the same in every locale.
+ * No files, no terminals.
+ */
+@Internal
+package steward.text;
+
+import steward.Internal;

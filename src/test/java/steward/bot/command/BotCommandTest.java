@@ -1,0 +1,182 @@
+package steward.bot.command;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import steward.bot.command.BotCommand.Prefix;
+import steward.bot.process.ScriptedBots;
+
+/** How a bot is named on the command line, and what is said when it cannot be started. */
+class BotCommandTest {
+
+    private static void reads(String text, String name, Prefix prefix, String... words) {
+        BotCommand command = BotCommand.parse(text);
+        assertEquals(new BotCommand(name, prefix, List.of(words)), command, text);
+        assertEquals(command, BotCommand.parse(command.toString()), () -> "written as " + command);
+    }
+
+    private static String failure(String text) {
+        return assertThrows(IllegalArgumentException.class, () -> BotCommand.parse(text).resolve()).getMessage();
+    }
+
+    @Test
+    void nameAndPrefixAreOptional() {
+        reads("./racer", null, Prefix.JSON, "./racer");
+        reads("json:./racer", null, Prefix.JSON, "./racer");
+        reads("builtin:racer", null, Prefix.BUILTIN, "racer");
+        reads("codingame:python3 b.py", null, Prefix.CODINGAME, "python3", "b.py");
+        reads("blue=python3 'my bot.py' -v", "blue", Prefix.JSON, "python3", "my bot.py", "-v");
+        reads("a.b_c-9=builtin:racer --calm", "a.b_c-9", Prefix.BUILTIN, "racer", "--calm");
+        reads("blue=json:'python3 b.py'", "blue", Prefix.JSON, "python3 b.py");
+    }
+
+    @Test
+    void wordsThatAShellHasSplitMayBeginWithNameAndPrefix() {
+        assertEquals(new BotCommand(null, Prefix.CODINGAME, List.of("sh", "-c", "a b")),
+            BotCommand.of(List.of("sh", "-c", "a b"), Prefix.CODINGAME));
+        assertEquals(new BotCommand("blue", Prefix.JSON, List.of("my bot", "c=d")),
+            BotCommand.of(List.of("blue=json:my bot", "c=d"), Prefix.CODINGAME));
+        assertEquals(new BotCommand(null, Prefix.BUILTIN, List.of("racer")),
+            BotCommand.of(List.of("builtin:", "racer"), Prefix.JSON));
+        assertEquals("bot 'json:': there is no command; expected " + BotCommand.FORM, assertThrows(
+            IllegalArgumentException.class, () -> BotCommand.of(List.of("json:"), Prefix.JSON)).getMessage());
+    }
+
+    @Test
+    void anEqualsSignAfterABlankOrQuoteIsPartOfTheCommand() {
+        reads("racer a=b", null, Prefix.JSON, "racer", "a=b");
+        reads("'x'=y", null, Prefix.JSON, "x=y");
+        reads("=y", null, Prefix.JSON, "=y");
+        reads("x/y=z", null, Prefix.JSON, "x/y=z");
+        reads("a=b=c", "a", Prefix.JSON, "b=c");
+        reads("json:a=b", null, Prefix.JSON, "a=b");
+        reads("json:json:a", null, Prefix.JSON, "json:a");
+    }
+
+    @Test
+    void anEmptyCommandIsAnError() {
+        assertEquals("bot '': there is no command; expected [NAME=][builtin:|json:|codingame:]COMMAND", failure(""));
+        assertEquals("bot 'blue=json: ': there is no command after 'blue=json:';"
+            + " expected [NAME=][builtin:|json:|codingame:]COMMAND", failure("blue=json: "));
+        assertEquals("bot '''': the command is an empty word; expected a program", failure("''"));
+    }
+
+    @Test
+    void anOpenQuoteIsReportedByItsColumnInTheWholeText() {
+        assertEquals("bot 'blue=json:a 'b', column 13: the single quote is never closed", failure("blue=json:a 'b"));
+    }
+
+    @Test
+    void aBotIsDisplayedByItsNameOrItsProgram(@TempDir Path folder) throws IOException {
+        Path script = Files.createFile(folder.resolve("b.py"));
+        assertEquals("blue", BotCommand.parse("blue=./a.out").displayName());
+        assertEquals("a.out", BotCommand.parse("bin/a.out map.json").displayName());
+        assertEquals("racer", BotCommand.parse("builtin:racer").displayName());
+        assertEquals("b.py", BotCommand.parse("python3 -u " + script).displayName());
+        assertEquals("python3", BotCommand.parse("python3 -m nothing.of.this.name").displayName());
+    }
+
+    @Test
+    void aCommandThatIsThereResolvesToItsWords() {
+        ScriptedBots.assumeShell();
+        assertEquals(List.of("sh", "-c", "echo 1"), BotCommand.parse("x=sh -c 'echo 1'").resolve());
+        assertEquals(List.of("sh"), BotCommand.parse("codingame:sh").resolve());
+    }
+
+    @Test
+    void aCommandThatIsNotThereIsAnErrorAtOnce() {
+        assertEquals("bot 'no-such-bot -v': there is no program 'no-such-bot' on the PATH", failure("no-such-bot -v"));
+        assertEquals("bot ''python3 b.py'': there is no program 'python3 b.py' on the PATH;"
+            + " its quotes make it one word: without them it is a command and its arguments",
+            failure("'python3 b.py'"));
+        assertEquals("bot '/no/such/bot': there is no file '/no/such/bot'", failure("/no/such/bot"));
+        assertEquals("bot './no-such-bot': there is no file './no-such-bot' in " + Path.of("").toAbsolutePath(),
+            failure("./no-such-bot"));
+        assertEquals("bot 'jason:bot': there is no program 'jason:bot' on the PATH;"
+            + " the known prefixes are builtin: json: codingame:", failure("jason:bot"));
+    }
+
+    @Test
+    void directoriesAndPlainFilesAreNoPrograms(@TempDir Path folder) throws IOException {
+        Path plain = Files.createFile(folder.resolve("bot.py"));
+        assertEquals("bot '" + folder + "': '" + folder + "' is a directory; expected an executable program",
+            failure(folder.toString()));
+        assertEquals("bot '" + plain + "': '" + plain + "' is not executable; make it so with chmod +x,"
+            + " or name its interpreter before it", failure(plain.toString()));
+        assertTrue(plain.toFile().setExecutable(true));
+        assumeTrue(Files.isExecutable(plain), "files in the temporary directory cannot be executable");
+        assertEquals(List.of(plain.toString()), BotCommand.parse(plain.toString()).resolve());
+    }
+
+    @Test
+    void builtinBotsStartTheJvmThatIsRunning() {
+        BuiltinBots builtins = new BuiltinBots(Map.of("racer", "a.b.Racer --mild 'x y'"));
+        List<String> command = BotCommand.parse("builtin:racer --fast").resolve(builtins);
+        assertEquals(Path.of(System.getProperty("java.home"), "bin", "java").toString(), command.get(0));
+        int end = command.size();
+        assertEquals(List.of("-cp", System.getProperty("java.class.path"), "a.b.Racer", "--mild", "x y", "--fast"),
+            command.subList(end - 6, end));
+        assertEquals(List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-Xshare:auto", "-XX:-UsePerfData"),
+            command.subList(1, end - 6));
+    }
+
+    @Test
+    void theJvmOptionsOfBuiltinBotsCanBeReplaced() {
+        String before = System.getProperty(BuiltinBots.JVM_OPTIONS);
+        try {
+            System.setProperty(BuiltinBots.JVM_OPTIONS, "-Xmx64m '-Dx=a b'");
+            List<String> command = new BuiltinBots(Map.of("racer", "Racer")).command("racer", List.of());
+            assertEquals(List.of("-Xmx64m", "-Dx=a b", "-cp"), command.subList(1, 4));
+            System.setProperty(BuiltinBots.JVM_OPTIONS, "'");
+            Exception e = assertThrows(IllegalArgumentException.class,
+                () -> new BuiltinBots(Map.of("racer", "Racer")).command("racer", List.of()));
+            assertEquals("system property steward.bot.jvm, column 1: the single quote is never closed", e.getMessage());
+        } finally {
+            if (before == null) {
+                System.clearProperty(BuiltinBots.JVM_OPTIONS);
+            } else {
+                System.setProperty(BuiltinBots.JVM_OPTIONS, before);
+            }
+        }
+    }
+
+    @Test
+    void anUnknownBuiltinBotIsAnErrorThatKnowsBetter() {
+        BuiltinBots builtins = new BuiltinBots(Map.of("racer", "R", "blocker", "B", "plain", "P"));
+        assertEquals(List.of("blocker", "plain", "racer"), builtins.names());
+        Exception near = assertThrows(IllegalArgumentException.class,
+            () -> BotCommand.parse("builtin:Racr").resolve(builtins));
+        assertEquals("bot 'builtin:Racr': there is no builtin bot 'Racr'; did you mean 'racer'?"
+            + " There are: blocker, plain, racer", near.getMessage());
+        Exception far = assertThrows(IllegalArgumentException.class, () -> builtins.command("zzz", List.of()));
+        assertEquals("there is no builtin bot 'zzz'; there are: blocker, plain, racer", far.getMessage());
+        Exception none = assertThrows(IllegalArgumentException.class,
+            () -> new BuiltinBots(Map.of()).command("racer", List.of()));
+        assertEquals("there is no builtin bot 'racer': this installation has none"
+            + " (no steward/bots/builtin.properties on the class path)", none.getMessage());
+    }
+
+    @Test
+    void distanceCountsLettersToChange() {
+        assertEquals(0, BuiltinBots.distance("racer", "Racer"));
+        assertEquals(1, BuiltinBots.distance("racr", "racer"));
+        assertEquals(5, BuiltinBots.distance("", "racer"));
+        assertEquals(3, BuiltinBots.distance("kitten", "sitting"));
+    }
+
+    @Test
+    void noNameIsNull() {
+        assertNull(BotCommand.parse("x").name());
+        assertThrows(IllegalArgumentException.class, () -> new BotCommand("x", Prefix.JSON, List.of()));
+    }
+}

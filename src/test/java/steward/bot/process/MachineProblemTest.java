@@ -1,0 +1,61 @@
+package steward.bot.process;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import steward.bot.Answer;
+import steward.bot.Player;
+
+/** Trouble of the referee's own machine is no fault of a bot. */
+@Tag("process")
+class MachineProblemTest {
+
+    /** Run in a JVM of its own, because the folder for temporary files is looked up once. */
+    static final class AskOnce {
+
+        private AskOnce() {
+        }
+
+        public static void main(String[] arguments) {
+            try (BotProcess bot = new BotProcess("sh", List.of("/bin/sh", "-c", "read x; echo y"))) {
+                Player.Ending ending = bot.ask(new byte[] {'\n'}, 1, 1, Long.MAX_VALUE, new Answer());
+                System.out.println("ended with " + ending);
+            } catch (java.io.UncheckedIOException trouble) {
+                System.out.println("trouble: " + trouble.getMessage());
+            }
+        }
+    }
+
+    /** What came between the last answer and the exit was lost. */
+    @Test
+    void stderrAfterTheLastAnswerIsCollected() {
+        assumeTrue(Files.isExecutable(Path.of("/bin/sh")), "skipped: there is no /bin/sh");
+        BotProcess bot = new BotProcess("sh",
+            List.of("/bin/sh", "-c", "read x; echo y; while read x; do :; done; echo '[PDATA] last = 7' >&2"), 10_000);
+        assertEquals(Player.Ending.ANSWERED, bot.ask(new byte[] {'\n'}, 1, 1, Long.MAX_VALUE, new Answer()));
+        bot.finish(new byte[] {'e', '\n'}, 2);
+
+        assertEquals("[PDATA] last = 7\n", bot.finalStderr());
+    }
+
+    /** It was counted as both bots' fault, and a match without a result as a draw. */
+    @Test
+    void noFolderForTemporaryFilesIsNoFault() throws IOException, InterruptedException {
+        assumeTrue(Files.isExecutable(Path.of("/bin/sh")), "skipped: there is no /bin/sh");
+        Process child = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+            "-Djava.io.tmpdir=/nonexistent", "-cp", System.getProperty("java.class.path"), AskOnce.class.getName())
+            .redirectErrorStream(true).start();
+        String said = new String(child.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+
+        assertEquals(0, child.waitFor(), said);
+        assertTrue(said.contains("trouble: no temporary file for the stderr of sh"), said);
+    }
+}

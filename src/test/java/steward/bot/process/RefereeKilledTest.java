@@ -1,0 +1,84 @@
+package steward.bot.process;
+
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.net.URISyntaxException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+
+/** However a referee ends, its bots end with it, and so does its sentinel. */
+@Tag("process")
+class RefereeKilledTest {
+
+    /** Answers with the numbers of a child, of a grandchild whose parent has gone, and its own; ignores signals. */
+    private static final String FAMILY = "trap '' HUP INT TERM PIPE; sleep 1000 & child=$!;"
+        + " grandchild=$(sh -c 'sleep 1000 >/dev/null & echo $!');"
+        + " echo $$ $child $grandchild; exec 0<&-; sleep 1000; :";
+
+    @BeforeEach
+    void groups() {
+        ScriptedBots.assumeGroups();
+    }
+
+    /** Where a class was loaded from: the class path of this JVM need not be in its properties. */
+    private static Path home(Class<?> type) throws URISyntaxException {
+        return Path.of(type.getProtectionDomain().getCodeSource().getLocation().toURI());
+    }
+
+    private static Process referee(String manner) throws Exception {
+        String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
+        String classPath = home(BotProcess.class) + ":" + home(KilledReferee.class);
+        return new ProcessBuilder(java, "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-Xshare:auto",
+            "-cp", classPath, KilledReferee.class.getName(), FAMILY, manner)
+            .redirectError(ProcessBuilder.Redirect.INHERIT).start();
+    }
+
+    private static long[] family(Process referee) throws IOException {
+        BufferedReader reader = referee.inputReader(StandardCharsets.US_ASCII);
+        String line = reader.readLine();
+        assertNotNull(line, "the referee did not start its bot");
+        return Arrays.stream(line.split(" ")).mapToLong(Long::parseLong).toArray();
+    }
+
+    private static void endsWithItsBots(String manner, String signal) throws Exception {
+        Process referee = referee(manner);
+        long[] family = family(referee);
+        if (signal != null) {
+            for (long pid : family) {
+                assertTrue(ScriptedBots.isRunning(pid), "not running: " + pid);
+            }
+            String[] kill = {"sh", "-c", "kill -s " + signal + " " + referee.pid()};
+            assertTrue(new ProcessBuilder(kill).start().waitFor() == 0);
+        }
+        assertTrue(referee.waitFor(60, TimeUnit.SECONDS));
+        Arrays.stream(family).forEach(ScriptedBots::assertGone);
+    }
+
+    @Test
+    void killed() throws Exception {
+        endsWithItsBots("wait", "KILL");
+    }
+
+    @Test
+    void interrupted() throws Exception {
+        endsWithItsBots("wait", "INT");
+    }
+
+    @Test
+    void terminated() throws Exception {
+        endsWithItsBots("wait", "TERM");
+    }
+
+    @Test
+    void exited() throws Exception {
+        endsWithItsBots("exit", null);
+    }
+}

@@ -1,0 +1,104 @@
+package steward.bot.process;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.function.BooleanSupplier;
+import steward.bot.Answer;
+import steward.bot.Player;
+import steward.bot.command.ProgramFinder;
+
+/** Bots for tests, written as shell scripts, and how tests talk to them and look whether they are still there. */
+public final class ScriptedBots {
+
+    /** No deadline. */
+    public static final long FOREVER = Long.MAX_VALUE;
+
+    /** What a loaded machine may need for something that takes milliseconds. */
+    private static final long PATIENCE_NANOS = 30_000_000_000L;
+
+    private ScriptedBots() {
+    }
+
+    public static void assumeShell() {
+        assumeTrue(ProgramFinder.find("sh") != null, "there is no sh on the PATH");
+    }
+
+    static void assumeGroups() {
+        assumeShell();
+        assumeTrue(ProgramFinder.find("setsid") != null, "there is no setsid on the PATH");
+        assumeTrue(Files.isDirectory(Path.of("/proc/self")), "there is no /proc");
+    }
+
+    static BotProcess bot(String script) {
+        return new BotProcess("bot", List.of("sh", "-c", script));
+    }
+
+    public static void tell(Player player, String text) {
+        byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+        player.tell(bytes, bytes.length);
+    }
+
+    public static Player.Ending ask(Player player, String frame, int lines, long limitNanos, Answer answer) {
+        byte[] bytes = frame.getBytes(StandardCharsets.UTF_8);
+        return player.ask(bytes, bytes.length, lines, limitNanos, answer);
+    }
+
+    /** Asks without a deadline for lines that have to come. */
+    public static Answer answer(Player player, String frame, int lines) {
+        Answer answer = new Answer();
+        Player.Ending ending = ask(player, frame, lines, FOREVER, answer);
+        assertEquals(Player.Ending.ANSWERED, ending, () -> answer.fault() + " " + answer.stderr());
+        return answer;
+    }
+
+    /** Asks for one line that has to come. */
+    public static String reply(Player player, String frame) {
+        return answer(player, frame, 1).text();
+    }
+
+    /** Asks for one line; the player has to fail. */
+    public static Answer fault(Player player, String frame, long limitNanos) {
+        Answer answer = new Answer();
+        assertEquals(Player.Ending.FAULT, ask(player, frame, 1, limitNanos, answer), answer::text);
+        return answer;
+    }
+
+    public static void finish(Player player, String frame) {
+        byte[] bytes = frame.getBytes(StandardCharsets.UTF_8);
+        player.finish(bytes, bytes.length);
+    }
+
+    /** Whether a process is there and not just waiting for its parent to take note of its end. */
+    static boolean isRunning(long pid) {
+        try {
+            String stat = Files.readString(Path.of("/proc/" + pid + "/stat"), StandardCharsets.ISO_8859_1);
+            char state = stat.charAt(stat.lastIndexOf(')') + 2);
+            return state != 'Z' && state != 'X';
+        } catch (IOException e) {
+            return false;
+        }
+    }
+
+    static void assertGone(long pid) {
+        await("process " + pid + " is still there", () -> !isRunning(pid));
+    }
+
+    static void await(String otherwise, BooleanSupplier condition) {
+        long end = System.nanoTime() + PATIENCE_NANOS;
+        while (!condition.getAsBoolean() && System.nanoTime() < end) {
+            try {
+                Thread.sleep(5);
+            } catch (InterruptedException e) {
+                throw new AssertionError(otherwise, e);
+            }
+        }
+        assertTrue(condition.getAsBoolean(), otherwise);
+    }
+}

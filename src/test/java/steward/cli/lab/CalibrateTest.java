@@ -1,0 +1,170 @@
+package steward.cli.lab;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import steward.cli.Cli;
+import steward.cli.ShellBots;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Games;
+import steward.cli.shared.Streams;
+import steward.game.GameSetup;
+import steward.lab.calibration.Calibration;
+import steward.scene.AccuracyFigures;
+import steward.scene.PhysicsFingerprint;
+import steward.scene.SceneFiles;
+import steward.scene.SceneKey;
+
+/** {@code steward tradeoff --calibrate SCENE}, and scenes that state the error they can bear. */
+@Timeout(60)
+class CalibrateTest {
+
+    @TempDir
+    private Path folder;
+
+    /** The duel over two laps, which nobody has calibrated. */
+    private Path scene(String demand) throws IOException {
+        return Files.writeString(folder.resolve("mine.json"), SceneFiles.load("duel").text()
+            .replace("\"laps\": 1", "\"laps\": 2").replaceFirst("\"accuracy\": \\{[^}]*}", "\"accuracy\": " + demand));
+    }
+
+    @Test
+    @Tag("process")
+    void aSceneThatStatesAnErrorIsCalibratedAndPlayed() throws IOException {
+        assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
+        Path scene = scene("{ \"maxPositionError\": 0.01, \"share\": 0.99 }");
+        Cli uncalibrated = Cli.run("explain", scene.toString(), "--no-prices");
+        assertEquals(ExitStatus.UNUSABLE, uncalibrated.status());
+        assertTrue(uncalibrated.err().endsWith("steward tradeoff --calibrate " + scene + "\n"), uncalibrated.err());
+
+        Cli calibrated = Cli.run("tradeoff", "--calibrate", scene.toString(), "--states", "1000");
+        Path figures = folder.resolve("mine.accuracy.json");
+        assertEquals(ExitStatus.DONE, calibrated.status(), calibrated.err());
+        assertTrue(calibrated.out().contains("\nwritten to " + figures + "\n"), calibrated.out());
+        assertTrue(calibrated.out().lines().allMatch(line -> line.length() <= 100 || line.startsWith("written to ")),
+            calibrated.out());
+        assertFalse(Files.exists(folder.resolve("mine.accuracy.json.part")));
+
+        String explained = Cli.run("explain", scene.toString(), "--no-prices").out().replaceAll("\\s+", " ");
+        assertTrue(explained.contains("Accuracy: event/official, the cheapest that is off by at most 0.01 u in 99% of "
+            + "states: by "), explained);
+        assertTrue(explained.contains("seen in 1000 (" + figures + ")"), explained);
+
+        ShellBots bots = new ShellBots(folder);
+        Path replay = folder.resolve("x.jsonl");
+        Cli match = Cli.run("match", "--scene", scene.toString(), "--no-deadline", "--quiet",
+            "--out", replay.toString(),
+            "--bot", bots.driver("a", ShellBots.NOWHERE), "--bot", bots.driver("b", ShellBots.NOWHERE));
+        assertEquals(ExitStatus.DONE, match.status(), match.err());
+        Files.delete(figures);
+        assertEquals("verified: 50 turns\n", Cli.run("replay", replay.toString(), "--verify").out());
+    }
+
+    @Test
+    void aRougherDemandHasACheaperRung() throws IOException {
+        Path scene = scene("{ \"maxPositionError\": 400, \"share\": 0.99 }");
+        Cli.run("tradeoff", "--calibrate", scene.toString(), "--states", "1000");
+        String explained = Cli.run("explain", scene.toString(), "--no-prices").out();
+        assertTrue(explained.contains("\nAccuracy: step/1, the cheapest"), explained);
+        assertTrue(explained.contains("\n  accuracy: advance step, steps 1, arithmetic double\n"), explained);
+    }
+
+    @Test
+    void figuresThatExistAreKeptUnlessTheyAreToBeReplaced() throws IOException {
+        Path scene = scene("{ \"maxPositionError\": 400, \"share\": 0.99 }");
+        Path figures = Files.writeString(folder.resolve("mine.accuracy.json"), "old");
+        refused("exists already, and is kept", "tradeoff --calibrate " + scene);
+        assertEquals("old", Files.readString(figures));
+        Cli cli = Cli.run("--cli", "tradeoff --calibrate " + scene + " --states 10 --overwrite");
+        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        assertEquals(10, AccuracyFigures.read(Files.readString(figures), "new").states());
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "--calibrate nowhere | found no such file, expected a scene file",
+        "--calibrate duel | comes with the program, its figures too; expected a scene file, or --out",
+        "--calibrate duel --quick | --calibrate: found --quick with it",
+        "--calibrate duel --scene duel | --calibrate: found --scene with it",
+        "--states 100 | --states: expected --calibrate with it",
+        "--calibrate duel --states 0 | --states: found 0, expected 1 to 10000000",
+        "--calibrate duel --states x | found 'x', expected a whole number",
+        "--calibrate duel --calibrate duel --out somewhere | found two scenes for somewhere/duel.accuracy.json",
+        "--calibrate duel --out /proc/none | /proc/none: cannot be made"})
+    void aWrongCallIsRefused(String arguments, String message) {
+        refused(message, "tradeoff " + arguments);
+    }
+
+    private static void refused(String message, String call) {
+        Cli cli = Cli.run("--cli", call);
+        assertEquals(ExitStatus.UNUSABLE, cli.status(), cli.err());
+        assertTrue(cli.err().startsWith("steward: ") && cli.err().contains(message), cli.err());
+        assertEquals("", cli.out());
+    }
+
+    @Test
+    void anInterruptedRunKeepsWhatWasMeasured() throws Exception {
+        ByteArrayOutputStream err = new ByteArrayOutputStream();
+        Path file = folder.resolve("d.accuracy.json");
+        CalibrationRun calibrating = CalibrationRun.of(new Streams(new ByteArrayOutputStream(), err, false, false),
+            Games.open("duel"), file, 1200);
+        calibrating.interrupted();
+        assertEquals("steward: interrupted before anything was measured\n", err.toString(StandardCharsets.UTF_8));
+        assertFalse(Files.exists(file));
+        err.reset();
+        calibrating.run();
+        calibrating.interrupted();
+        assertEquals("steward: interrupted; the figures of 1200 states are in " + file + "\n",
+            err.toString(StandardCharsets.UTF_8));
+        assertEquals(1200, AccuracyFigures.read(Files.readString(file), "d").states());
+    }
+
+    /** Fewer states than somebody had the patience for before do not take the place of more. */
+    @Test
+    void anInterruptedRunLeavesOlderFiguresWhereTheyAre() throws Exception {
+        Path file = Files.writeString(folder.resolve("d.accuracy.json"), "older");
+        ByteArrayOutputStream err = new ByteArrayOutputStream();
+        Calibration calibration = new Calibration(Games.open("duel"),
+            seed -> SeededPilots.race(Games.open("duel"), seed), 1000);
+        calibration.run(1, () -> { });
+        new CalibrationRun(new Streams(new ByteArrayOutputStream(), err, false, false), Games.open("duel"), file,
+            calibration).interrupted();
+        assertEquals("older", Files.readString(file));
+        assertEquals("steward: interrupted; the figures of 1000 states are in " + file + ".part, the older ones still "
+            + "in " + file + "\n", err.toString(StandardCharsets.UTF_8));
+        assertEquals(1000, AccuracyFigures.read(Files.readString(Path.of(file + ".part")), "d").states());
+    }
+
+    /**
+     * What comes with the program is of this very physics and these very states. If it is not: {@code steward tradeoff
+     * --calibrate config/scenes/NAME.json --overwrite}.
+     */
+    @ParameterizedTest
+    @ValueSource(strings = {"duel", "mad-pod-racing-silver", "mad-pod-racing", "walled-race"})
+    void theFiguresOfAShippedSceneHold(String name) throws Exception {
+        GameSetup setup = Games.open(name, Calibration.PLAYED_ON);
+        String source = AccuracyFigures.resource(name);
+        AccuracyFigures figures = AccuracyFigures.read(
+            new String(SceneFiles.class.getResourceAsStream(source).readAllBytes(), StandardCharsets.UTF_8), source);
+        assertEquals(Calibration.STATES, figures.states());
+        assertEquals(SceneKey.of(setup.scene()), figures.key());
+        assertEquals(PhysicsFingerprint.text(), figures.physics());
+        Calibration sample = new Calibration(setup, seed -> SeededPilots.race(setup, seed), Calibration.BLOCK);
+        sample.run(2, () -> { });
+        assertEquals(sample.figures().sample(), figures.sample());
+    }
+}

@@ -1,0 +1,85 @@
+package steward.cli.lab;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import steward.cli.Cli;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Games;
+import steward.cli.shared.Streams;
+import steward.game.GameSetup;
+import steward.scene.Part;
+
+/** {@code steward explain}: the parts of a scene and their prices. */
+class ExplainCommandTest {
+
+    /** What each shipped scene needs, and nothing else. */
+    @ParameterizedTest
+    @CsvSource({
+        "duel, 'pair impacts, minimum impulse, push-out, batch window, drag, velocity rounding, position rounding, "
+            + "broad phase, headings, checkpoint sweeps'",
+        "mad-pod-racing, 'pair impacts, minimum impulse, push-out, batch window, drag, velocity rounding, "
+            + "position rounding, broad phase, headings, checkpoint sweeps'",
+        "mad-pod-racing-silver, 'pair impacts, minimum impulse, push-out, batch window, drag, velocity rounding, "
+            + "position rounding, broad phase, headings, checkpoint sweeps'",
+        "walled-race, 'pair impacts, walls, restitution, minimum impulse, infinite masses, drag, velocity rounding, "
+            + "position rounding, headings, checkpoint sweeps'"})
+    void aShippedSceneHasExactlyItsParts(String scene, String parts) {
+        List<Part> plan = Games.open(scene).plan().parts();
+        assertEquals(parts, String.join(", ", plan.stream().filter(Part::in).map(Part::name).toList()));
+        assertEquals(14, plan.size());
+    }
+
+    @Test
+    void withoutPricesItSaysTheSameEveryTime() {
+        Cli cli = Cli.run("explain", "duel", "--no-prices");
+        assertEquals(cli, Cli.run("explain", "duel", "--no-prices"));
+        assertTrue(cli.out().startsWith("""
+            Parts of the engine that duel needs, and those left out:
+
+            in   pair impacts       bodies meet, scanOrder descending
+            out  walls              no field
+            """), cli.out());
+    }
+
+    /** Every part has a price, but for the broad phase, which would take work away. */
+    @Test
+    @Tag("slow")
+    void everyPartHasItsPrice() {
+        Cli cli = Cli.run("explain", "mad-pod-racing-silver");
+        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        assertEquals("", cli.err());
+        List<String> lines = cli.out().lines().skip(2).takeWhile(line -> !line.isEmpty()).toList();
+        assertEquals(14, lines.size(), cli.out());
+        for (String line : lines) {
+            assertTrue(line.matches("in +<?[0-9]+ ns  [a-z].*|out +\\(<?[0-9]+ ns\\)  [a-z].*"
+                + "|in +(-|<)[0-9]+ ns  broad phase .*"), line);
+        }
+        assertTrue(cli.out().contains("\nA turn takes "), cli.out());
+    }
+
+    /** Five rounds are made however slow they are; a clock that stands still has nothing to tell apart. */
+    @Test
+    void onAClockThatStandsStillEverythingIsCheap() {
+        ByteArrayOutputStream err = new ByteArrayOutputStream();
+        GameSetup setup = Games.open("walled-race");
+        long[] wall = new long[1];
+        PriceList prices = PriceList.measure(new Streams(new ByteArrayOutputStream(), err, true, true), setup,
+            () -> 0, () -> wall[0] += 700_000_000);
+        for (Part part : setup.plan().parts()) {
+            assertEquals(part.name().equals(Part.BROAD_PHASE) ? "" : part.in() ? "<1 ns" : "(<1 ns)", prices.of(part));
+        }
+        assertEquals("A turn takes <1 ns here, <1 ns of them to fly straight; the parts add their prices (a broad "
+            + "phase saves), those left out would add what is in brackets. Measured now on event/double, medians of 5 "
+            + "rounds; < is less than can be told apart.", prices.legend());
+        String told = err.toString(StandardCharsets.UTF_8);
+        assertTrue(told.startsWith("\rmeasuring prices: 38%") && told.contains("\rmeasuring prices: 100%"), told);
+    }
+}

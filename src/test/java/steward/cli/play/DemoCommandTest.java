@@ -1,0 +1,39 @@
+package steward.cli.play;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import steward.bot.command.BuiltinBots;
+import steward.cli.Cli;
+import steward.cli.shared.ExitStatus;
+
+/** {@code steward demo}. */
+@Tag("process")
+class DemoCommandTest {
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void itIsPlayedVerifiedAndDrawn() {
+        assumeTrue(BuiltinBots.installed().names().containsAll(List.of("racer", "veteran")),
+            "the bundled bots are not on the class path");
+        Path file = folder.resolve("a folder/demo.jsonl");
+        Cli cli = Cli.run("demo", "--out", file.toString());
+        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        assertTrue(cli.out().startsWith("steward match --scene mad-pod-racing --bot builtin:veteran "), cli.out());
+        assertTrue(cli.out().contains("    --time-factor 10 --out '" + file + "' --overwrite\n"), cli.out());
+        assertTrue(cli.out().contains(" turns played again, every one the same to the last bit\n"), cli.out());
+        List<String> map = cli.out().lines().dropWhile(line -> !line.startsWith("+-")).toList();
+        assertTrue(map.size() <= 29, cli.out());
+        assertTrue(map.stream().allMatch(line -> line.length() <= 100), cli.out());
+        assertTrue(map.stream().anyMatch(line -> line.contains("(0)")), cli.out());
+        assertTrue(map.get(map.size() - 1).startsWith("a b veteran    C D racer"), cli.out());
+    }
+}

@@ -1,0 +1,109 @@
+package steward.cli.play;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import steward.bot.command.CommandLine;
+import steward.cli.Cli;
+import steward.cli.ShellBots;
+import tools.jackson.databind.JsonNode;
+
+/** Why a bot failed is said where people look: below the result, in one line with {@code --quiet}, and in JSON. */
+@Timeout(60)
+class FailureReportTest {
+
+    private static final String ANSWER = "echo '{\"pods\":[{\"x\":1,\"y\":1,\"thrust\":0}]}'; ";
+
+    @TempDir
+    private Path folder;
+
+    @BeforeEach
+    void shell() {
+        assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
+    }
+
+    /** A match against a bot that is a shell script. */
+    private Cli match(String prefix, String script, String... more) throws IOException {
+        String bot = "me=" + prefix + "sh "
+            + CommandLine.quote(List.of(Files.writeString(folder.resolve("me.sh"), script).toString()));
+        return Cli.run(Stream.concat(Stream.of("match", "--scene", "duel", "--seed", "7", "--bot", bot, "--bot",
+            new ShellBots(folder).driver("other", ShellBots.CHECKPOINT)), Stream.of(more)).toArray(String[]::new));
+    }
+
+    /** Twelve lines in two turns: the last ten, of both. */
+    @Test
+    void theLastLinesOfStderrAndTheTurnAreBelowTheReason() throws IOException {
+        String script = "read -r setup; read -r turn; echo one >&2; echo two >&2; echo three >&2; " + ANSWER
+            + "read -r turn; printf '%s\\n' 4 5 6 7 8 9 10 11 '' 'Value\033Error: a dog' >&2; exit 1";
+        String out = match("", script, "--no-deadline").out();
+        assertTrue(out.contains("""
+            me failed in turn 2: exited with status 1 before answering
+              the last 10 lines of its stderr:
+                three
+                4
+                5
+                6
+                7
+                8
+                9
+                10
+                11
+                Value?Error: a dog
+            """), out);
+    }
+
+    @Test
+    void quietSaysItOnTheOneLine() throws IOException {
+        assertEquals("other wins: all others are out, 1 turn (duel, seed 7); me failed in turn 1: exited with status 1 "
+            + "before answering (ValueError: a dog)\n",
+            match("", "echo some >&2; echo '  ValueError: a dog' >&2; exit 1", "--no-deadline", "--quiet").out());
+    }
+
+    @Test
+    void jsonHasTurnLinesAndHints() throws IOException {
+        JsonNode players = match("", "echo 'ValueError: a dog' >&2; exit 1", "--no-deadline", "--json").json()
+            .get("players");
+        assertEquals("{\"turn\":1,\"stderr\":[\"ValueError: a dog\"],\"hints\":[\"it was sent JSON; is it a CodinGame "
+            + "bot? then write codingame: before its command\"]}", players.get(0).get("failure").toString());
+        assertTrue(players.get(1).get("failure").isNull());
+    }
+
+    @Test
+    void aBotThatNeverFlushesIsAskedWhetherItDoes() throws IOException {
+        String out = match("", "sleep 30", "--time-factor", "0.2").out();
+        assertTrue(out.contains("me failed in turn 1: no answer within 200 ms"), out);
+        assertTrue(out.contains("\n  hint: nothing ever came on its stdout; does it flush after every answer, "
+            + "and start in time?\n"), out);
+        String late = match("", "read -r setup; read -r turn; " + ANSWER + "sleep 30", "--time-factor", "0.5").out();
+        assertTrue(late.contains("me failed in turn 2: no answer within ") && !late.contains("hint:"), late);
+    }
+
+    @Test
+    void aBotThatAnswersInTheOtherProtocolIsToldHowToSaySo() throws IOException {
+        String out = match("", "read -r setup; echo 1000 2000 100; sleep 30", "--no-deadline").out();
+        assertTrue(out.contains("hint: it was sent JSON; is it a CodinGame bot? then write codingame: before"), out);
+        String json = match("codingame:", "read -r setup; " + ANSWER + "sleep 30", "--no-deadline").out();
+        assertTrue(json.contains("hint: it was sent CodinGame's lines; does it speak JSON? then write json: "), json);
+    }
+
+    @Test
+    void aProgramThatIsNotThereOrCannotBeExecutedIsToldApart() throws IOException {
+        String missing = match("", "exec /no/such/program").out();
+        assertTrue(missing.contains("(127: a command was not found)"), missing);
+        assertTrue(missing.contains("/no/such/program"), missing);
+        assertTrue(missing.contains("hint: a program was not found: "), missing);
+        Path plain = Files.writeString(folder.resolve("plain"), "x");
+        String forbidden = match("", "exec " + plain).out();
+        assertTrue(forbidden.contains("hint: a program could not be executed: "), forbidden);
+    }
+}

@@ -1,0 +1,196 @@
+package steward.cli.play;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import steward.bot.process.BotProcess;
+import steward.cli.Cli;
+import steward.cli.ShellBots;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Games;
+import steward.contest.Contest;
+import steward.files.InputException;
+import steward.game.FrameCodec;
+import steward.game.Game;
+import steward.game.GameSetup;
+import steward.match.MatchListener;
+import steward.match.Protocol;
+import steward.match.Referee;
+import steward.match.Seat;
+import steward.match.TimeControl;
+import steward.scene.Plan;
+import steward.scene.Scene;
+import tools.jackson.databind.JsonNode;
+
+/** Which bot of a match speaks which protocol, and what bots that speak in lines leave in results and replays. */
+@Tag("process")
+@Timeout(60)
+class ProtocolTest {
+
+    /** Two lines a turn are read; in the fourth an answer is said twice; data is reported. */
+    private static final String LINES = """
+        #!/bin/sh
+        turn=0
+        while read -r a; do
+          read -r b
+          turn=$((turn + 1))
+          echo "[PDATA] turn = $turn" >&2
+          echo "[PDATA+] asked = 1" >&2
+          echo "[TDATA] scene = silver" >&2
+          early=
+          [ $turn != 4 ] || early="10500 3500 90 early\\n"
+          printf "${early}10500 3500 100 message $turn\\n"
+        done
+        """;
+
+    @TempDir
+    private Path folder;
+    private String lines;
+    private ShellBots shell;
+
+    @BeforeEach
+    void bots() throws IOException {
+        assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
+        lines = "sh " + Files.writeString(folder.resolve("lines.sh"), LINES);
+        shell = new ShellBots(folder);
+    }
+
+    private static JsonNode match(String... arguments) {
+        String[] all = new String[arguments.length + 5];
+        System.arraycopy(new String[] {"match", "--scene=duel", "--seed=1", "--no-deadline", "--json"}, 0, all, 0, 5);
+        System.arraycopy(arguments, 0, all, 5, arguments.length);
+        Cli cli = Cli.run(all);
+        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        return cli.json();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"json, codingame:, ''", "codingame, '', json:", "json, codingame:, json:",
+        "codingame, codingame:, json:"})
+    void prefixesAndTheOptionSayWhatABotSpeaks(String usual, String linesPrefix, String jsonPrefix) {
+        JsonNode result = match("--protocol", usual, "--bot", "a=" + linesPrefix + lines,
+            "--bot", shell.driver("b", ShellBots.CHECKPOINT).replace("b=", "b=" + jsonPrefix));
+        for (JsonNode player : result.get("players")) {
+            assertTrue(player.get("fault").isNull(), player.toString());
+        }
+    }
+
+    @Test
+    void builtinBotsSpeakJsonWhateverTheOptionSays() {
+        JsonNode result = match("--protocol=codingame", "--bot=builtin:racer", "--bot", lines);
+        assertTrue(result.get("players").get(0).get("fault").isNull(), result.toString());
+        assertTrue(result.get("players").get(1).get("fault").isNull(), result.toString());
+    }
+
+    @Test
+    void theWrongProtocolIsAFault() {
+        JsonNode result = match("--bot", lines, "--bot", "codingame:" + lines);
+        String fault = result.get("players").get(0).get("fault").stringValue();
+        assertTrue(fault.startsWith("found 10500, expected an object"), fault);
+        assertEquals(1, result.get("winner").intValue());
+    }
+
+    @Test
+    void messagesDataAndWarningsReachResultAndReplay() throws IOException {
+        Path file = folder.resolve("x.jsonl");
+        JsonNode result = match("--out", file.toString(), "--bot", "a=codingame:" + lines,
+            "--bot", shell.driver("b", ShellBots.CHECKPOINT));
+        int turns = result.get("turns").intValue();
+        JsonNode player = result.get("players").get(0);
+        assertEquals("{\"scene\":\"silver\"}", result.get("data").toString());
+        // From the fifth turn on, answers are there before the bot has written to stderr: what it says comes later.
+        String told = player.get("data").get("turn").stringValue();
+        assertEquals(told, player.get("data").get("asked").stringValue());
+        assertTrue(Math.abs(Integer.parseInt(told) - turns + 1) <= 1, told + " of " + turns);
+        assertEquals("{}", result.get("players").get(1).get("data").toString());
+        assertTrue(player.get("warnings").toString().matches("\\[\"lines beyond the answer in \\d+ turns?\"]"),
+            player.toString());
+        List<String> replay = Files.readAllLines(file);
+        assertTrue(replay.get(0).contains("\"protocol\":\"codingame\"") && replay.get(0).contains("\"json\""));
+        assertTrue(replay.get(3).contains("\"messages\":[\"message 3\",null]"), replay.get(3));
+        assertTrue(replay.get(4).contains("\"messages\":[\"early\",null]"), replay.get(4));
+        assertTrue(replay.get(5).contains("\"messages\":[\"message 4\",null]"), replay.get(5));
+        String last = replay.get(replay.size() - 1);
+        assertTrue(last.contains("\"data\":{\"asked\":\"" + told + "\",\"turn\":\"" + told + "\"}"), last);
+        assertTrue(last.contains("\"data\":{\"scene\":\"silver\"}"), last);
+        assertEquals("verified: " + turns + " turns\n", Cli.run("replay", file.toString(), "--verify").out());
+        String table = Cli.run("replay", file.toString()).out();
+        assertTrue(table.contains("warning: a wrote more lines than it was asked for, in "), table);
+        String frames = Cli.run("replay", file.toString(), "--frames", "--player", "0").out();
+        assertEquals(2L * turns, frames.lines().count(), "a single-pod turn is two lines, and there is no setup");
+    }
+
+    @Test
+    void wrongValuesAreRefused() {
+        for (List<String> call : List.of(List.of("--protocol", "morse"), List.of("--protocol", ""),
+            List.of("--protocol", "JSON"))) {
+            Cli cli = Cli.run("match", call.get(0), call.get(1), "--bot", lines, "--bot", lines);
+            assertEquals(ExitStatus.UNUSABLE, cli.status());
+            assertTrue(cli.err().startsWith("steward: --protocol: found '" + call.get(1)
+                + "', expected json or codingame"), cli.err());
+        }
+        Cli cli = Cli.run("match", "--bot", lines, "--bot", lines, "--protocol");
+        assertEquals(ExitStatus.UNUSABLE, cli.status());
+        assertTrue(cli.err().contains("--protocol"), cli.err());
+        cli = Cli.run("match", "--bot", "codingame:", "--bot", lines);
+        assertEquals(ExitStatus.UNUSABLE, cli.status());
+        assertTrue(cli.err().contains("there is no command after 'codingame:'"), cli.err());
+        cli = Cli.run("match", "--protocol=codingame", "--bot", "cpp:./a.out", "--bot", lines);
+        assertEquals(ExitStatus.UNUSABLE, cli.status());
+        assertTrue(cli.err().contains("the known prefixes are builtin: json: codingame:"), cli.err());
+    }
+
+    /** A mix with one bot that speaks what the scene does not have is refused before anything starts. */
+    @Test
+    void aSceneWithoutTheProtocolIsRefusedUpFront() {
+        GameSetup mute = new WithoutLines(Games.open("duel"));
+        List<Contest.Entrant> mixed = List.of(new Contest.Entrant("a", "./a", Protocol.JSON, List.of("./a")),
+            new Contest.Entrant("b", "codingame:./b", Protocol.CODINGAME, List.of("./b")));
+        InputException problem = assertThrows(InputException.class, () -> Contest.checkProtocols(mute, mixed));
+        assertEquals("bot 'codingame:./b': the scene \"duel\" has no codingame protocol, "
+            + "expected a bot that speaks json", problem.getMessage());
+        Contest.checkProtocols(mute, mixed.subList(0, 1));
+        List<Seat> seats = mixed.stream().map(entrant ->
+            new Seat(new BotProcess(entrant.name(), entrant.words()), entrant.protocol())).toList();
+        assertEquals("the scene \"duel\" has no codingame protocol, expected bots that speak json",
+            assertThrows(IllegalArgumentException.class, () -> Referee.of(mute, 1, seats, TimeControl.UNLIMITED,
+                new MatchListener() { })).getMessage());
+    }
+
+    /** A game of JSON alone. */
+    private record WithoutLines(GameSetup setup) implements GameSetup {
+
+        @Override
+        public Scene scene() {
+            return setup.scene();
+        }
+
+        @Override
+        public Plan plan() {
+            return setup.plan();
+        }
+
+        @Override
+        public Game create(long seed) {
+            return setup.create(seed);
+        }
+
+        @Override
+        public FrameCodec codec(Game game) {
+            return setup.codec(game);
+        }
+    }
+}

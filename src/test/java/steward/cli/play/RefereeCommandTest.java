@@ -1,0 +1,198 @@
+package steward.cli.play;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import steward.cli.Cli;
+import steward.cli.ShellBots;
+import steward.cli.TextShellBots;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/** {@code steward referee} as arena tools call it. */
+class RefereeCommandTest {
+
+    @TempDir
+    private Path folder;
+    private TextShellBots bots;
+
+    @BeforeEach
+    void makeBots() {
+        bots = new TextShellBots(folder);
+    }
+
+    private static Cli referee(String one, String two, String... more) {
+        assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
+        List<String> arguments = new ArrayList<>(List.of("referee", "-p1", one, "-p2", two, "-scene", "duel",
+            "--no-deadline"));
+        arguments.addAll(List.of(more));
+        Cli cli = Cli.run(arguments.toArray(String[]::new));
+        assertEquals("", cli.err());
+        return cli;
+    }
+
+    @Test
+    @Tag("process")
+    void scoresAreInTheOrderOfThePlayers() {
+        assertEquals(new Cli(0, "1\n0\n", ""), referee(bots.driver(), bots.idler(0), "-d", "seed=7"));
+        assertEquals(new Cli(0, "0\n1\n", ""), referee(bots.idler(0), bots.driver(), "-seed", "7"));
+        assertEquals(new Cli(0, "0\n0\n", ""), referee(bots.idler(0), bots.idler(0), "-d", "a=1\nseed=7\nb=2"));
+    }
+
+    @Test
+    @Tag("process")
+    void whoFailsHasANegativeScore() {
+        assertEquals(new Cli(0, "-1\n1\n", ""), referee(bots.idler(3), bots.driver(), "-d", "seed=1"));
+        assertEquals(new Cli(0, "1\n-1\n", ""), referee(bots.idler(0), "true", "-d", "seed=1"));
+        assertEquals(new Cli(0, "-1\n-1\n", ""), referee(bots.idler(2), bots.idler(2), "-d", "seed=1"));
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
+        "/no/such/bot | bot 'codingame:/no/such/bot': there is no file '/no/such/bot'",
+        "builtin:nobody | bot 'builtin:nobody': there is no builtin bot 'nobody'",
+        "'cat | bot ''cat', column 1: the single quote is never closed"})
+    void aBotThatCannotBeStartedLoses(String bot, String reason) throws IOException {
+        Path replay = folder.resolve("match.jsonl");
+        Cli cli = Cli.run("referee", "-p1", bots.idler(0), "-p2", bot, "-p2name", "b", "-scene", "duel",
+            "--no-deadline", "-seed", "1", "-r", replay.toString());
+        assertEquals("1\n-1\n", cli.out());
+        assertEquals(0, cli.status());
+        assertTrue(cli.err().startsWith("steward: warning: -p2 has failed, because it cannot be started: " + reason)
+            && cli.err().indexOf('\n') == cli.err().length() - 1, cli.err());
+        assertTrue(Files.readString(replay).contains("\"name\":\"b\",\"fault\":\"could not be started: " + reason));
+        assertEquals("verified: 1 turn\n", Cli.run("replay", replay.toString(), "--verify").out());
+    }
+
+    /** As tools call: the same names again and again, or files that they have made. */
+    @Test
+    void filesOfTheirOwnKindAreReplaced() throws IOException {
+        Path log = folder.resolve("log.json");
+        Path replay = folder.resolve("match.jsonl");
+        String[] files = {"-seed", "5", "-l", log.toString(), "-r", replay.toString(), "-s"};
+        assertEquals(0, referee(bots.driver(), bots.idler(0), files).status());
+        assertEquals(0, referee(bots.driver(), bots.idler(0), files).status());
+        Files.writeString(log, "{\"outputs\":{\"0\":[]},\"views\":[],\"errors\":{}}");
+        Files.writeString(replay, "{\"type\":\"steward-replay\",\"format\":2,\"cut");
+        assertEquals(0, referee(bots.driver(), bots.idler(0), files).status());
+        assertTrue(Files.readString(log).startsWith("{\"errors\":{\"referee\":[null,"));
+        assertEquals(0, referee(bots.idler(1), bots.idler(1), "-seed", "5", "-l", "/dev/null").status());
+    }
+
+    @Test
+    void otherFilesAreKept() throws IOException {
+        for (String precious : List.of("int main() {}\n", "{\"errors\":[1,2]}", "[]", "{", "{\"type\":\"x\"}")) {
+            Path file = Files.writeString(folder.resolve("precious"), precious);
+            kept(file, "-l " + file + ": found a file of another kind", "-l", file.toString());
+            kept(file, "-r " + file + ": found a file of another kind", "-r", file.toString());
+        }
+        Path log = folder.resolve("log.json");
+        Path replay = folder.resolve("match.jsonl");
+        referee(bots.idler(1), bots.idler(1), "-seed", "5", "-l", log.toString(), "-r", replay.toString());
+        kept(log, "-r " + log, "-r", log.toString());
+        kept(replay, "-l " + replay, "-l", replay.toString());
+        Path page = Files.writeString(folder.resolve("match.html"), "<!DOCTYPE html>\n<title>mine</title>");
+        kept(page, "-s: " + page + ": found a file of another kind", "-r", replay.toString(), "-s");
+    }
+
+    private void kept(Path file, String problem, String... files) throws IOException {
+        String before = Files.readString(file);
+        List<String> arguments = new ArrayList<>(List.of("referee", "-p1", bots.idler(1), "-p2", bots.idler(1),
+            "-scene", "duel"));
+        arguments.addAll(List.of(files));
+        Cli cli = Cli.run(arguments.toArray(String[]::new));
+        assertEquals(2, cli.status(), cli.out());
+        assertEquals("", cli.out());
+        assertTrue(cli.err().startsWith("steward: " + problem), cli.err());
+        assertEquals(before, Files.readString(file));
+    }
+
+    @Test
+    @Tag("process")
+    void aDrawnSeedIsToldAfterTheScores() {
+        String[] lines = referee(bots.idler(1), bots.idler(2)).out().split("\n");
+        assertEquals(3, lines.length);
+        assertTrue(lines[2].matches("seed=\\d+"), lines[2]);
+    }
+
+    @Test
+    @Tag("process")
+    void theFilesAgreeWithTheScores() throws IOException {
+        Path log = Files.createFile(folder.resolve("log.json"));
+        Path replay = folder.resolve("match.jsonl");
+        Cli cli = referee(bots.driver(), bots.idler(0), "-seed", "5", "-l", log.toString(), "-r", replay.toString(),
+            "-p2name", "Mr. Y", "-league", "3", "-s");
+
+        assertEquals("1\n0\nreplay: " + replay + "\npage: " + folder.resolve("match.html") + "\n", cli.out());
+        JsonNode json = JsonMapper.shared().readTree(Files.readString(log));
+        assertEquals("{\"0\":1,\"1\":0}", json.get("scores").toString());
+        assertEquals("[\"seed=5\"]", json.get("uinput").toString());
+        assertEquals("Mr. Y", json.get("agents").get(1).get("name").asString());
+        int turns = JsonMapper.shared().readTree(json.get("metadata").asString()).get("turns").intValue();
+        assertEquals(turns + 1, json.get("outputs").get("1").size());
+        assertTrue(json.get("errors").get("0").get(1).asString().startsWith("[PDATA] turns = 1\n"));
+        assertEquals("verified: " + turns + " turns\n", Cli.run("replay", replay.toString(), "--verify").out());
+        assertTrue(Files.readString(folder.resolve("match.html")).startsWith("<!DOCTYPE html>"));
+    }
+
+    @Test
+    @Tag("process")
+    void withoutAReplayOfItsOwnThePageHasATemporaryOne() throws IOException {
+        String[] lines = referee(bots.idler(1), bots.idler(1), "-seed", "5", "-s").out().split("\n");
+        assertEquals(4, lines.length);
+        assertTrue(lines[2].startsWith("replay: ") && lines[3].startsWith("page: "));
+        assertTrue(Files.deleteIfExists(Path.of(lines[2].substring(8))));
+        assertTrue(Files.deleteIfExists(Path.of(lines[3].substring(6))));
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
+        "| found no -p1, expected -p1 to -p2: the scene \"duel\" is for 2 players",
+        "-p1 cat | found no -p2, expected",
+        "-p1 cat -p3 cat | found no -p2, expected",
+        "-p1 cat -p2 cat -p3 cat | found -p3, expected -p1 to -p2",
+        "-p1 cat -p2 cat -p9 cat | Unknown option",
+        "-p1 cat -p2 cat -p3name X | found -p3name, expected -p3 with it",
+        "-p1 cat -p2 cat -p2 cat | should be specified only once",
+        "-p1 cat -p2 cat -d seed | -d: found 'seed', expected key=value, such as seed=7",
+        "-p1 cat -p2 cat -d seed=0x7 | expected a whole number of 64 bits after seed=",
+        "-p1 cat -p2 cat -seed 1.5 | found '1.5', expected a whole number of 64 bits",
+        "-p1 cat -p2 cat -seed 1 -d seed=2 | found two seeds, 1 and 2",
+        "-p1 cat -p2 cat -d | Missing required parameter for option '-d'",
+        "-p1 cat -p2 cat -lvl gold | expected a whole number",
+        "-p1 cat -p2 cat -league -1 | expected 0 or more",
+        "-p1 cat -p2 cat -l /no/such/folder/x | there is no folder /no/such/folder",
+        "-p1 cat -p2 cat -r /no/such/folder/x | there is no folder /no/such/folder",
+        "-p1 cat -p2 cat -l /tmp/x -r /tmp/./x | expected two files",
+        "-p1 cat -p2 cat -scene nowhere | nowhere: found no such file",
+        "-p1 cat -p2 cat --time-factor 0 | expected a number above 0",
+        "-p1 cat -p2 cat --time-factor 2 --no-deadline | exclude each other",
+        "-p1 cat -p2 cat extra | Unmatched argument",
+        "--old -p1 cat | --old: expected no -p1",
+        "--old -l x.json | --old: expected no -p1, -l, -r or -s"})
+    void aWrongCallIsToldOnStderrAlone(String arguments, String problem) {
+        List<String> words = new ArrayList<>(List.of("referee"));
+        if (arguments == null || !arguments.contains("-scene")) {
+            words.addAll(List.of("-scene", "duel"));
+        }
+        if (arguments != null) {
+            words.addAll(List.of(arguments.split(" ")));
+        }
+        Cli cli = Cli.run(words.toArray(String[]::new));
+        assertEquals(2, cli.status());
+        assertEquals("", cli.out());
+        assertTrue(cli.err().contains(problem), cli.err());
+    }
+}

@@ -1,0 +1,88 @@
+package steward.cli.play;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.Writer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import steward.cli.Main;
+import steward.cli.ShellBots;
+import steward.cli.TextShellBots;
+
+/** {@code steward referee} as a process of its own, which a tool has started: nothing but the answer, on one stream. */
+@Tag("process")
+class RefereeProcessTest {
+
+    @TempDir
+    private Path folder;
+
+    private static Process start(String... arguments) throws IOException {
+        List<String> command = new ArrayList<>(List.of(
+            Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-XX:TieredStopAtLevel=1", "-cp",
+            System.getProperty("java.class.path"), Main.class.getName(), "referee"));
+        command.addAll(List.of(arguments));
+        return new ProcessBuilder(command).start();
+    }
+
+    private static String end(Process process) throws IOException, InterruptedException {
+        String err = new String(process.getErrorStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertTrue(process.waitFor(30, TimeUnit.SECONDS));
+        return "status " + process.exitValue() + err;
+    }
+
+    @Test
+    void printsTheScoresAndNothingElse() throws IOException, InterruptedException {
+        assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
+        TextShellBots bots = new TextShellBots(folder);
+        Process process = start("-scene", "duel", "--no-deadline", "-p1", bots.driver(), "-p2", bots.idler(2), "-d",
+            "seed=4");
+        String out = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertEquals("1\n-1\n", out);
+        assertEquals("status 0", end(process));
+    }
+
+    /** Does what the tool does: passes lines on as soon as the next command has come. */
+    @Test
+    void talksWithTheToolInTheOldMode() throws IOException, InterruptedException {
+        Process process = start("--old", "--no-deadline", "-scene", "duel");
+        List<String> given = new ArrayList<>();
+        String line;
+        try (BufferedReader in = process.inputReader(StandardCharsets.UTF_8);
+             Writer out = process.outputWriter(StandardCharsets.UTF_8)) {
+            out.write("###Seed 5\n###Start 2\n");
+            out.flush();
+            line = in.readLine();
+            while (line != null && !line.startsWith("###End")) {
+                if (line.startsWith("###Output ")) {
+                    assertEquals(2, given.size());
+                    String[] pod = given.get(0).split(" ");
+                    out.write(line.equals("###Output 1 1") ? pod[2] + " " + pod[3] + " 100\n" : "0 0 0\n");
+                    out.flush();
+                } else {
+                    assertTrue(line.matches("###Input [01]"), line);
+                    given.clear();
+                    line = in.readLine();
+                    while (line != null && !line.startsWith("###")) {
+                        given.add(line);
+                        line = in.readLine();
+                    }
+                    continue;
+                }
+                line = in.readLine();
+            }
+            assertEquals(null, in.readLine());
+        }
+        assertEquals("###End 1 0", line);
+        assertEquals("status 0", end(process));
+    }
+}

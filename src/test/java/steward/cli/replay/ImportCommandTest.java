@@ -1,0 +1,191 @@
+package steward.cli.replay;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import steward.cli.Cli;
+import steward.cli.Main;
+import steward.cli.ProcessTest;
+import steward.cli.ShellBots;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Streams;
+import steward.codingame.OfficialGame;
+
+/** {@code steward import}, and what the other commands make of its replays. */
+class ImportCommandTest {
+
+    private static final OfficialGame GAME = OfficialGame.play(12);
+    private static final int SKETCHED = 33;
+
+    @TempDir
+    private Path folder;
+    private Path recording;
+    private Path replay;
+
+    @BeforeEach
+    void write() throws IOException {
+        recording = Files.writeString(folder.resolve("game.json"), GAME.json());
+        replay = folder.resolve("game.jsonl");
+    }
+
+    private void imported(String json) throws IOException {
+        Files.writeString(recording, json);
+        Cli cli = Cli.run("import", recording.toString(), "--out", replay.toString());
+        assertEquals("", cli.err());
+        assertEquals(ExitStatus.DONE, cli.status());
+    }
+
+    private void refused(String message, String... arguments) {
+        Cli cli = Cli.run(arguments);
+        assertEquals(ExitStatus.UNUSABLE, cli.status(), cli.out());
+        assertTrue(cli.err().startsWith("steward: ") && cli.err().contains(message), cli.err());
+        assertEquals("", cli.out());
+    }
+
+    private Cli replay(String... arguments) {
+        String[] all = new String[arguments.length + 2];
+        all[0] = "replay";
+        all[1] = replay.toString();
+        System.arraycopy(arguments, 0, all, 2, arguments.length);
+        Cli cli = Cli.run(all);
+        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        assertEquals("", cli.err());
+        assertFalse(cli.out().contains("NaN") || cli.out().contains("null"), cli.out());
+        return cli;
+    }
+
+    @Test
+    void aWholeGameIsImportedAndVerified() {
+        Cli cli = Cli.run("import", recording.toString(), "--out", replay.toString());
+        assertEquals("imported: " + GAME.turns() + " turns, finished after 3 laps\n  steward replay " + replay
+            + " --verify   compares every turn with these rules\n", cli.out());
+        assertEquals(ExitStatus.DONE, cli.status());
+        assertEquals("verified: " + GAME.turns() + " turns\n", replay("--verify").out());
+    }
+
+    @Test
+    void aChangedGameIsToldWithItsTurn() throws IOException {
+        int from = GAME.json().indexOf("\"view\":\" 20\\n") + "\"view\":\" 20\\n".length();
+        String json = GAME.json().substring(0, from) + "1" + GAME.json().substring(from);
+        imported(json);
+        Cli cli = Cli.run("replay", replay.toString(), "--verify");
+        assertEquals(ExitStatus.FAILED, cli.status());
+        assertTrue(cli.out().startsWith("differs: turn 10, state.bodies[0].x: recorded 1"), cli.out());
+    }
+
+    @Test
+    void theReplayIsShownLikeAnyOther() throws IOException {
+        imported(GAME.json());
+        assertTrue(replay().out().contains("finished after 3 laps"));
+        assertTrue(replay("--turn", "10").out().contains("command"));
+        assertTrue(replay("--impacts").out().lines().count() > 20);
+        String frames = replay("--frames", "--player", "1").out();
+        assertTrue(frames.startsWith("3\n"), frames);
+        int checkpoints = Integer.parseInt(frames.lines().skip(1).findFirst().orElseThrow());
+        assertEquals(2 + checkpoints + 4L * GAME.turns(), frames.lines().count());
+    }
+
+    @Test
+    void aSketchIsShownToo() throws IOException {
+        imported(GAME.sketch(SKETCHED));
+        assertEquals("verified: 33 turns\n", replay("--verify").out());
+        String table = replay().out();
+        assertTrue(table.contains("player 1 failed: no answer in the recording"), table);
+        assertTrue(table.contains("player 0 wins: all others are out, 33 turns"), table);
+        for (int turn : List.of(1, 5, 10, SKETCHED)) {
+            assertTrue(replay("--turn", Integer.toString(turn)).out().startsWith("turn " + turn + "\n"));
+        }
+        assertEquals(1, replay("--impacts").out().lines().filter(line -> line.equals("0 impacts")).count());
+        assertTrue(replay("--frames", "--player", "0").out().lines().count() > 4 * SKETCHED);
+    }
+
+    @Test
+    void aReplayThatExistsIsKept() throws IOException {
+        Files.writeString(replay, "precious");
+        refused("exists already, and is kept; --overwrite", "import", recording.toString(), "--out",
+            replay.toString());
+        assertEquals("precious", Files.readString(replay));
+        assertEquals(ExitStatus.DONE, Cli.run("import", recording.toString(), "--out", replay.toString(),
+            "--overwrite").status());
+        assertEquals("verified: " + GAME.turns() + " turns\n", replay("--verify").out());
+    }
+
+    @Test
+    void aRefusedRecordingLeavesNoReplay() throws IOException {
+        String out = replay.toString();
+        refused("game.json: frame 4, view line 1: found \"oops", "import",
+            Files.writeString(recording, GAME.json().replace("\" 4\\n", "\" 4\\noops ")).toString(),
+            "--out", out);
+        refused("game.json:1:", "import", Files.writeString(recording, "{").toString(), "--out", out);
+        refused("found no frames", "import", Files.writeString(recording, "{}").toString(), "--out", out);
+        refused("found no such file, expected a recording", "import", folder + "/nothing", "--out", out);
+        refused(folder + ": found a folder, expected a recording", "import", folder.toString(), "--out", out);
+        refused("game.json: found bytes that are no text in UTF-8", "import",
+            Files.write(recording, new byte[] {(byte) 0xff, 0x20}).toString(), "--out", out);
+        assertFalse(Files.exists(replay));
+    }
+
+    @Test
+    void programsReadOneObject() throws IOException {
+        Cli cli = Cli.run("import", recording.toString(), "--json", "--out", replay.toString());
+        assertEquals("{\"turns\":" + GAME.turns() + ",\"ending\":\"finished after 3 laps\",\"replay\":\"" + replay
+            + "\"}\n", cli.out());
+        assertEquals("", cli.err());
+        refused("--json is printed to the standard output", "import", recording.toString(), "--json", "--out", "-");
+    }
+
+    @Test
+    void aGameComesAndGoesByPipes() {
+        ByteArrayOutputStream piped = new ByteArrayOutputStream();
+        assertEquals(ExitStatus.DONE, piped(GAME.json().getBytes(StandardCharsets.UTF_8), piped, "import", "-",
+            "--out", "-"));
+        ByteArrayOutputStream verified = new ByteArrayOutputStream();
+        assertEquals(ExitStatus.DONE, piped(piped.toByteArray(), verified, "replay", "-", "--verify"));
+        assertEquals("verified: " + GAME.turns() + " turns\n", verified.toString(StandardCharsets.UTF_8));
+        ByteArrayOutputStream nothing = new ByteArrayOutputStream();
+        assertEquals(ExitStatus.UNUSABLE, piped(new byte[0], nothing, "import", "-", "--out", "-"));
+        assertEquals(ExitStatus.UNUSABLE, piped(piped.toByteArray(), nothing, "replay", "-", "--view", "x.html"));
+        assertEquals("", nothing.toString(StandardCharsets.UTF_8));
+    }
+
+    /** Between programs, where the input is a pipe and not a file. */
+    @Test
+    void pipesOfAShellAreRead() throws IOException, InterruptedException {
+        assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
+        assertEquals("verified: " + GAME.turns() + " turns\nstatus 0\n", ProcessTest.shell("cat " + recording + " | "
+            + ProcessTest.steward("import", "-", "--out", "-") + " | "
+            + ProcessTest.steward("replay", "-", "--verify")));
+    }
+
+    private static int piped(byte[] in, OutputStream out, String... arguments) {
+        return Main.run(new Streams(new ByteArrayInputStream(in), false, out, OutputStream.nullOutputStream(), false,
+            false), arguments);
+    }
+
+    @Test
+    void wrongCallsAreRefused() {
+        String file = recording.toString();
+        refused("--out", "import", file);
+        refused("--out", "import", file, "--out");
+        refused("FILE", "import", "--out", replay.toString());
+        refused("Unmatched argument", "import", file, file, "--out", replay.toString());
+        refused("found the recording itself", "import", file, "--out", file, "--overwrite");
+        refused("there is no folder", "import", file, "--out", folder + "/no/game.jsonl");
+        refused("Unknown option", "import", file, "--out", replay.toString(), "--seed");
+        refused("Unmatched argument", "simulate", "tests.txt");
+        assertFalse(Files.exists(replay));
+    }
+}

@@ -1,0 +1,160 @@
+package steward.cli.replay;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import steward.cli.Cli;
+import steward.cli.Recorded;
+import steward.cli.shared.ExitStatus;
+import steward.text.TextFormat;
+
+/** {@code steward replay} on a duel of two in-process bots that both drive. */
+class ReplayCommandTest {
+
+    @TempDir
+    private static Path folder;
+    private static Recorded duel;
+    private static Path whole;
+
+    @BeforeAll
+    static void record() throws IOException {
+        duel = Recorded.duel(3);
+        whole = Files.write(folder.resolve("duel.jsonl"), duel.bytes());
+    }
+
+    private static Cli replay(Path file, String... more) {
+        String[] arguments = new String[2 + more.length];
+        arguments[0] = "replay";
+        arguments[1] = file.toString();
+        System.arraycopy(more, 0, arguments, 2, more.length);
+        return Cli.run(arguments);
+    }
+
+    @Test
+    void theTableHasARowPerBodyAndTurn() {
+        Cli cli = replay(whole);
+        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        int turns = duel.result().turns();
+        for (int turn = 0; turn <= turns; turn++) {
+            String start = String.format("%4d", turn);
+            assertEquals(2, cli.out().lines().filter(line -> line.startsWith(start + "     ")).count(), start);
+        }
+        assertTrue(cli.out().contains("turn  body  player       x       y      vx      vy heading "), cli.out());
+        assertTrue(cli.out().contains(duel.result().ending()), cli.out());
+        assertTrue(cli.out().lines().allMatch(line -> line.length() <= 100), cli.out());
+        assertFalse(replay(whole, "--quiet").out().contains("turn  body"));
+    }
+
+    @Test
+    void aRangeOfTurns() {
+        Cli cli = replay(whole, "--from", "4", "--to", "5");
+        assertEquals(4, cli.out().lines().filter(line -> line.matches(" +\\d+ +[01] .*yes.*")).count(), cli.out());
+        Cli beyond = replay(whole, "--from", "900");
+        assertEquals(ExitStatus.UNUSABLE, beyond.status());
+        assertEquals("", beyond.out());
+        assertTrue(beyond.err().contains("found turns 1 to " + duel.result().turns() + ", expected turn 900"));
+    }
+
+    @Test
+    void oneTurnInFull() {
+        Cli cli = replay(whole, "--turn", "2");
+        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        assertTrue(cli.out().startsWith("turn 2\n\nplayer 0, pilot-0, "), cli.out());
+        assertTrue(cli.out().contains("  command  x 10500  y 3500  thrust 120\n  message  t2\n"), cli.out());
+        assertTrue(cli.out().contains("heading 0."), cli.out());
+        assertEquals(ExitStatus.UNUSABLE, replay(whole, "--turn", "900").status());
+        assertTrue(replay(whole, "--turn", "900", "--impacts").err().contains("expected turn 900"));
+    }
+
+    @Test
+    void impactsAreCounted() {
+        Cli list = replay(whole, "--impacts");
+        String text = new String(duel.bytes(), StandardCharsets.UTF_8);
+        int impacts = text.split("\"impulse\":", -1).length - 1;
+        assertEquals(impacts, list.out().lines().filter(line -> line.matches(" *\\d+  0\\.\\d{6} .*")).count());
+        assertTrue(impacts > 0, "the seed was chosen so that there are impacts");
+        assertTrue(list.out().endsWith(TextFormat.count(impacts, "impact") + "\n"), list.out());
+        assertTrue(replay(whole, "--quiet").out().endsWith(TextFormat.count(impacts, "impact") + " in all\n"));
+    }
+
+    @Test
+    void aWholeReplayVerifies() {
+        Cli cli = replay(whole, "--verify");
+        assertEquals(new Cli(ExitStatus.DONE, "verified: " + duel.result().turns() + " turns\n", ""), cli);
+        assertEquals(new Cli(ExitStatus.DONE, "", ""), replay(whole, "--verify", "--quiet"));
+    }
+
+    @Test
+    void oneChangedDigitIsFoundInItsTurn() throws IOException {
+        String[] lines = new String(duel.bytes(), StandardCharsets.UTF_8).split("\n");
+        for (String field : new String[] {"\"vx\":", "\"impulse\":", "\"hash\":\"", "\"commands\":[[{\"x\":"}) {
+            for (int turn = 1; turn < lines.length - 1; turn++) {
+                int at = lines[turn].indexOf(field);
+                if (at < 0) {
+                    continue;
+                }
+                int digit = at + field.length();
+                digit += lines[turn].charAt(digit) == '-' ? 1 : 0;
+                char other = lines[turn].charAt(digit) == '7' ? '8' : '7';
+                String[] edited = lines.clone();
+                edited[turn] = lines[turn].substring(0, digit) + other + lines[turn].substring(digit + 1);
+                Path file = Files.writeString(folder.resolve("edited.jsonl"), String.join("\n", edited) + "\n");
+                Cli cli = replay(file, "--verify");
+                assertEquals(ExitStatus.FAILED, cli.status(), cli.err() + field + turn);
+                assertTrue(cli.out().startsWith("differs: turn " + turn + ", "), cli.out() + field);
+            }
+        }
+    }
+
+    @Test
+    @Tag("slow")
+    void aFileCutAnywhereIsReadUpToTheCut() throws IOException {
+        Path file = folder.resolve("cut.jsonl");
+        byte[] bytes = duel.bytes();
+        int last = -1;
+        int complete = bytes.length - 1;           // all but the last line end, see the next test
+        for (int size = 1; size < complete; size += size < 40 ? 1 : 211) {
+            Files.write(file, Arrays.copyOf(bytes, size));
+            Cli cli = replay(file, "--verify");
+            assertEquals(ExitStatus.DONE, cli.status(), size + ": " + cli.err() + cli.out());
+            assertTrue(cli.err().startsWith("steward: warning: " + file + ": cut off "), size + ": " + cli.err());
+            assertTrue(cli.out().matches("verified: \\d+ turns?\n"), size + ": " + cli.out());
+            int turns = Integer.parseInt(cli.out().replaceAll("\\D", ""));
+            assertTrue(turns >= last, size + ": " + turns);
+            last = turns;
+            for (String mode : new String[] {"--quiet", "--impacts", "--to=3"}) {
+                Cli other = replay(file, mode);
+                assertEquals(ExitStatus.DONE, other.status(), size + mode + other.err());
+                assertTrue(other.err().startsWith("steward: warning: "), size + mode + other.err());
+            }
+        }
+        assertTrue(last >= duel.result().turns() - 1, "turns verified before the last cut: " + last);
+    }
+
+    @Test
+    void aLostLineEndLosesNothing() throws IOException {
+        byte[] bytes = duel.bytes();
+        Path file = Files.write(folder.resolve("end.jsonl"), Arrays.copyOf(bytes, bytes.length - 1));
+        assertEquals(replay(whole, "--verify"), replay(file, "--verify"));
+    }
+
+    @Test
+    void damageBeforeTheEndIsLocated() throws IOException {
+        String text = new String(duel.bytes(), StandardCharsets.UTF_8);
+        Path file = Files.writeString(folder.resolve("damaged.jsonl"),
+            text.replaceFirst("\\{\"type\":\"turn\",\"turn\":3", "{\"type\":turn,\"turn\":3"));
+        Cli cli = replay(file, "--verify");
+        assertEquals(ExitStatus.UNUSABLE, cli.status());
+        assertTrue(cli.err().startsWith("steward: " + file + ":4:"), cli.err());
+    }
+}

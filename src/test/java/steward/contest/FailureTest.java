@@ -1,0 +1,23 @@
+package steward.contest;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class FailureTest {
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "exited with status 3 before answering | exited with status 3 before answering",
+        "killed by signal 11 (SIGSEGV) before answering | killed by signal 11 (SIGSEGV) before answering",
+        "no answer within 75 ms (waited 76 ms) | no answer within 75 ms",
+        "no answer within 75 ms (waited 1.2 ms): 1 of 2 lines came | no answer within 75 ms: 1 of 2 lines came",
+        "pods[0].thrust: found 201, expected a whole number 0..200; received: {\"pods\":[1]}"
+            + " | pods[#].thrust: found #, expected a whole number #..#",
+        "not JSON at column 7: found -1.5E-3; received: 1 2 | not JSON at column #: found #"})
+    void theKindIsTheReasonWithoutWhatDiffersEachTime(String reason, String kind) {
+        assertEquals(kind, new Failure(0, 1, reason, List.of(), List.of()).kind());
+    }
+}

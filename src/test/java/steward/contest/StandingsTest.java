@@ -1,0 +1,135 @@
+package steward.contest;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import steward.match.MatchResult;
+import steward.match.Protocol;
+
+/** What games add up to. */
+class StandingsTest {
+
+    private static Contest contest(int players) {
+        List<Contest.Entrant> entrants = Collections.nCopies(players,
+            new Contest.Entrant("p", "p", Protocol.JSON, List.of()));
+        return new Contest(null, entrants, null, 1);
+    }
+
+    /** @param failures of players who have failed, the others have not; by player, the score is its number */
+    private static Series.Played game(int number, int rotation, List<Integer> ranks, Failure... failures) {
+        List<MatchResult.PlayerResult> players = new ArrayList<>();
+        for (int player = 0; player < ranks.size(); player++) {
+            String fault = null;
+            for (Failure failure : failures) {
+                fault = failure.player() == player ? failure.reason() : fault;
+            }
+            players.add(new MatchResult.PlayerResult("p", ranks.get(player), player, fault, fault, 1, 0, 0, 0, 0));
+        }
+        return new Series.Played(number, number, rotation, new MatchResult(number, "over", players), null,
+            List.of(failures), null);
+    }
+
+    private static Failure failure(int player, int turn, String reason) {
+        return new Failure(player, turn, reason, List.of("said in turn " + turn), List.of());
+    }
+
+    private static Tally tally(List<Integer> ranks, int bot) {
+        return Tally.of(contest(ranks.size()), List.of(game(1, 0, ranks)), bot);
+    }
+
+    /** Points 1, 1/2, 0 of three bots: the middle one has one other below and one above. */
+    @Test
+    void pointsAreTheShareOfTheOthersBelow() {
+        assertEquals(0.5, tally(List.of(0, 1, 2), 1).points());
+        assertEquals(0.75, tally(List.of(0, 0, 2), 0).points());
+        assertEquals(1, tally(List.of(0, 0, 2), 1).draws());
+        assertEquals(1, tally(List.of(0, 1, 1), 0).wins());
+        assertEquals(0, tally(List.of(0, 1, 2), 2).points());
+    }
+
+    /**
+     * 8 points of 10 with z = 1.959964: centre (0.8 + z^2 / 20) / (1 + z^2 / 10) = 0.992073 / 1.384146 = 0.716740, half
+     * width z / 1.384146 * sqrt(0.016 + z^2 / 400) = 1.416010 * 0.160011 = 0.226578.
+     */
+    @Test
+    void theIntervalIsWilsons() {
+        Tally tally = new Tally(10, 8, 0, 2, 0, 0, 0.8, 0);
+        assertEquals(0.490162, tally.low(), 1e-6);
+        assertEquals(0.943318, tally.high(), 1e-6);
+        assertEquals(1, new Tally(10, 10, 0, 0, 0, 0, 1, 0).high(), 1e-12);
+    }
+
+    @Test
+    void gamesInWhichAllFailTogetherAreNoDraws() {
+        List<Series.Played> games = List.of(
+            game(1, 0, List.of(0, 0), failure(0, 1, "a"), failure(1, 1, "b")),
+            game(2, 0, List.of(0, 0)),
+            game(3, 0, List.of(1, 0), failure(0, 3, "a"), failure(1, 4, "b")),
+            game(4, 0, List.of(1, 0), failure(0, 3, "a")));
+        assertTrue(games.get(0).allFailed());
+        assertFalse(games.get(1).allFailed() || games.get(2).allFailed() || games.get(3).allFailed());
+        Tally first = Tally.of(contest(2), games, 0);
+        assertEquals(new Tally(4, 0, 1, 2, 1, 3, 0.25, 0), first);
+        assertEquals(new Tally(4, 2, 1, 0, 1, 2, 0.75, 1), Tally.of(contest(2), games, 1));
+    }
+
+    /** Of whatever order games end in, the bot of the call is meant; the lines are those of the earliest game. */
+    @Test
+    void failuresOfAKindAreTogether() {
+        Standings standings = new Standings(contest(2));
+        List<Failure> late = List.of(failure(0, 9, "no answer within 75 ms (waited 80 ms)"));
+        List<Failure> early = List.of(failure(1, 4, "no answer within 75 ms (waited 76 ms)"));
+        List<Failure> other = List.of(failure(0, 2, "exited with status 1 before answering"));
+        standings.add(game(3, 0, List.of(1, 0), late.get(0)), late, List.of());
+        standings.add(game(2, 1, List.of(0, 1), early.get(0)), early, List.of());
+        standings.add(game(1, 1, List.of(1, 0), other.get(0)), other, List.of());
+        List<FailureKind> kinds = standings.failures();
+        assertEquals(2, kinds.size());
+        assertEquals(1, kinds.get(0).entrant());
+        assertEquals(1, kinds.get(0).game().number());
+        assertEquals(0, kinds.get(1).entrant());
+        assertEquals(List.of(4, 9), kinds.get(1).occurrences().stream().map(FailureKind.Occurrence::turn).toList());
+        assertEquals(List.of("said in turn 4"), kinds.get(1).first().stderr());
+        assertEquals(3, standings.gamesWithFaults());
+        assertEquals(2 / 3.0, standings.points(1), 1e-12);
+        assertEquals(2, standings.meanTurns());
+        assertEquals(List.of(1, 2, 3), standings.games().stream().map(Series.Played::number).toList());
+    }
+
+    /** In game 7 the bots have changed sides. */
+    @Test
+    void timesAreThoseOfTheBotAndNotOfTheSide() {
+        Standings standings = new Standings(contest(2));
+        AnswerTimes slow = new AnswerTimes();
+        slow.add(100, 12);
+        AnswerTimes quick = new AnswerTimes();
+        quick.add(10, 3);
+        standings.add(game(6, 0, List.of(0, 1)), List.of(), List.of(quick, quick));
+        standings.add(game(7, 1, List.of(0, 1)), List.of(), List.of(slow, quick));
+        assertEquals(10, standings.times(0).worstNanos());
+        assertEquals(100, standings.times(1).worstNanos());
+        assertEquals(7, standings.times(1).worstGame());
+        assertEquals(12, standings.times(1).worstTurn());
+        assertEquals(55, standings.times(1).meanNanos());
+    }
+
+    @Test
+    void whatIsKept() {
+        Contest contest = contest(2);
+        Series.Played won = game(1, 0, List.of(0, 1));
+        Series.Played lost = game(2, 1, List.of(0, 1));
+        Series.Played draw = game(3, 0, List.of(0, 0));
+        Series.Played failed = game(4, 0, List.of(0, 1), failure(1, 1, "a"));
+        Series.Played nothing = new Series.Played(5, 5, 0, null, "no room", List.of(), null);
+        List<Series.Played> all = List.of(won, lost, draw, failed, nothing);
+        assertEquals(all, all.stream().filter(game -> Keep.ALL.keeps(contest, game)).toList());
+        assertEquals(List.of(lost), all.stream().filter(game -> Keep.LOST.keeps(contest, game)).toList());
+        assertEquals(List.of(failed, nothing), all.stream().filter(game -> Keep.FAILED.keeps(contest, game)).toList());
+        assertEquals(List.of(), all.stream().filter(game -> Keep.NONE.keeps(contest, game)).toList());
+    }
+}

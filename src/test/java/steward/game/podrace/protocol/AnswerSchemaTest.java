@@ -1,0 +1,108 @@
+package steward.game.podrace.protocol;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import com.networknt.schema.InputFormat;
+import com.networknt.schema.Schema;
+import com.networknt.schema.SchemaRegistry;
+import com.networknt.schema.SpecificationVersion;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The reader of answers and the schema that describes them come to the same verdicts. */
+class AnswerSchemaTest {
+
+    private static Schema schema;
+
+    @BeforeAll
+    static void open() throws IOException {
+        try (InputStream in = AnswerSchemaTest.class.getResourceAsStream("/steward/schemas/pod-race/answer.json")) {
+            schema = SchemaRegistry.withDefaultDialect(SpecificationVersion.DRAFT_2020_12)
+                .getSchema(new String(in.readAllBytes(), StandardCharsets.UTF_8), InputFormat.JSON);
+        }
+    }
+
+    private static boolean isRead(String answer) {
+        byte[] bytes = answer.getBytes(StandardCharsets.UTF_8);
+        return new PodAnswer(1, 200).read(bytes, bytes.length) == null;
+    }
+
+    private static boolean isValid(String answer) {
+        return schema.validate(answer, InputFormat.JSON).isEmpty();
+    }
+
+    private static String pod(String fields) {
+        return "{\"pods\":[{" + fields + "}]}";
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {
+        "'x':1,'y':2,'thrust':0", "'x':1,'y':2,'thrust':200", "'x':1,'y':2,'shield':true", "'x':1,'y':2,'boost':true",
+        "'thrust':7,'y':2,'x':1", "'x':-1.5,'y':2.25e3,'thrust':1", "'x':1e308,'y':-1e308,'thrust':1",
+        "'x':0.000000000000000000000000001,'y':-0.0,'thrust':1", "'x':12345678901234567890,'y':0,'thrust':1"})
+    void goodCommands(String fields) {
+        String answer = pod(fields.replace('\'', '"'));
+
+        assertEquals("read true, valid true", "read " + isRead(answer) + ", valid " + isValid(answer));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {
+        "", "'x':1,'y':2", "'x':1,'thrust':1", "'y':1,'thrust':1", "'x':'1','y':2,'thrust':1",
+        "'x':null,'y':2,'thrust':1",
+        "'x':true,'y':2,'thrust':1", "'x':[1],'y':2,'thrust':1", "'x':1,'y':2,'thrust':651", "'x':1,'y':2,'thrust':-1",
+        "'x':1,'y':2,'thrust':1.5", "'x':1,'y':2,'thrust':'100'", "'x':1,'y':2,'thrust':null",
+        "'x':1,'y':2,'thrust':99999999999999999999", "'x':1,'y':2,'shield':false", "'x':1,'y':2,'shield':1",
+        "'x':1,'y':2,'shield':'true'", "'x':1,'y':2,'boost':false", "'x':1,'y':2,'boost':null",
+        "'x':1,'y':2,'thrust':1,'shield':true", "'x':1,'y':2,'thrust':1,'boost':true",
+        "'x':1,'y':2,'boost':true,'shield':true",
+        "'x':1,'y':2,'boost':true,'shield':true,'thrust':1", "'x':1,'y':2,'thrust':1,'shield':false",
+        "'x':1,'y':2,'thrust':1,'z':3", "'x':1,'y':2,'Thrust':1", "'x':1,'y':2,'thrust':1,'message':'m'",
+        "'x':1e999,'y':2,'thrust':1", "'x':1,'y':-1e999,'thrust':1"})
+    void badCommands(String fields) {
+        String answer = pod(fields.replace('\'', '"'));
+
+        assertEquals("read false, valid false", "read " + isRead(answer) + ", valid " + isValid(answer));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {
+        "{'pods':[P],'message':'m'}", "{'message':'','pods':[P]}", "  { 'pods' : [ P ] }  ",
+        "{'pods':[P],'message':'\\u00e4\\ud83d\\ude00'}",
+        "{'pods':[{'x':1,'y':2,'thrust':100.0}]}", "{'pods':[{'x':1,'y':2,'thrust':1e2}]}"})
+    void goodAnswers(String text) {
+        String answer = answer(text);
+
+        assertEquals("read true, valid true", "read " + isRead(answer) + ", valid " + isValid(answer));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {
+        "{}", "[]", "null", "1", "'pods'", "{'pods':null}", "{'pods':{}}", "{'pods':P}", "{'pods':[]}", "{'pods':[1]}",
+        "{'pods':[null]}", "{'pods':[[P]]}", "{'pods':[P],'message':null}", "{'pods':[P],'message':1}",
+        "{'pods':[P],'message':['m']}", "{'pods':[P],'massage':'m'}", "{'pod':[P]}", "{'message':'m'}"})
+    void badAnswers(String text) {
+        String answer = answer(text);
+
+        assertEquals("read false, valid false", "read " + isRead(answer) + ", valid " + isValid(answer));
+    }
+
+    /** A number of pods that another scene has, and what no JSON value can show. */
+    @ParameterizedTest
+    @ValueSource(strings = {
+        "{'pods':[P,P]}",
+        "{'pods':[P],'pods':[P]}", "{'pods':[{'x':1,'x':1,'y':2,'thrust':100}]}"})
+    void beyondWhatASchemaCanSay(String text) {
+        String answer = answer(text);
+
+        assertEquals("read false, valid true", "read " + isRead(answer) + ", valid " + isValid(answer));
+    }
+
+    private static String answer(String text) {
+        return text.replace("P", "{'x':1,'y':2,'thrust':3}").replace('\'', '"');
+    }
+}

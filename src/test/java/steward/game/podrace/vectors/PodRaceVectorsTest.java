@@ -1,0 +1,74 @@
+package steward.game.podrace.vectors;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Whole matches of the published referee with correctly rounded sine and cosine: states, impacts, paths, ends, faults
+ * and the lines sent to bots, from the start and from every state that was set by hand. Another folder of this form:
+ * {@code gradle test --tests '*VectorsTest' -Psteward.vectors=FOLDER}.
+ */
+class PodRaceVectorsTest {
+
+    private static List<Path> files() throws IOException {
+        Path folder = Path.of(System.getProperty("steward.vectors", "../shared/vectors/pod-race"));
+        assumeTrue(Files.isDirectory(folder),
+            () -> "skipped: no vectors in " + folder.toAbsolutePath() + " (set -Psteward.vectors)");
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.filter(file -> file.toString().endsWith(".jsonl.gz")).sorted().toList();
+        }
+    }
+
+    @Test
+    void everyMatchOfTheRefereeIsReproducedToTheLastBit() throws IOException {
+        List<String> differences = new ArrayList<>();
+        long values = 0;
+        long impacts = 0;
+        int turns = 0;
+        List<Path> files = files();
+        for (Path file : files) {
+            VectorMatch match = VectorMatch.read(file);
+            Comparison found = new VectorReplay(match).compare();
+            System.out.println(match.name() + ": " + match.turns().size() + " turns, " + found.values()
+                + " values compared, " + found.differences().size() + " different");
+            values += found.values();
+            impacts += found.impacts();
+            turns += match.turns().size();
+            differences.addAll(found.differences());
+        }
+        System.out.println(files.size() + " matches, " + turns + " turns, " + impacts + " impacts, " + values
+            + " values compared, " + differences.size() + " different");
+
+        assertTrue(values > 0, "the folder holds matches");
+        assertEquals(List.of(), differences.stream().limit(20).toList());
+    }
+
+    @Test
+    void theSimulatorPlaysTheSameTurns() throws IOException {
+        List<String> differences = new ArrayList<>();
+        long values = 0;
+        int turns = 0;
+        for (Path file : files()) {
+            VectorMatch match = VectorMatch.read(file);
+            SimulatedVectors simulated = new SimulatedVectors(match);
+            Comparison found = simulated.compare();
+            values += found.values();
+            turns += simulated.turns();
+            differences.addAll(found.differences());
+        }
+        System.out.println("simulator: " + turns + " turns, " + values + " values compared, " + differences.size()
+            + " different");
+
+        assertTrue(turns > 0, "the folder holds turns without faults");
+        assertEquals(List.of(), differences.stream().limit(20).toList());
+    }
+}

@@ -1,0 +1,116 @@
+package steward.game.podrace.vectors;
+
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import steward.game.podrace.PodState;
+import steward.game.podrace.simulator.PodCommands;
+import steward.game.podrace.simulator.PodRaceSimulator;
+import tools.jackson.databind.JsonNode;
+
+/** The turns of a match in which no player fails or is out, played by the simulator from the recorded state before. */
+final class SimulatedVectors {
+
+    private static final Pattern LINE = Pattern.compile("(-?[0-9]+) (-?[0-9]+) (SHIELD|[0-9]+)( .*)?");
+
+    private final VectorMatch match;
+    private final Comparison comparison;
+    private int turns;
+
+    SimulatedVectors(VectorMatch match) {
+        this.match = match;
+        comparison = new Comparison(match.name() + " (simulator)");
+    }
+
+    int turns() {
+        return turns;
+    }
+
+    Comparison compare() {
+        PodRaceSimulator race = new PodRaceSimulator(match.checkpoints(), match.players(), match.podsPerPlayer(),
+            match.header().get("laps").asInt());
+        PodCommands commands = new PodCommands(race.pods());
+        JsonNode before = match.start();
+        for (JsonNode turn : match.turns()) {
+            before = turn.has("before") ? turn.get("before") : before;
+            if (set(race, before) && nobodyIsOut(turn.get("state")) && read(commands, turn.get("commands"))) {
+                race.play(commands);
+                turns++;
+                compare("turn " + turn.get("turn").asInt(), race, turn.get("state"));
+            }
+            before = turn.get("state");
+        }
+        return comparison;
+    }
+
+    private boolean set(PodRaceSimulator race, JsonNode state) {
+        for (JsonNode pod : state.get("pods")) {
+            PodState of = VectorReplay.state(pod);
+            race.setPod(pod.get("id").asInt(), of.x(), of.y(), of.vx(), of.vy(), of.heading(), of.shieldTimer(), true,
+                of.passed());
+        }
+        for (JsonNode player : state.get("players")) {
+            race.setTurnsLeft(player.get("id").asInt(), player.get("turnsLeft").asInt());
+        }
+        return nobodyIsOut(state);
+    }
+
+    private static boolean nobodyIsOut(JsonNode state) {
+        for (JsonNode player : state.get("players")) {
+            if (!player.get("out").isNull()) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private boolean read(PodCommands commands, JsonNode answers) {
+        int pod = 0;
+        for (JsonNode answer : answers) {
+            if (!answer.isArray() || answer.size() != match.podsPerPlayer()) {
+                return false;
+            }
+            for (JsonNode line : answer) {
+                Matcher words = LINE.matcher(line.asString());
+                if (!words.matches()) {
+                    return false;
+                }
+                double x = Double.parseDouble(words.group(1));
+                double y = Double.parseDouble(words.group(2));
+                if (words.group(3).equals("SHIELD")) {
+                    commands.set(pod, x, y, PodCommands.SHIELD);
+                } else {
+                    int thrust = Integer.parseInt(words.group(3));
+                    if (thrust > 200) {
+                        return false;
+                    }
+                    commands.set(pod, x, y, thrust);
+                }
+                pod++;
+            }
+        }
+        return true;
+    }
+
+    private void compare(String when, PodRaceSimulator race, JsonNode state) {
+        for (JsonNode recorded : state.get("pods")) {
+            int id = recorded.get("id").asInt();
+            String what = when + " pod " + id + " ";
+            PodState of = VectorReplay.state(recorded);
+            comparison.same(what + "x", of.x(), race.x(id));
+            comparison.same(what + "y", of.y(), race.y(id));
+            comparison.same(what + "vx", of.vx(), race.vx(id));
+            comparison.same(what + "vy", of.vy(), race.vy(id));
+            comparison.same(what + "heading", of.heading(), race.heading(id));
+            comparison.same(what + "shield timer", of.shieldTimer(), race.shieldTimer(id));
+            comparison.same(what + "passed", of.passed(), race.passed(id));
+            comparison.same(what + "next", recorded.get("next").asInt(), race.nextCheckpoint(id));
+        }
+        for (JsonNode player : state.get("players")) {
+            int id = player.get("id").asInt();
+            if (player.get("out").isNull()) {
+                comparison.same(when + " player " + id + " turns left", player.get("turnsLeft").asInt(),
+                    race.turnsLeft(id));
+            }
+        }
+    }
+}

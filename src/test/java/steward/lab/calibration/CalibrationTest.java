@@ -1,0 +1,127 @@
+package steward.lab.calibration;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import steward.game.GameSetup;
+import steward.game.GameTypes;
+import steward.game.podrace.protocol.PodRaceType;
+import steward.lab.oracle.TurnTruth;
+import steward.lab.trial.Probe;
+import steward.physics.Bodies;
+import steward.scene.AccuracyFigures;
+import steward.scene.AccuracyFigures.OfRung;
+import steward.scene.SceneFiles;
+import steward.scene.SceneText;
+
+/** How far off the rungs are in a scene's own states. */
+class CalibrationTest {
+
+    /** Both pods make for the same place, by ways that differ from turn to turn. */
+    private static final SeededPlay.Script CROWD = (game, player, random) ->
+        "{\"pods\":[{\"x\":" + random.nextInt(7000, 8000) + ",\"y\":4000,\"thrust\":" + random.nextInt(50, 200) + "}]}";
+
+    private static GameSetup duel() {
+        SceneText text = SceneFiles.load("duel");
+        return new GameTypes(List.of(new PodRaceType())).open(text.text(), text.source());
+    }
+
+    private static Calibration calibration(int states) {
+        GameSetup setup = duel();
+        return new Calibration(setup, seed -> new SeededPlay(setup, CROWD, seed), states);
+    }
+
+    @Test
+    void theFiguresDoNotDependOnTheThreads() throws InterruptedException {
+        List<String> texts = new ArrayList<>();
+        for (int threads : new int[] {1, 3}) {
+            Calibration calibration = calibration(2100);
+            List<Integer> done = Collections.synchronizedList(new ArrayList<>());
+            calibration.run(threads, () -> done.add(1));
+            assertEquals(3, calibration.blocks());
+            assertEquals(3, done.size());
+            texts.add(calibration.text(calibration.figures()));
+        }
+        assertEquals(texts.get(0), texts.get(1));
+        AccuracyFigures figures = AccuracyFigures.read(texts.get(0), "text");
+        assertEquals(2100, figures.states());
+        assertEquals(15, figures.rungs().size());
+    }
+
+    /** The figures say what flying one state after the other says. */
+    @Test
+    void theErrorsAreThoseOfTheStates() throws InterruptedException {
+        Calibration calibration = calibration(400);
+        calibration.run(2, () -> { });
+        GameSetup setup = duel();
+        SeededPlay play = new SeededPlay(setup, CROWD, 0);
+        double[] errors = new double[400];
+        int withImpacts = 0;
+        for (int k = 0; k < errors.length; k++) {
+            Bodies bodies = play.next();
+            TurnTruth truth = TurnTruth.of(bodies, setup.plan().physics(null));
+            setup.plan().advance(null).turn(bodies, new Probe());
+            errors[k] = truth.positionError(bodies);
+            withImpacts += truth.impacts() > 0 ? 1 : 0;
+        }
+        Arrays.sort(errors);
+        Calibration.Figures figures = calibration.figures();
+        OfRung official = figures.rungs().get(11);
+        assertEquals("event/official", official.rung().text());
+        assertEquals(List.of(errors[199], errors[359], errors[395], errors[399], errors[399], errors[399]),
+            official.errors());
+        assertEquals(withImpacts, figures.withImpacts());
+        assertTrue(withImpacts > 20, "so few meet: " + withImpacts);
+    }
+
+    /** One look for one pair and step; steps that are halved miss less, and exact is the best. */
+    @Test
+    void workIsCountedAndGrowsWithTheSteps() throws InterruptedException {
+        Calibration calibration = calibration(1000);
+        calibration.run(2, () -> { });
+        List<OfRung> rungs = calibration.figures().rungs();
+        for (int k = 1; k < 11; k++) {
+            assertEquals(1 << k, Math.floor(rungs.get(k).work()));
+        }
+        assertTrue(rungs.get(0).errors().get(5) > rungs.get(10).errors().get(5));
+        double exact = rungs.get(14).errors().get(5);
+        assertTrue(rungs.stream().allMatch(rung -> rung.errors().get(5) >= exact));
+        assertTrue(exact < 1e-10, "" + exact);
+    }
+
+    @Test
+    void whatIsDoneCanBeTakenAtAnyTime() throws InterruptedException {
+        Calibration calibration = calibration(3000);
+        assertEquals(0, calibration.figures().states());
+        List<Integer> states = new ArrayList<>();
+        calibration.run(1, () -> states.add(calibration.figures().states()));
+        assertEquals(List.of(1000, 2000, 3000), states);
+    }
+
+    @Test
+    void aFailureIsNotSwallowed() {
+        Calibration calibration = new Calibration(duel(), seed -> {
+            throw new IllegalArgumentException("no such play");
+        }, 10);
+        String message = assertThrows(IllegalStateException.class, () -> calibration.run(2, () -> { })).getMessage();
+        assertTrue(message.contains("no such play"), message);
+    }
+
+    /** At least so many of 1..1000, in order, do not exceed it. */
+    @ParameterizedTest
+    @CsvSource({"0.5, 500", "0.9, 900", "0.99, 990", "0.999, 999", "0.9999, 1000", "1, 1000"})
+    void anErrorAtAShareIsExceededByNoMoreThanTheRest(String share, double error) {
+        double[] sorted = new double[1000];
+        Arrays.setAll(sorted, k -> k + 1);
+        assertEquals(error, Calibration.atShare(sorted, share));
+        assertEquals(7, Calibration.atShare(new double[] {7}, share));
+    }
+}

@@ -1,0 +1,137 @@
+package steward.lab.oracle;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import steward.lab.trial.Rung;
+import steward.numerics.SplitMix64;
+import steward.physics.Arena;
+import steward.physics.Bodies;
+import steward.physics.ImpactLaw;
+import steward.physics.Segment;
+import steward.physics.TurnLog;
+import steward.physics.Wall;
+
+/** Turns of small worlds on every event rung against the oracle: the same impacts in the same order. */
+@Execution(ExecutionMode.CONCURRENT)
+class EngineAgainstOracleTest {
+
+    private static final ImpactLaw SOFT = ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM);
+
+    /** A turn with more impacts is squeezed or chaotic. */
+    private static final int MOST = 30;
+
+    static List<Rung> rungs() {
+        return Rung.all().stream().filter(Rung::isEvent).toList();
+    }
+
+    private static Bodies crowd(SplitMix64 random, double side, double speed) {
+        Bodies bodies = new Bodies(6);
+        for (int k = 0; k < 6; k++) {
+            bodies.add(side * (k % 3) + 20 * random.nextDouble(), side * (k / 3) + 20 * random.nextDouble(), 40,
+                random.nextInt(6) == 0 ? Double.POSITIVE_INFINITY : 1 + random.nextInt(4));
+            bodies.setVelocity(k, speed * (random.nextDouble() - 0.5), speed * (random.nextDouble() - 0.5));
+            bodies.setRestitution(k, 1 - 0.5 * random.nextDouble());
+        }
+        return bodies;
+    }
+
+    /** A chaotic turn magnifies rounding by about the free path over the radius at each impact: 1e-6 leaves room. */
+    private static void compare(Rung rung, ImpactLaw law, Bodies bodies, String what, Wall... walls) {
+        List<OracleBody> truth = OracleBody.of(bodies);
+        List<OracleImpact> impacts = new Oracle(law.withMaximumImpacts(MOST + 1), List.of(walls)).turn(truth);
+        if (impacts.size() > MOST) {
+            return;
+        }
+        TurnLog log = new TurnLog();
+        rung.advanceOfAnyMass(law, walls).turn(bodies, log);
+        List<String> expected = new ArrayList<>();
+        impacts.forEach(impact -> expected.add(impact.a() + " " + impact.b()));
+        List<String> found = new ArrayList<>();
+        for (int k = 0; k < log.impacts(); k++) {
+            found.add(log.impact(k).a() + " " + log.impact(k).b());
+        }
+        assertEquals(expected, found, what);
+        for (int k = 0; k < bodies.size(); k++) {
+            OracleBody body = truth.get(k);
+            assertEquals(body.x.doubleValue(), bodies.x[k], 1e-6, what);
+            assertEquals(body.y.doubleValue(), bodies.y[k], 1e-6, what);
+            assertEquals(body.vx.doubleValue(), bodies.vx[k], 1e-6, what);
+            assertEquals(body.vy.doubleValue(), bodies.vy[k], 1e-6, what);
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("rungs")
+    void physicsAmongWalls(Rung rung) {
+        Wall[] box = Wall.box(320, 240, 0.9);
+        Wall[] round = {new Arena(120, 80, 230, 1), new Segment(0, 70, 200, 75, 0.7)};
+        for (long seed = 1; seed <= 24; seed++) {
+            SplitMix64 random = new SplitMix64(seed);
+            Bodies bodies = crowd(random, 100, 300);
+            for (int k = 0; k < 6; k++) {
+                bodies.setPosition(k, bodies.x[k] + 50, bodies.y[k] + 50);
+            }
+            compare(rung, seed % 2 == 0 ? ImpactLaw.PHYSICS : SOFT, bodies, "box, seed " + seed, box);
+            compare(rung, SOFT.withMinimumImpulse(60, true), crowd(random, 100, 200), "round, seed " + seed, round);
+        }
+    }
+
+    /**
+     * Where two are flown to a touch of exactly the radii, rounding decides whether they are pushed apart by 1e-5, so
+     * places agree to some 1e-5 and no better; deep overlaps, batches and the minimum are the same.
+     */
+    @ParameterizedTest
+    @Tag("slow")
+    @MethodSource("rungs")
+    void theOfficialLaw(Rung rung) {
+        int compared = 0;
+        for (long seed = 1; seed <= 100; seed++) {
+            SplitMix64 random = new SplitMix64(seed);
+            Bodies bodies = crowd(random, 75, 100);
+            List<OracleBody> truth = OracleBody.of(bodies);
+            Oracle oracle = new Oracle(ImpactLaw.OFFICIAL_POD_RACE, List.of());
+            int impacts = oracle.turn(truth).size();
+            TurnLog log = new TurnLog();
+            rung.advanceOfAnyMass(ImpactLaw.OFFICIAL_POD_RACE).turn(bodies, log);
+            boolean same = impacts == log.impacts();
+            for (int k = 0; same && k < 6; k++) {
+                same = Math.abs(truth.get(k).x.doubleValue() - bodies.x[k]) < 1e-2
+                    && Math.abs(truth.get(k).vy.doubleValue() - bodies.vy[k]) < 1e-2;
+            }
+            compared += same ? 1 : 0;
+        }
+        assertTrue(compared >= 95, compared + " of 100 turns agree");
+    }
+
+    /**
+     * A batch of two: when the outer ones meet the heavy one between them, the second is 1.03e-5 u late. The first
+     * push takes 1e-5 u of that, so 3e-7 u are left, and nobody is pushed a second time.
+     */
+    @ParameterizedTest
+    @MethodSource("rungs")
+    void whoReactsInABatchWithoutTouchingIsNotPushed(Rung rung) {
+        Bodies bodies = new Bodies(3);
+        bodies.add(0, 0, 400, 1);
+        bodies.add(1000, 0, 400, 10);
+        bodies.add(2000.0000103, 0, 400, 1);
+        bodies.setVelocity(0, 400, 0);
+        bodies.setVelocity(2, -400, 0);
+        List<OracleBody> truth = OracleBody.of(bodies);
+        assertEquals(2, new Oracle(ImpactLaw.OFFICIAL_POD_RACE, List.of()).turn(truth).size());
+        TurnLog log = new TurnLog();
+        rung.advanceOfAnyMass(ImpactLaw.OFFICIAL_POD_RACE).turn(bodies, log);
+        assertEquals(2, log.impacts());
+        for (int k = 0; k < 3; k++) {
+            assertEquals(truth.get(k).x.doubleValue(), bodies.x[k], 1e-7, "body " + k);
+            assertEquals(truth.get(k).vx.doubleValue(), bodies.vx[k], 1e-9, "body " + k);
+        }
+    }
+}

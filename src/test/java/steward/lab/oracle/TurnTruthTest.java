@@ -1,0 +1,195 @@
+package steward.lab.oracle;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.numerics.SplitMix64;
+import steward.physics.Arithmetic;
+import steward.physics.Bodies;
+import steward.physics.Contacts;
+import steward.physics.HalfPlane;
+import steward.physics.ImpactLaw;
+import steward.physics.Motion;
+import steward.physics.PhysicsParts;
+import steward.physics.TurnLog;
+import steward.physics.Wall;
+import steward.physics.event.EventAdvance;
+import steward.physics.event.StepAdvance;
+
+/** What the oracle says of a turn, and how far a rung is from it; whom the oracle need not look at. */
+@Execution(ExecutionMode.CONCURRENT)
+class TurnTruthTest {
+
+    private static PhysicsParts parts(Arithmetic arithmetic, Wall... walls) {
+        return new PhysicsParts(ImpactLaw.PHYSICS, arithmetic, new Contacts(1), List.of(walls), null, false);
+    }
+
+    /** Two of radius 10, 100 u apart, one of which flies at the other; it stops there, and the other flies on. */
+    private static Bodies headOn(double speed) {
+        Bodies bodies = new Bodies(2);
+        bodies.add(0, 0, 10, 1);
+        bodies.add(100, 0, 10, 1);
+        bodies.setVelocity(0, speed, 0);
+        return bodies;
+    }
+
+    private static Bodies copy(Bodies from) {
+        Bodies to = new Bodies(from.capacity());
+        to.copyFrom(from);
+        return to;
+    }
+
+    private static TurnError errorOfSteps(Bodies start, int steps, Wall... walls) {
+        TurnTruth truth = TurnTruth.of(start, parts(Arithmetic.DOUBLE, walls));
+        Bodies after = copy(start);
+        TurnLog log = new TurnLog();
+        new StepAdvance(parts(Arithmetic.DOUBLE, walls), steps).turn(after, log);
+        return truth.error(after, log);
+    }
+
+    /**
+     * One step of 200 u jumps over the other body: the impact at 80 u is missed. In truth body 0 stays at 80 and body
+     * 1 flies to 220; found are 200 and 100, each 120 off.
+     */
+    @Test
+    void anImpactThatIsTunnelledThroughIsMissed() {
+        assertEquals(new TurnError(120, 1, 0, 0), errorOfSteps(headOn(200), 1));
+    }
+
+    /** Four steps of 45 u: an overlap at 90 u; the impact is there, only late. */
+    @Test
+    void anImpactThatComesLateIsNotMissed() {
+        TurnError error = errorOfSteps(headOn(180), 4);
+        assertEquals(0, error.missed());
+        assertEquals(0, error.invented());
+        assertTrue(error.position() > 1, error.toString());
+    }
+
+    /** Body 0 flies through the second, which is missed, into a third, which it would never have come to. */
+    @Test
+    void anImpactThatNeverWasIsInvented() {
+        Bodies bodies = new Bodies(3);
+        bodies.add(0, 0, 10, 1);
+        bodies.add(100, 0, 10, 1);
+        bodies.add(200, 0, 10, 1);
+        bodies.setVelocity(0, 190, 0);
+        TurnError error = errorOfSteps(bodies, 1);
+        assertEquals(2, error.missed(), "0 with 1 and 1 with 2");
+        assertEquals(1, error.invented(), "0 with 2");
+    }
+
+    @Test
+    void wallsAreMissedToo() {
+        Bodies bodies = new Bodies(1);
+        bodies.add(50, 50, 10, 1);
+        bodies.setVelocity(0, 30, 0);
+        Wall wall = new HalfPlane(100, 0, -1, 0, 1);
+        TurnTruth truth = TurnTruth.of(bodies, parts(Arithmetic.DOUBLE));
+        TurnLog log = new TurnLog();
+        bodies.setVelocity(0, 60, 0);
+        new EventAdvance(parts(Arithmetic.DOUBLE, wall)).turn(bodies, log);
+        assertEquals(1, truth.error(bodies, log).invented());
+        assertEquals(3, truth.error(bodies, log).energy(), "four times the energy instead of once");
+    }
+
+    @Test
+    void theExactRungIsOffByRoundingOnly() {
+        long seed = 7;
+        SplitMix64 random = new SplitMix64(seed);
+        double steps = 0;
+        for (int n = 0; n < 50; n++) {
+            Bodies start = new Bodies(6);
+            for (int k = 0; k < 6; k++) {
+                start.add(50 + 110 * (k % 3) + 20 * random.nextDouble(), 50 + 110 * (k / 3) + 20 * random.nextDouble(),
+                    40, 1);
+                start.setVelocity(k, 80 * (random.nextDouble() - 0.5), 80 * (random.nextDouble() - 0.5));
+            }
+            PhysicsParts parts = parts(Arithmetic.EXACT, Wall.box(400, 400, 1));
+            TurnTruth truth = TurnTruth.of(start, parts);
+            Bodies after = copy(start);
+            TurnLog log = new TurnLog();
+            new EventAdvance(parts).turn(after, log);
+            TurnError error = truth.error(after, log);
+            assertEquals(log.impacts(), truth.impacts());
+            assertTrue(error.position() < 1e-11 && error.energy() < 1e-14, "seed " + seed + ": " + error);
+            assertEquals(0, error.missed() + error.invented(), "seed " + seed);
+            steps += errorOfSteps(start, 4, Wall.box(400, 400, 1)).position();
+        }
+        assertTrue(steps / 50 > 1e-3, "steps are off by " + steps / 50 + " on average");
+    }
+
+    @Test
+    void whatIsNoNumberIsInfinitelyOff() {
+        Bodies start = headOn(200);
+        TurnTruth truth = TurnTruth.of(start, parts(Arithmetic.DOUBLE));
+        start.x[1] = Double.NaN;
+        assertEquals(Double.POSITIVE_INFINITY, truth.positionError(start));
+    }
+
+    /** floor(x + 1/2), and 0.75 of the speed cut toward zero: 149.25 is 149, 37.5 is 38, -2.5 is -2. */
+    @Test
+    void finalNumbersAreRoundedByHand() {
+        Motion motion = new Motion(true, true, true);
+        Bodies start = new Bodies(2);
+        start.add(30, -3.5, 10, 1);
+        start.add(200, 0, 10, 1);
+        start.setVelocity(0, 7.5, 1);
+        start.setVelocity(1, 199, -1);
+        start.setDrag(0, 0.25);
+        start.setDrag(1, 0.25);
+        TurnTruth truth = TurnTruth.of(start, parts(Arithmetic.DOUBLE));
+        Bodies ended = copy(start);
+        ended.setPosition(0, 38, -2);
+        ended.setVelocity(0, 5, 0);
+        ended.setPosition(1, 399, -1);
+        ended.setVelocity(1, 149, 0);
+        assertEquals(0, truth.differing(start, ended, motion));
+        ended.setVelocity(1, 150, 0);
+        assertEquals(1, truth.differing(start, ended, motion));
+    }
+
+    @Test
+    void reactionsAreRefused() {
+        PhysicsParts deaf = new PhysicsParts(ImpactLaw.PHYSICS, Arithmetic.DOUBLE,
+            new Contacts(1).set(0, 0, Contacts.Meaning.NONE), List.of(), null, false);
+        assertThrows(IllegalArgumentException.class, () -> TurnTruth.of(headOn(1), deaf));
+    }
+
+    /** Whoever meets in time is never spared, by however little; most of those who are far apart are. */
+    @Test
+    void theOracleSparesOnlyWhoCannotMeet() {
+        long seed = 11;
+        SplitMix64 random = new SplitMix64(seed);
+        int spared = 0;
+        int met = 0;
+        for (int n = 0; n < 6_000; n++) {
+            double size = StrictMath.pow(10, random.nextInt(-8, 8));
+            Bodies pair = new Bodies(2);
+            pair.add(size * random.nextDouble(), size * random.nextDouble(), size * 0.05, 1);
+            pair.add(size * random.nextDouble(), size * random.nextDouble(), size * 0.05, 1);
+            pair.setVelocity(0, size * (random.nextDouble() - 0.5), size * (random.nextDouble() - 0.5));
+            pair.setVelocity(1, size * (random.nextDouble() - 0.5), size * (random.nextDouble() - 0.5));
+            List<OracleBody> bodies = OracleBody.of(pair);
+            OracleBody p = bodies.get(0);
+            OracleBody q = bodies.get(1);
+            java.math.BigDecimal until = OracleTimeOfImpact.circle(p.x.subtract(q.x), p.y.subtract(q.y),
+                p.vx.subtract(q.vx), p.vy.subtract(q.vy), p.radius.add(q.radius));
+            OracleBroadPhase reach = new OracleBroadPhase(bodies);
+            if (until != null) {
+                met++;
+                assertFalse(reach.apart(0, 1, until.doubleValue()), "seed " + seed + ", pair " + n);
+                Wall wall = new HalfPlane(q.x.doubleValue(), 0, p.x.compareTo(q.x) > 0 ? 1 : -1, 0, 1);
+                java.math.BigDecimal wallTime = OracleTimeOfImpact.wall(p, wall);
+                assertFalse(wallTime != null && reach.apart(0, wall, wallTime.doubleValue()), "seed " + seed);
+            }
+            spared += reach.apart(0, 1, 0.1) ? 1 : 0;
+        }
+        assertTrue(spared > 3_000 && met > 300, "spared " + spared + ", met " + met);
+    }
+}

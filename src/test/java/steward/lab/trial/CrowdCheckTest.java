@@ -1,0 +1,95 @@
+package steward.lab.trial;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import steward.lab.stability.crowds.CrowdCase;
+import steward.physics.Arithmetic;
+import steward.physics.Bodies;
+import steward.physics.Contacts;
+import steward.physics.ImpactLaw;
+import steward.physics.PhysicsParts;
+import steward.physics.TurnSink;
+import steward.physics.event.StepAdvance;
+import steward.physics.queue.QueueAdvance;
+
+/** Crowds in a box: nothing is missed, nobody escapes at any coverage; boxes that hold no such crowd are refused. */
+@Execution(ExecutionMode.CONCURRENT)
+class CrowdCheckTest {
+
+    @ParameterizedTest
+    @Tag("slow")
+    @CsvSource({"10, 0.001, 5000, DOUBLE", "10, 0.1, 20000, EXACT", "100, 0.1, 50000, COMPENSATED",
+        "100, 0.6, 50000, DOUBLE", "1000, 0.8, 50000, OFFICIAL", "2000, 0.85, 20000, EXACT",
+        "3000, 0.85, 50000, DOUBLE", "5000, 0.01, 20000, DOUBLE", "20000, 0.1, 50000, DOUBLE"})
+    void nothingIsMissed(int bodies, double coverage, long impacts, Arithmetic arithmetic) {
+        CrowdCheck.Result seen = CrowdCheck.run(new Gas(5, bodies, coverage), rung(arithmetic), impacts,
+            Progress.NONE);
+        assertTrue(seen.isRight() && seen.impacts() >= impacts && seen.drift() < 1e-10, seen::toString);
+    }
+
+    /** The check itself must see what is wrong: here discs that begin too near each other, and one outside. */
+    @Test
+    void theCheckSeesOverlapsAndEscapes() {
+        Gas gas = new Gas(5, 50, 0.1);
+        Bodies bodies = gas.bodies();
+        bodies.setPosition(7, bodies.x[8] + 1.5, bodies.y[8]);
+        bodies.setVelocity(7, 0, 0);
+        bodies.setVelocity(8, 0, 0);
+        bodies.setPosition(20, -3, 5);
+        bodies.setVelocity(20, 0, 0);
+        CrowdCheck.Result seen = CrowdCheck.run(bodies, gas, rung(Arithmetic.DOUBLE), 1, Progress.NONE);
+        assertTrue(seen.overlaps() > 0 || seen.apart() > 0, seen::toString);
+        assertTrue(seen.escapes() > 0, seen::toString);
+    }
+
+    /** Counted, not timed: all arrays together, at sizes at and next to powers of two. */
+    @ParameterizedTest
+    @CsvSource({"100, 0.1, EXACT", "129, 0.1, EXACT", "200, 0.01, EXACT", "100, 0.7, EXACT", "1000, 0.1, DOUBLE",
+        "1000, 0.1, EXACT", "1023, 0.5, EXACT", "1025, 0.001, COMPENSATED",
+        "1025, 0.001, EXACT", "4097, 0.1, DOUBLE", "4097, 0.1, EXACT", "20000, 0.3, EXACT"})
+    void aBodyTakesAtMostTwoHundredBytes(int bodies, double coverage, Arithmetic arithmetic) {
+        Gas gas = new Gas(1, bodies, coverage);
+        QueueAdvance advance = new QueueAdvance(new PhysicsParts(ImpactLaw.PHYSICS, arithmetic, new Contacts(1),
+            List.of(gas.walls()), null, false));
+        advance.turn(gas.bodies(), TurnSink.NONE);
+        assertTrue(advance.bytes() > 64L * bodies, advance.bytes() + " bytes");
+        assertTrue(advance.bytes() <= 200L * bodies, advance.bytes() / bodies + " bytes a body");
+    }
+
+    /** The rows of the stability table fail where discs fly through each other, and where impacts are invented. */
+    @Test
+    void theCaseFailsOnAWrongAdvance() {
+        Rung real = rung(Arithmetic.DOUBLE);
+        StabilityCase crowd = new CrowdCase(100, 0.1, 0, 500);
+        assertEquals(Finding.Verdict.HOLDS, crowd.run(real, RunLength.SMALL, Progress.NONE).verdict());
+        Rung steps = new Rung("steps", true, false, Arithmetic.DOUBLE, parts -> new StepAdvance(parts, 4));
+        assertEquals(Finding.Verdict.FAILS, crowd.run(steps, RunLength.SMALL, Progress.NONE).verdict());
+    }
+
+    private static Rung rung(Arithmetic arithmetic) {
+        return Rung.all().stream().filter(each -> each.isEvent() && each.arithmetic() == arithmetic).findFirst()
+            .orElseThrow();
+    }
+
+    @Test
+    void boxesThatHoldNoSuchCrowdAreRefused() {
+        assertEquals("bodies 0, expected 1..10000000", refusal(0, 0.1));
+        assertEquals("coverage 0.95, expected above 0 and at most 0.88", refusal(100, 0.95));
+        assertEquals("coverage NaN, expected above 0 and at most 0.88", refusal(100, Double.NaN));
+        assertEquals("bodies 10 at coverage 0.8: a box of 6.27 radii a side does not hold so many, expected 6 at most, "
+            + "or a lower coverage", refusal(10, 0.8));
+    }
+
+    private static String refusal(int bodies, double coverage) {
+        return assertThrows(IllegalArgumentException.class, () -> new Gas(1, bodies, coverage)).getMessage();
+    }
+}

@@ -1,0 +1,112 @@
+package steward.physics.event;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import steward.numerics.SplitMix64;
+import steward.physics.Advance;
+import steward.physics.Arithmetic;
+import steward.physics.Bodies;
+import steward.physics.Contacts;
+import steward.physics.HalfPlane;
+import steward.physics.ImpactLaw;
+import steward.physics.PhysicsParts;
+import steward.physics.TurnLog;
+
+/** The loop made for the official law ends every turn as the loop made for every law: bodies, impacts, knots. */
+class OfficialAdvanceTest {
+
+    private static final ImpactLaw LAW = ImpactLaw.OFFICIAL_POD_RACE;
+
+    @ParameterizedTest
+    @CsvSource({"0, 1, 400", "1, 1, 400", "2, 3000, 400", "4, 3000, 400", "4, 3000, 0.3", "4, 2000, 123.456",
+        "11, 500, 400", "12, 100, 400"})
+    void bodiesOfOneSizeEndAsInTheGeneralLoop(int bodies, int turns, double radius) {
+        SplitMix64 random = new SplitMix64(bodies);
+        Advance fast = new OfficialAdvance(parts(2));
+        long impacts = 0;
+        for (int turn = 0; turn < turns; turn++) {
+            impacts += compare(fast, heap(random, bodies, radius), "seed " + bodies + ", turn " + turn);
+        }
+        assertTrue(bodies < 2 || impacts > turns / 4, impacts + " impacts");
+    }
+
+    /** Radii may change from turn to turn, and need not be the same. */
+    @Test
+    void bodiesOfOtherSizesDoToo() {
+        SplitMix64 random = new SplitMix64(5);
+        Advance fast = new OfficialAdvance(parts(2));
+        long impacts = 0;
+        for (int turn = 0; turn < 2000; turn++) {
+            Bodies bodies = heap(random, 4, random.nextInt(100, 400));
+            if (turn % 2 == 0) {
+                bodies.setRadius(random.nextInt(4), random.nextInt(100, 800));
+            }
+            impacts += compare(fast, bodies, "seed 5, turn " + turn);
+        }
+        assertTrue(impacts > 500, impacts + " impacts");
+    }
+
+    @Test
+    void numbersThatAreNotOrdinaryAreLeftToTheGeneralLoop() {
+        Bodies bodies = heap(new SplitMix64(6), 4, 400);
+        bodies.setVelocity(2, 1e160, 0);
+        bodies.setPosition(3, 1e155, 1);
+        assertTrue(compare(new OfficialAdvance(parts(2)), bodies, "huge") > 0);
+    }
+
+    @Test
+    void moreThanTheOfficialLawIsRefused() {
+        PhysicsParts exact = new PhysicsParts(LAW, Arithmetic.EXACT, new Contacts(1), List.of(), null, false);
+        assertThrows(IllegalArgumentException.class, () -> new OfficialAdvance(exact));
+        PhysicsParts walls = new PhysicsParts(LAW, Arithmetic.OFFICIAL, new Contacts(1),
+            List.of(new HalfPlane(0, 0, 1, 0, 1)), null, false);
+        assertThrows(IllegalArgumentException.class, () -> new OfficialAdvance(walls));
+    }
+
+    private static PhysicsParts parts(int kinds) {
+        return new PhysicsParts(LAW, Arithmetic.OFFICIAL, new Contacts(kinds), List.of(), null, false);
+    }
+
+    private static Bodies heap(SplitMix64 random, int count, double radius) {
+        Bodies bodies = new Bodies(Math.max(1, count));
+        double side = radius * (2 + count);
+        for (int k = 0; k < count; k++) {
+            bodies.add(side * random.nextDouble(), side * random.nextDouble(), radius, k % 3 == 0 ? 10 : 1);
+            bodies.setKind(k, k % 2);
+            bodies.setVelocity(k, 4 * radius * (random.nextDouble() - 0.5), 4 * radius * (random.nextDouble() - 0.5));
+        }
+        return bodies;
+    }
+
+    /** @return how many impacts there were */
+    private static int compare(Advance fast, Bodies bodies, String what) {
+        Bodies expected = new Bodies(bodies.capacity());
+        expected.copyFrom(bodies);
+        TurnLog log = new TurnLog();
+        TurnLog expectedLog = new TurnLog();
+        fast.turn(bodies, log);
+        new EventAdvance(parts(2)).turn(expected, expectedLog);
+        assertArrayEquals(numbers(expected), numbers(bodies), what);
+        assertEquals(expectedLog.impacts(), log.impacts(), what);
+        for (int k = 0; k < log.impacts(); k++) {
+            assertEquals(expectedLog.impact(k), log.impact(k), what);
+        }
+        return log.impacts();
+    }
+
+    private static double[] numbers(Bodies bodies) {
+        double[] numbers = Arrays.copyOf(bodies.x, 4 * bodies.size());
+        System.arraycopy(bodies.y, 0, numbers, bodies.size(), bodies.size());
+        System.arraycopy(bodies.vx, 0, numbers, 2 * bodies.size(), bodies.size());
+        System.arraycopy(bodies.vy, 0, numbers, 3 * bodies.size(), bodies.size());
+        return numbers;
+    }
+}

@@ -1,0 +1,65 @@
+package steward.physics.queue;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.Arrays;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import steward.numerics.SplitMix64;
+
+/** A queue of buckets gives out what a search through all events finds, however wide its buckets are. */
+class EventBucketsTest {
+
+    private static final int BODIES = 120;
+    private static final double NONE = Double.POSITIVE_INFINITY;
+
+    /** By time, ties by number. */
+    private static int first(double[] times) {
+        int first = -1;
+        for (int body = 0; body < times.length; body++) {
+            if (times[body] < (first < 0 ? NONE : times[first])) {
+                first = body;
+            }
+        }
+        return first;
+    }
+
+    /**
+     * The mean gap decides whether all events stand in one bucket, in a few each, or beyond the last one; how many wait
+     * long, how often the rest beyond it is looked through, and with how much in it. Whoever comes first waits anew, so
+     * that those who wait long are met too; in between others change their minds.
+     */
+    @ParameterizedTest
+    @CsvSource({"1e-9, 20, 1000", "0.01, 20, 1000", "1, 20, 1000", "100, 20, 1000", "1e9, 20, 1000",
+        "1, 20, 200", "1, 50, 400", "1, 10, 100"})
+    void theNextEventIsTheEarliest(double meanGap, int oneIn, double far) {
+        EventBuckets events = new EventBuckets((i, j) -> i < j);
+        SplitMix64 random = new SplitMix64(11);
+        for (int turn = 0; turn < 20; turn++) {
+            double[] times = new double[BODIES];
+            Arrays.fill(times, NONE);
+            double now = turn * 10;
+            events.begin(BODIES, BODIES, now, meanGap);
+            for (int step = 0; step < 5000; step++) {
+                int body = first(times);
+                assertEquals(body, events.first(), "seed 11, turn " + turn + ", step " + step);
+                if (body >= 0) {
+                    now = times[body];
+                    assertEquals(now, events.time(body));
+                }
+                if (body < 0 || random.nextInt(8) == 0) {
+                    body = random.nextInt(BODIES);
+                }
+                if (random.nextInt(16) == 0) {
+                    events.remove(body);
+                    times[body] = NONE;
+                } else {
+                    // Every third time is a whole number, so that there are ties; some are far away.
+                    double wait = (random.nextInt(oneIn) == 0 ? far : 8) * random.nextDouble();
+                    times[body] = random.nextInt(3) == 0 ? Math.ceil(now + wait) : now + wait;
+                    events.put(body, times[body]);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,41 @@
+package steward.replay.page;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.io.ByteArrayOutputStream;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import steward.codingame.GameRecordingImport;
+import steward.codingame.OfficialGame;
+import steward.match.TestScenes;
+
+/** The page of an imported match in a real browser: states without hashes and paths, turns without any state. */
+@Tag("browser")
+class ImportedPageTest {
+
+    private static final int TURNS = 33;
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void everyTurnIsShownWithoutComplaint() throws InterruptedException {
+        ByteArrayOutputStream replay = new ByteArrayOutputStream();
+        GameRecordingImport.of(OfficialGame.play(12).sketch(TURNS), "game.json", TestScenes.TYPES).write(replay);
+        Path page = new PageTestPages(folder).page(replay.toByteArray(), "Imported");
+        try (PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+            browser.open(page, "#turn=1");
+            browser.run("steward.pause()");
+            for (int turn = 0; turn <= TURNS; turn++) {
+                browser.seek(turn, 1);
+                browser.run("steward.seek(arguments[0], 0.5)", turn);
+            }
+            browser.seek(TURNS, 1);
+            assertEquals(List.of(), browser.complaints());
+            assertEquals(TURNS, browser.number("steward.lastTurn()"));
+        }
+    }
+}

@@ -1,0 +1,174 @@
+package steward.replay.page;
+
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.function.BooleanSupplier;
+import java.util.logging.Level;
+import java.util.logging.Logger;
+import org.openqa.selenium.By;
+import org.openqa.selenium.Dimension;
+import org.openqa.selenium.OutputType;
+import org.openqa.selenium.chrome.ChromeDriver;
+import org.openqa.selenium.chrome.ChromeDriverService;
+import org.openqa.selenium.chrome.ChromeOptions;
+import org.openqa.selenium.logging.LogType;
+import org.openqa.selenium.logging.LoggingPreferences;
+
+/** A headless Chromium in which tests look at pages, through the page's own test hook {@code window.steward}. */
+final class PageTestBrowser implements AutoCloseable {
+
+    private static final Duration PATIENCE = Duration.ofSeconds(60);
+
+    /** Warns of every Chromium newer than itself; kept here because loggers are only held weakly. */
+    private static final Logger VERSION_FINDER = Logger.getLogger("org.openqa.selenium.devtools.CdpVersionFinder");
+
+    private final ChromeDriver driver;
+
+    private PageTestBrowser(Path browser, Path driverProgram, Path profile) {
+        VERSION_FINDER.setLevel(Level.SEVERE);
+        LoggingPreferences logs = new LoggingPreferences();
+        logs.enable(LogType.BROWSER, Level.ALL);
+        logs.enable(LogType.PERFORMANCE, Level.ALL);
+        ChromeOptions options = new ChromeOptions();
+        options.setBinary(browser.toFile());
+        options.addArguments("--headless", "--no-sandbox", "--disable-gpu", "--no-first-run",
+            "--disable-background-networking", "--disable-component-update", "--disable-sync", "--hide-scrollbars",
+            "--force-device-scale-factor=1", "--user-data-dir=" + profile);
+        options.setCapability("goog:loggingPrefs", logs);
+        System.setProperty(ChromeDriverService.CHROME_DRIVER_EXE_PROPERTY, driverProgram.toString());
+        System.setProperty(ChromeDriverService.CHROME_DRIVER_SILENT_OUTPUT_PROPERTY, "true");
+        driver = new ChromeDriver(options);
+        driver.manage().timeouts().scriptTimeout(PATIENCE).pageLoadTimeout(PATIENCE);
+        size(1280, 720);
+    }
+
+    /** Starts a browser; the test is skipped, saying so, where there is none or no driver for it. */
+    static PageTestBrowser start(Path profile) {
+        Path browser = find("chromium", "chromium-browser", "google-chrome");
+        Path driver = find("chromedriver");
+        assumeTrue(browser != null, "there is no chromium on the PATH");
+        assumeTrue(driver != null, "there is no chromedriver on the PATH");
+        return new PageTestBrowser(browser, driver, profile);
+    }
+
+    private static Path find(String... names) {
+        String path = System.getenv("PATH");
+        return Arrays.stream(names)
+            .flatMap(name -> Arrays.stream((path == null ? "" : path).split(File.pathSeparator))
+                .map(folder -> Path.of(folder, name)))
+            .filter(Files::isExecutable).findFirst().orElse(null);
+    }
+
+    /** Opens a page from disk and waits until it is ready; the link, such as {@code #turn=57}, may be empty. */
+    void open(Path page, String link) {
+        go(page.toUri() + link);
+    }
+
+    /** Opens an address and waits until the page is ready. */
+    void go(String address) {
+        driver.get("about:blank");                           // otherwise a change of the link alone loads nothing
+        logs(LogType.BROWSER);
+        logs(LogType.PERFORMANCE);
+        driver.get(address);
+        await("the page is not ready", () -> is("window.steward && window.steward.ready"));
+    }
+
+    /** The size of the page itself. */
+    void size(int width, int height) {
+        driver.executeCdpCommand("Emulation.setDeviceMetricsOverride",
+            Map.of("width", width, "height", height, "deviceScaleFactor", 1, "mobile", width < 500));
+        driver.manage().window().setSize(new Dimension(width, height));
+    }
+
+    /** What the machine is set to: light or dark, and whether motion is to be reduced. */
+    void prefer(boolean dark, boolean reducedMotion) {
+        driver.executeCdpCommand("Emulation.setEmulatedMedia", Map.of("features", List.of(
+            Map.of("name", "prefers-color-scheme", "value", dark ? "dark" : "light"),
+            Map.of("name", "prefers-reduced-motion", "value", reducedMotion ? "reduce" : "no-preference"))));
+    }
+
+    Object run(String script, Object... arguments) {
+        return driver.executeScript(script, arguments);
+    }
+
+    boolean is(String expression) {
+        return Boolean.TRUE.equals(run("return Boolean(" + expression + ")"));
+    }
+
+    double number(String expression) {
+        return ((Number) run("return " + expression)).doubleValue();
+    }
+
+    String text(String selector) {
+        return (String) run("return document.querySelector(arguments[0]).innerText", selector);
+    }
+
+    void seek(int turn, double fraction) {
+        run("steward.seek(arguments[0], arguments[1])", turn, fraction);
+    }
+
+    void click(String selector) {
+        driver.findElement(By.cssSelector(selector)).click();
+    }
+
+    void press(CharSequence keys) {
+        driver.switchTo().activeElement().sendKeys(keys);
+    }
+
+    /** A finger that touches a place of the page and lets go. */
+    void tap(double x, double y) {
+        driver.executeCdpCommand("Input.dispatchTouchEvent", Map.of("type", "touchStart",
+            "touchPoints", List.of(Map.of("x", x, "y", y))));
+        driver.executeCdpCommand("Input.dispatchTouchEvent", Map.of("type", "touchEnd", "touchPoints", List.of()));
+    }
+
+    /** What the page complained of in the console since it was opened. */
+    List<String> complaints() {
+        return logs(LogType.BROWSER);
+    }
+
+    /** The addresses that were asked for since the page was opened, but for pages on disk and data within them. */
+    List<String> requests() {
+        return logs(LogType.PERFORMANCE).stream().filter(line -> line.contains("\"Network.requestWillBeSent\""))
+            .filter(line -> !line.contains("\"url\":\"file:") && !line.contains("\"url\":\"data:")).toList();
+    }
+
+    private List<String> logs(String type) {
+        return driver.manage().logs().get(type).getAll().stream().map(entry -> entry.getMessage()).toList();
+    }
+
+    void await(String otherwise, BooleanSupplier condition) {
+        long end = System.nanoTime() + PATIENCE.toNanos();
+        while (!condition.getAsBoolean()) {
+            if (System.nanoTime() > end) {
+                throw new AssertionError(otherwise);
+            }
+            try {
+                Thread.sleep(20);
+            } catch (InterruptedException e) {
+                throw new AssertionError(otherwise, e);
+            }
+        }
+    }
+
+    void screenshot(Path file) {
+        try {
+            Files.write(file, driver.getScreenshotAs(OutputType.BYTES));
+        } catch (IOException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    @Override
+    public void close() {
+        driver.quit();
+    }
+}

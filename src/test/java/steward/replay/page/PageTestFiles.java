@@ -1,0 +1,117 @@
+package steward.replay.page;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Base64;
+import java.util.zip.GZIPInputStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import steward.replay.ReplayException;
+
+/** The page as a file: what is in it, and what is refused. No browser is needed. */
+class PageTestFiles {
+
+    /** A full race of 500 turns, mailed around. */
+    private static final int LARGEST = 1_500_000;
+
+    @TempDir
+    Path folder;
+
+    private static String page(byte[] replay, String title) throws IOException {
+        ByteArrayOutputStream html = new ByteArrayOutputStream();
+        ReplayPage.write(new ByteArrayInputStream(replay), "race.jsonl", html, title);
+        return html.toString(StandardCharsets.UTF_8);
+    }
+
+    private static byte[] duel() {
+        return PageTestRaces.play(PageTestRaces.scene("duel"), 5);
+    }
+
+    private static byte[] embedded(String page) throws IOException {
+        String open = "type=\"application/octet-stream\"";
+        int from = page.indexOf('>', page.indexOf(open)) + 1;
+        byte[] gzip = Base64.getDecoder().decode(page.substring(from, page.indexOf("</script>", from)));
+        try (InputStream in = new GZIPInputStream(new ByteArrayInputStream(gzip))) {
+            return in.readAllBytes();
+        }
+    }
+
+    @Test
+    void holdsTheReplayByteForByte() throws IOException {
+        byte[] replay = duel();
+        assertArrayEquals(replay, embedded(page(replay, "t")));
+    }
+
+    @Test
+    void holdsAReplayThatWasCutOffUpToItsLastWholeLine() throws IOException {
+        byte[] replay = duel();
+        byte[] cut = Arrays.copyOf(replay, replay.length / 2);
+        String held = new String(embedded(page(cut, "t")), StandardCharsets.UTF_8);
+        assertTrue(held.endsWith("}\n"));
+        assertTrue(new String(cut, StandardCharsets.UTF_8).startsWith(held));
+    }
+
+    @Test
+    void isTheSameWrittenTwice() throws IOException {
+        byte[] replay = duel();
+        assertEquals(page(replay, "t"), page(replay, "t"));
+    }
+
+    @Test
+    void namesNoOtherPlace() throws IOException {
+        String page = page(duel(), "t");
+        assertFalse(page.contains("http:") || page.contains("https:") || page.contains("//www"), "an address");
+        assertTrue(page.contains("default-src 'none'") && page.contains("connect-src 'none'"));
+        assertFalse(page.contains("{{"), "a place was not filled");
+    }
+
+    @Test
+    void escapesTheTitle() throws IOException {
+        String page = page(duel(), "<b>\"A & B\"</b>");
+        assertTrue(page.contains("<title>&lt;b&gt;&quot;A &amp; B&quot;&lt;/b&gt;</title>"));
+        assertFalse(page.contains("<b>\"A"));
+    }
+
+    @Test
+    void aRaceOfFiveHundredTurnsIsSmallEnoughToMail() throws IOException {
+        String scene = PageTestRaces.scene("mad-pod-racing").replace("\"laps\": 3", "\"laps\": 100");
+        byte[] replay = PageTestRaces.play(scene, 11);
+        assertEquals(500, PageTestRaces.lines(replay).size() - 2);
+        int size = page(replay, "t").length();
+        assertTrue(size < LARGEST, () -> size + " bytes");
+    }
+
+    @Test
+    void refusesWhatIsNoReplay() throws IOException {
+        Path file = Files.writeString(folder.resolve("notes.txt"), "hello\n");
+        ByteArrayOutputStream html = new ByteArrayOutputStream();
+        ReplayException problem = assertThrows(ReplayException.class, () -> ReplayPage.write(file, html, "t"));
+        assertTrue(problem.getMessage().startsWith(file + ":1"), problem.getMessage());
+        assertThrows(NoSuchFileException.class, () -> ReplayPage.write(folder.resolve("none"), html, "t"));
+        assertThrows(ReplayException.class, () -> ReplayPage.write(folder, html, "t"));
+        assertEquals(0, html.size(), "nothing is written of a page that cannot be");
+    }
+
+    @Test
+    void refusesANewerFormatAndADamagedReplay() {
+        String text = new String(duel(), StandardCharsets.UTF_8);
+        byte[] newer = text.replaceFirst("\"format\":\\d+", "\"format\":999").getBytes(StandardCharsets.UTF_8);
+        assertTrue(assertThrows(ReplayException.class, () -> page(newer, "t")).getMessage().contains("999"));
+        int middle = text.indexOf('\n', text.length() / 2) + 1;
+        byte[] damaged = (text.substring(0, middle) + "{\n" + text.substring(middle)).getBytes(StandardCharsets.UTF_8);
+        assertThrows(ReplayException.class, () -> page(damaged, "t"));
+    }
+}

@@ -1,0 +1,62 @@
+package steward.replay.page;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.regex.Matcher;
+import tools.jackson.databind.json.JsonMapper;
+
+/** Writes pages for tests, of replays as they are or tampered with. */
+final class PageTestPages {
+
+    private final Path folder;
+    private int written;
+
+    PageTestPages(Path folder) {
+        this.folder = folder;
+    }
+
+    /** A page of a replay. */
+    Path page(byte[] replay, String title) {
+        Path page = folder.resolve("page-" + ++written + ".html");
+        try (OutputStream html = Files.newOutputStream(page)) {
+            ReplayPage.write(new ByteArrayInputStream(replay), "race.jsonl", html, title);
+        } catch (IOException e) {
+            throw new AssertionError(e);
+        }
+        return page;
+    }
+
+    /** A page that waits for turns, with nobody there to send any. */
+    Path live(String title) {
+        Path page = folder.resolve("page-" + ++written + ".html");
+        try (OutputStream html = Files.newOutputStream(page)) {
+            ReplayPage.writeLive(html, title, "feed", null);
+        } catch (IOException e) {
+            throw new AssertionError(e);
+        }
+        return page;
+    }
+
+    /** The replay with every message that player 0 gives replaced. */
+    static byte[] withMessage(byte[] replay, String message) {
+        return replaced(replay, "\"messages\":\\[\"[^\"]*\"", "\"messages\":[" + quote(message));
+    }
+
+    /** The replay with everything that player 0 writes to stderr replaced. */
+    static byte[] withStderr(byte[] replay, String stderr) {
+        return replaced(replay, "\"stderr\":\\[\"[^\"]*\"", "\"stderr\":[" + quote(stderr));
+    }
+
+    private static byte[] replaced(byte[] replay, String pattern, String by) {
+        return new String(replay, StandardCharsets.UTF_8)
+            .replaceAll(pattern, Matcher.quoteReplacement(by)).getBytes(StandardCharsets.UTF_8);
+    }
+
+    private static String quote(String text) {
+        return JsonMapper.shared().writeValueAsString(text);
+    }
+}
