@@ -1,20 +1,19 @@
 package steward.bench;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.lang.management.ManagementFactory;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import steward.files.CsvFile;
+import steward.files.OutputFiles;
 import steward.game.JsonNumbers;
-import tools.jackson.core.JsonGenerator;
-import tools.jackson.core.ObjectWriteContext;
+import steward.game.JsonObject;
+import steward.text.CsvRow;
 
 /**
  * The table in files. {@code bench.csv} grows row by row, {@code bench.json} is replaced by one with the new row: both
@@ -35,7 +34,7 @@ public final class BenchFiles implements AutoCloseable {
     private final String machine;
     private final String date;
     private final double load = load();
-    private final OutputStream csv;
+    private final CsvFile csv;
     private final List<Row> rows = new ArrayList<>();
 
     /**
@@ -50,8 +49,8 @@ public final class BenchFiles implements AutoCloseable {
         this.folder = folder;
         this.machine = machine;
         this.date = date;
-        csv = Files.newOutputStream(folder.resolve(CSV));
-        csv.write("section,name,unit,perSecond,nanos,ratio,bytes,note\n".getBytes(StandardCharsets.UTF_8));
+        csv = new CsvFile(folder.resolve(CSV),
+            "section", "name", "unit", "perSecond", "nanos", "ratio", "bytes", "note");
         writeJson();
     }
 
@@ -64,17 +63,16 @@ public final class BenchFiles implements AutoCloseable {
     public void add(Row row) {
         rows.add(row);
         try {
-            csv.write((String.join(",", row.section(), quoted(row.name()), row.unit(), number(row.perSecond()),
-                number(row.nanos()), number(row.ratio()), number(row.bytes()), quoted(row.note())) + "\n")
-                .getBytes(StandardCharsets.UTF_8));
+            csv.add(new CsvRow().words(row.section()).text(row.name()).words(row.unit(), number(row.perSecond()),
+                number(row.nanos()), number(row.ratio()), number(row.bytes())).text(row.note()));
             writeJson();
         } catch (IOException problem) {
-            throw new UncheckedIOException(folder + ": cannot be written into: " + problem.getMessage(), problem);
+            throw unwritable(problem);
         }
     }
 
-    private static String quoted(String text) {
-        return '"' + text.replace("\"", "\"\"") + '"';
+    private UncheckedIOException unwritable(IOException problem) {
+        return new UncheckedIOException(folder + ": cannot be written into: " + problem.getMessage(), problem);
     }
 
     private static String number(double value) {
@@ -82,15 +80,11 @@ public final class BenchFiles implements AutoCloseable {
     }
 
     private void writeJson() throws IOException {
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), bytes)) {
-            out.writeStartObject();
+        byte[] object = JsonObject.of(out -> {
             out.writeStringProperty("type", "bench");
             out.writeStringProperty("machine", machine);
             out.writeStringProperty("date", date);
-            out.writeArrayPropertyStart("rows");
-            for (Row row : rows) {
-                out.writeStartObject();
+            JsonObject.writeAll(out, "rows", rows, row -> {
                 out.writeStringProperty("section", row.section());
                 out.writeStringProperty("name", row.name());
                 out.writeStringProperty("unit", row.unit());
@@ -99,15 +93,11 @@ public final class BenchFiles implements AutoCloseable {
                 JsonNumbers.writeOrNull(out, "ratio", row.ratio());
                 JsonNumbers.writeOrNull(out, "bytes", row.bytes());
                 out.writeStringProperty("note", row.note());
-                out.writeEndObject();
-            }
-            out.writeEndArray();
-            out.writeEndObject();
-        }
-        bytes.write('\n');
-        Path part = folder.resolve(JSON + ".part");
-        Files.write(part, bytes.toByteArray());
-        Files.move(part, folder.resolve(JSON), StandardCopyOption.REPLACE_EXISTING);
+            });
+        });
+        byte[] line = Arrays.copyOf(object, object.length + 1);
+        line[object.length] = '\n';
+        OutputFiles.replace(folder.resolve(JSON), line);
     }
 
     /** Writes the page; the run is over. */
@@ -116,7 +106,7 @@ public final class BenchFiles implements AutoCloseable {
             Files.writeString(folder.resolve(PAGE), PerformancePage.of(sections, rows,
                 machine, date, String.format(Locale.ROOT, "%.1f when it began and %.1f when it ended", load, load())));
         } catch (IOException problem) {
-            throw new UncheckedIOException(folder + ": cannot be written into: " + problem.getMessage(), problem);
+            throw unwritable(problem);
         }
     }
 
@@ -125,7 +115,7 @@ public final class BenchFiles implements AutoCloseable {
         try {
             csv.close();
         } catch (IOException problem) {
-            throw new UncheckedIOException(folder + ": cannot be written into: " + problem.getMessage(), problem);
+            throw unwritable(problem);
         }
     }
 }

@@ -1,7 +1,6 @@
 package steward.bot;
 
 import java.nio.charset.StandardCharsets;
-import java.util.Arrays;
 import java.util.function.Consumer;
 
 /**
@@ -16,8 +15,7 @@ public final class InProcessPlayer implements Player {
 
     private final String name;
     private final Bot bot;
-    private byte[] told = new byte[256];
-    private int toldLength;
+    private final LineBuffer told = new LineBuffer();
     private boolean over;
     private boolean finished;
 
@@ -40,11 +38,7 @@ public final class InProcessPlayer implements Player {
 
     @Override
     public void tell(byte[] lines, int length) {
-        if (toldLength + length > told.length) {
-            told = Arrays.copyOf(told, Math.max(2 * told.length, toldLength + length));
-        }
-        System.arraycopy(lines, 0, told, toldLength, length);
-        toldLength += length;
+        told.write(lines, 0, length);
     }
 
     @Override
@@ -57,9 +51,9 @@ public final class InProcessPlayer implements Player {
         long start = System.nanoTime();
         String said;
         try {
-            if (toldLength > 0) {
-                bot.setup(text(told, toldLength));
-                toldLength = 0;
+            if (told.size() > 0) {
+                bot.setup(text(told.bytes(), told.size()));
+                told.reset();
             }
             said = bot.turn(text(frame, length));
         } catch (Throwable thrown) {

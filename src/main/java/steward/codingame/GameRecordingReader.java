@@ -2,6 +2,7 @@ package steward.codingame;
 
 import java.util.ArrayList;
 import java.util.List;
+import steward.text.TextFormat;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -164,7 +165,7 @@ final class GameRecordingReader {
 
     /** A text as it stands in an error. */
     static String quote(String text) {
-        return "\"" + (text.length() <= SHOWN ? text : text.substring(0, SHOWN) + "...") + "\"";
+        return "\"" + TextFormat.beginning(text, SHOWN) + "\"";
     }
 
     private IllegalArgumentException wrong(int frame, String where, String found, String expected) {

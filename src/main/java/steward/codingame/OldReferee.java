@@ -17,6 +17,7 @@ import steward.match.Protocol;
 import steward.match.Referee;
 import steward.match.Seat;
 import steward.match.TimeControl;
+import steward.text.TextFormat;
 
 /**
  * A referee for tools that start the bots themselves and pass lines on, both ways on the standard streams:
@@ -92,8 +93,7 @@ public final class OldReferee {
             throw new IllegalArgumentException("the input ends after " + lines.number()
                 + " lines, expected ###Start P");
         }
-        String text = new String(line, StandardCharsets.UTF_8).strip();
-        return text.length() <= 100 ? text : text.substring(0, 100) + "...";
+        return TextFormat.beginning(new String(line, StandardCharsets.UTF_8).strip(), 100);
     }
 
     private long number(String line, String command, String expected) {

@@ -9,6 +9,7 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.OpenOption;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 
 /** Opens the files that replays and pages are written to, before the match is played. */
@@ -79,6 +80,17 @@ public final class OutputFiles {
         } catch (IOException problem) {
             throw new InputException(folder + ": cannot be made: " + reason(folder, problem));
         }
+    }
+
+    /**
+     * Puts a whole file in the place of an older one. Who looks sees one or the other, never a part.
+     *
+     * @throws IOException if it cannot be written
+     */
+    public static void replace(Path file, byte[] content) throws IOException {
+        Path part = file.resolveSibling(file.getFileName() + ".part");
+        Files.write(part, content);
+        Files.move(part, file, StandardCopyOption.REPLACE_EXISTING);
     }
 
     /** Whether both are the same file, there already or about to be; nothing is the same as no file. */

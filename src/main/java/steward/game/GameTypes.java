@@ -42,8 +42,7 @@ public record GameTypes(List<GameType> types) {
             }
             known.add(type.id());
         }
-        String hint = NearestName.of(scene.gameId(), known).map(near -> "; did you mean \"" + near + "\"?").orElse("");
         throw scene.root().error("game", "unknown game \"" + scene.gameId() + "\"",
-            "one of " + String.join(", ", known) + hint);
+            "one of " + String.join(", ", known) + NearestName.question(scene.gameId(), known, "\""));
     }
 }

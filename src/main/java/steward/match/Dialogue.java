@@ -1,6 +1,7 @@
 package steward.match;
 
 import steward.Internal;
+import steward.bot.LineBuffer;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;

@@ -1,5 +1,6 @@
 package steward.match;
 
+import steward.bot.LineBuffer;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;

@@ -8,6 +8,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.ExecutionException;
 import steward.bot.Answer;
+import steward.bot.LineBuffer;
 import steward.bot.Player;
 import steward.bot.process.DaemonThreadPool;
 import steward.game.FrameCodec;

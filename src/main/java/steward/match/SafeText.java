@@ -2,6 +2,7 @@ package steward.match;
 
 import java.nio.charset.StandardCharsets;
 import steward.Internal;
+import steward.text.TextFormat;
 
 /** Makes texts from players safe to print on a terminal and to store in a replay. */
 @Internal
@@ -18,13 +19,8 @@ public final class SafeText {
 
     /** The beginning of a line, with control characters replaced by question marks. */
     public static String line(byte[] bytes, int length) {
-        String line = new String(bytes, 0, Math.min(length, BYTES_PER_CHARACTER * MOST), StandardCharsets.UTF_8)
-            .replaceAll("\\p{Cntrl}", "?");
-        if (line.length() <= MOST) {
-            return line;
-        }
-        int end = Character.isHighSurrogate(line.charAt(MOST - 1)) ? MOST - 1 : MOST;
-        return line.substring(0, end) + "...";
+        String line = new String(bytes, 0, Math.min(length, BYTES_PER_CHARACTER * MOST), StandardCharsets.UTF_8);
+        return TextFormat.beginning(line.replaceAll("\\p{Cntrl}", "?"), MOST);
     }
 
     /**

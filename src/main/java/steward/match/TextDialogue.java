@@ -1,6 +1,7 @@
 package steward.match;
 
 import java.nio.charset.StandardCharsets;
+import steward.bot.LineBuffer;
 import steward.game.TextCodec;
 
 /** A game's line protocol; it has no lines at the end. */

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import steward.Internal;
 import steward.game.JsonNumbers;
+import steward.text.TextFormat;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
@@ -19,6 +20,9 @@ import tools.jackson.core.ObjectReadContext;
  */
 @Internal
 public final class JsonLine {
+
+    /** How much of a value is quoted in an error, in characters. */
+    private static final int SHOWN = 40;
 
     /**
      * A field: where its name stands, and the text of a scalar (null for JSON null), or where an object or array
@@ -186,12 +190,8 @@ public final class JsonLine {
 
     private ReplayException wrong(String name, Value value, String expected) {
         String found = value == null ? "nothing" : value.text() != null ? value.text()
-            : value.token() == JsonToken.VALUE_NULL ? "null" : shorten(slice(value));
+            : value.token() == JsonToken.VALUE_NULL ? "null"
+            : TextFormat.beginning(new String(slice(value), StandardCharsets.UTF_8), SHOWN);
         return new ReplayException(where + ": " + name + ": found " + found + ", expected " + expected);
-    }
-
-    private static String shorten(byte[] json) {
-        String text = new String(json, StandardCharsets.UTF_8);
-        return text.length() <= 40 ? text : text.substring(0, 40) + "...";
     }
 }

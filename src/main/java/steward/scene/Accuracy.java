@@ -120,7 +120,7 @@ public record Accuracy(Way way, int steps, Arithmetic arithmetic) {
         known.addAll(arithmetics.keySet());
         throw refusal(text, "event/ARITHMETIC, step/K or "
             + Wording.oneOf(arithmetics.keySet())
-            + NearestName.of(way, known).map(near -> "; did you mean \"" + near + "\"?").orElse(""));
+            + NearestName.question(way, known, "\""));
     }
 
     private static int parseSteps(String text, String steps) {

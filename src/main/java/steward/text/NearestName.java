@@ -33,6 +33,16 @@ public final class NearestName {
         return Optional.ofNullable(best);
     }
 
+    /**
+     * Ends a message about an unknown word.
+     *
+     * @param quote before and behind the nearest word; may be empty
+     * @return the question whether that was meant, with a semicolon before it; empty if none is near
+     */
+    public static String question(String word, Collection<String> known, String quote) {
+        return of(word, known).map(near -> "; did you mean " + quote + near + quote + "?").orElse("");
+    }
+
     /** Dynamic programming over the prefixes of both words, row by row; a swap refers to the row before the last. */
     private static int distance(String a, String b) {
         int[] beforeLast = new int[b.length() + 1];

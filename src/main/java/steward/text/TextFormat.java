@@ -7,6 +7,7 @@ import java.math.RoundingMode;
 public final class TextFormat {
 
     private static final double NANOS_PER_MS = 1e6;
+    private static final String DOTS = "...";
 
     private TextFormat() {
     }
@@ -50,9 +51,19 @@ public final class TextFormat {
         return text + " ".repeat(Math.max(0, width - text.length()));
     }
 
-    /** At most {@code most} characters; a longer text ends in "...". */
-    public static String shorten(String text, int most) {
-        return text.length() <= most ? text : text.substring(0, most - 3) + "...";
+    /** At most {@code width} characters; a longer text ends in "...". */
+    public static String shorten(String text, int width) {
+        return text.length() <= width ? text : beginning(text, width - DOTS.length());
+    }
+
+    /** The first {@code most} characters, then "..." if there are more. No surrogate pair is split. */
+    public static String beginning(String text, int most) {
+        if (text.length() <= most) {
+            return text;
+        }
+        boolean half = most > 0 && Character.isHighSurrogate(text.charAt(most - 1))
+            && Character.isLowSurrogate(text.charAt(most));
+        return text.substring(0, half ? most - 1 : most) + DOTS;
     }
 
     /**

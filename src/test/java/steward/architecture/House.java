@@ -32,7 +32,7 @@ final class House {
         "replay", "replay.verify", "replay.feed", "replay.page", "contest", "live", "codingame",
         "lab.oracle", "lab.trial", "lab.stability.pairs", "lab.stability.crowds", "lab.stability",
         "lab.calibration", "lab.tradeoff", "lab.tradeoff.report", "bench", "bench.textbook", "bench.section",
-        "cli.shared", "cli.bench", "cli.lab", "cli.replay", "cli.play", "cli");
+        "cli.shared", "cli.options", "cli.bench", "cli.lab", "cli.replay", "cli.play", "cli");
 
     /** Functions whose last bit is up to the machine; sqrt, fma, floor and the like are exact everywhere. */
     private static final Set<String> INEXACT = Set.of("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp",

@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.function.Supplier;
-import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
@@ -53,15 +52,11 @@ class BotLadderTest {
     @ParameterizedTest
     @CsvSource({"1, 2", "3, 2", "8, 2", "2, 4", "8, 8"})
     void theMiddleStepsPlayAnyNumberOfPodsAndPlayers(int pods, int players) {
-        UnaryOperator<String> change = text -> text
-            .replace("\"players\": 2", "\"players\": " + players)
-            .replace("\"perPlayer\": 2", "\"perPlayer\": " + pods)
-            .replace("\"maximumTurns\": 500", "\"maximumTurns\": 60");
         PodBot[] bots = new PodBot[players];
         for (int player = 0; player < players; player++) {
             bots[player] = player % 2 == 0 ? new Contender() : new Regular();
         }
-        MatchResult result = BundledBotMatches.play(BundledBotMatches.scene("mad-pod-racing", change), 5, bots);
+        MatchResult result = BundledBotMatches.play(BundledBotMatches.crowd(pods, players), 5, bots);
         assertFalse(result.anyFault(), result.toString());
         assertEquals(players, result.players().size());
     }

@@ -16,7 +16,7 @@ import steward.scene.SceneFiles;
 import steward.scene.SceneText;
 
 /** Plays bundled bots against each other inside this JVM, without deadlines. */
-final class BundledBotMatches {
+public final class BundledBotMatches {
 
     private BundledBotMatches() {
     }
@@ -30,6 +30,14 @@ final class BundledBotMatches {
     static GameSetup scene(String name, UnaryOperator<String> change) {
         SceneText scene = SceneFiles.load("config/scenes/" + name + ".json");
         return new GameTypes(List.of(new PodRaceType())).open(change.apply(scene.text()), scene.source());
+    }
+
+    /** The official scene for other numbers of pods and players, over after 60 turns. */
+    static GameSetup crowd(int pods, int players) {
+        return scene("mad-pod-racing", text -> text
+            .replace("\"players\": 2", "\"players\": " + players)
+            .replace("\"perPlayer\": 2", "\"perPlayer\": " + pods)
+            .replace("\"maximumTurns\": 500", "\"maximumTurns\": 60"));
     }
 
     /** Plays one match, one bot per player. */
@@ -58,7 +66,7 @@ final class BundledBotMatches {
     }
 
     /** The bot as the referee knows it. */
-    static Bot asBot(PodBot bot) {
+    public static Bot asBot(PodBot bot) {
         return new Bot() {
             @Override
             public void setup(String line) {

@@ -15,7 +15,6 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import steward.cli.shared.ExitStatus;
 import steward.scene.SceneFiles;
 
 /** Calls and inputs that cannot be used: each with its message on stderr, status 2, and nothing played or written. */
@@ -24,12 +23,8 @@ class BadInputTest {
     @TempDir
     private Path folder;
 
-    private void refused(String message, String... arguments) {
-        Cli cli = Cli.run(arguments);
-        assertEquals(ExitStatus.UNUSABLE, cli.status(), cli.err());
-        assertTrue(cli.err().startsWith("steward: ") && cli.err().contains(message), cli.err());
-        assertFalse(cli.err().contains("\tat "), cli.err());
-        assertEquals("", cli.out());
+    private static void refused(String message, String... arguments) {
+        Cli.run(arguments).assertRefused(message);
     }
 
     static Stream<Arguments> calls() {

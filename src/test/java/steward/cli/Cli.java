@@ -1,7 +1,12 @@
 package steward.cli;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
+import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Streams;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -26,6 +31,14 @@ public record Cli(int status, String out, String err) {
         ByteArrayOutputStream err = new ByteArrayOutputStream();
         int status = Main.run(new Streams(out, err, terminal, terminal), arguments);
         return new Cli(status, out.toString(StandardCharsets.UTF_8), err.toString(StandardCharsets.UTF_8));
+    }
+
+    /** Refused with status 2 and a message that has these words; nothing on the standard output, no stack trace. */
+    public void assertRefused(String message) {
+        assertEquals(ExitStatus.UNUSABLE, status, out + err);
+        assertTrue(err.startsWith("steward: ") && err.contains(message), err);
+        assertFalse(err.contains("\tat "), err);
+        assertEquals("", out);
     }
 
     /** The output, which must be one JSON value on one line. */

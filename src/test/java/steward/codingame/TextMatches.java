@@ -5,12 +5,11 @@ import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.Function;
-import steward.bot.Bot;
+import java.util.function.UnaryOperator;
 import steward.bot.InProcessPlayer;
-import steward.bot.Player;
+import steward.bot.TestBots;
 import steward.bot.process.BotProcess;
-import steward.bots.PodBot;
+import steward.bots.BundledBotMatches;
 import steward.bots.Racer;
 import steward.game.GameSetup;
 import steward.match.MatchResult;
@@ -25,7 +24,7 @@ import steward.replay.ReplayWriter;
 import steward.replay.verify.Verification;
 
 /**
- * Matches between bots that speak lines and bots that speak JSON, recorded in memory.
+ * BundledBotMatches between bots that speak lines and bots that speak JSON, recorded in memory.
  *
  * @param result what the referee said
  * @param replay the replay
@@ -75,36 +74,11 @@ record TextMatches(MatchResult result, byte[] replay) {
 
     /** The bundled plain bot, which speaks JSON, inside this JVM. */
     static Seat racer() {
-        return new Seat(new InProcessPlayer("racer", asBot(new Racer())), Protocol.JSON);
+        return new Seat(new InProcessPlayer("racer", BundledBotMatches.asBot(new Racer())), Protocol.JSON);
     }
 
     /** A bot of CodinGame's lines inside this JVM: from what it is told or sent to its answer. */
-    static Seat lines(String name, Function<String, String> answers) {
-        Player player = new InProcessPlayer(name, new Bot() {
-            @Override
-            public void setup(String lines) {
-                // Told to bots in some leagues only.
-            }
-
-            @Override
-            public String turn(String lines) {
-                return answers.apply(lines);
-            }
-        });
-        return new Seat(player, Protocol.CODINGAME);
-    }
-
-    private static Bot asBot(PodBot bot) {
-        return new Bot() {
-            @Override
-            public void setup(String line) {
-                bot.setup(line);
-            }
-
-            @Override
-            public String turn(String line) {
-                return bot.turn(line);
-            }
-        };
+    static Seat lines(String name, UnaryOperator<String> answers) {
+        return new Seat(new InProcessPlayer(name, TestBots.answering(answers)), Protocol.CODINGAME);
     }
 }

@@ -2,12 +2,11 @@ package steward.codingame;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.Consumer;
 import java.util.function.IntFunction;
-import steward.bot.Answer;
 import steward.bot.Bot;
 import steward.bot.InProcessPlayer;
 import steward.bot.Player;
+import steward.bot.StderrPlayer;
 import steward.game.GameSetup;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
@@ -60,48 +59,8 @@ final class TextPilot implements Bot {
         List<Seat> seats = new ArrayList<>();
         for (int player = 0; player < fails.length; player++) {
             Player pilot = new InProcessPlayer("pilot-" + player, new TextPilot(fails[player]));
-            seats.add(new Seat(player == 0 ? new Talking(pilot, stderr) : pilot, Protocol.CODINGAME));
+            seats.add(new Seat(player == 0 ? new StderrPlayer(pilot, stderr) : pilot, Protocol.CODINGAME));
         }
         return Referee.of(setup, 7, seats, TimeControl.UNLIMITED, listener).play();
-    }
-
-    /** Writes to stderr as well. */
-    private static final class Talking implements Player {
-
-        private final Player player;
-        private final IntFunction<String> stderr;
-        private int turn;
-
-        Talking(Player player, IntFunction<String> stderr) {
-            this.player = player;
-            this.stderr = stderr;
-        }
-
-        @Override
-        public String name() {
-            return player.name();
-        }
-
-        @Override
-        public void tell(byte[] lines, int length) {
-            player.tell(lines, length);
-        }
-
-        @Override
-        public Ending ask(byte[] frame, int length, int answerLines, long limitNanos, Answer answer) {
-            Ending ending = player.ask(frame, length, answerLines, limitNanos, answer);
-            answer.setStderr(stderr.apply(++turn));
-            return ending;
-        }
-
-        @Override
-        public void onAbandoned(Consumer<Answer> continuation) {
-            player.onAbandoned(continuation);
-        }
-
-        @Override
-        public void finish(byte[] lines, int length) {
-            player.finish(lines, length);
-        }
     }
 }

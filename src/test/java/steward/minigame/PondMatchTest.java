@@ -10,6 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import steward.bot.Bot;
+import steward.bot.TestBots;
 import steward.match.MatchResult;
 import steward.minigame.PondMatches.Played;
 import steward.replay.verify.Verification;
@@ -57,18 +58,7 @@ class PondMatchTest {
     /** Whoever pushes too hard in turn 4 is out with a reason, without a body; the others play on. */
     @Test
     void aFaultTakesAPlayerOutAndTheOthersPlayOn() throws InterruptedException {
-        Bot wild = new Bot() {
-            private int turns;
-
-            @Override
-            public void setup(String line) {
-            }
-
-            @Override
-            public String turn(String line) {
-                return "{\"push\":{\"x\":" + (++turns == 4 ? 26 : 3) + ",\"y\":0}}";
-            }
-        };
+        Bot wild = TestBots.byTurn(turn -> "{\"push\":{\"x\":" + (turn == 4 ? 26 : 3) + ",\"y\":0}}");
         Played played = PondMatches.play(PondMatches.changed(), 2,
             List.of(new PondBot("cell"), wild, new PondBot("cell")));
         MatchResult.PlayerResult out = played.result().players().get(1);
@@ -84,16 +74,7 @@ class PondMatchTest {
     /** Three who never move: ranks 0, 0, 0 after the last turn. */
     @Test
     void whoDoesNothingTies() throws InterruptedException {
-        Bot idle = new Bot() {
-            @Override
-            public void setup(String line) {
-            }
-
-            @Override
-            public String turn(String line) {
-                return "{\"push\":{\"x\":0,\"y\":0}}";
-            }
-        };
+        Bot idle = TestBots.answering(line -> "{\"push\":{\"x\":0,\"y\":0}}");
         Played played = PondMatches.play(PondMatches.changed("\"bubbles\": 8, \"cells\": 6",
             "\"bubbles\": 0, \"cells\": 0", "\"fogs\": 3", "\"fogs\": 0"), 1, List.of(idle, idle, idle));
         assertEquals("at most 150 turns are played", played.result().ending());

@@ -17,6 +17,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.bot.Bot;
+import steward.bot.TestBots;
 import steward.match.SeededBot;
 import steward.match.TestScenes;
 import steward.replay.verify.Verification;
@@ -27,19 +28,8 @@ class CutReplayTest {
 
     /** Seven turns with a message beyond ASCII, rammed pods and a fault. */
     private static Recorded small() {
-        Bot talker = new Bot() {
-            private int turns;
-
-            @Override
-            public void setup(String line) {
-            }
-
-            @Override
-            public String turn(String line) {
-                return ++turns == 7 ? "\u00e4\uD83D\uDE00"
-                    : "{\"pods\":[{\"x\":5500.5,\"y\":3000,\"boost\":true}],\"message\":\"\u00e4\uD83D\uDE00\"}";
-            }
-        };
+        Bot talker = TestBots.byTurn(turn -> turn == 7 ? "\u00e4\uD83D\uDE00"
+            : "{\"pods\":[{\"x\":5500.5,\"y\":3000,\"boost\":true}],\"message\":\"\u00e4\uD83D\uDE00\"}");
         return Recorded.of(TestScenes.open("duel"), 3, List.of(talker, new SeededBot(3, 1)));
     }
 

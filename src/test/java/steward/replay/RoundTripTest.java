@@ -14,6 +14,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import steward.bot.Bot;
+import steward.bot.TestBots;
 import steward.game.GameSetup;
 import steward.match.SeededBot;
 import steward.match.TestScenes;
@@ -60,16 +61,7 @@ class RoundTripTest {
 
     @Test
     void aPlayerThatNeverAnswersWellAndOneThatStopsAnswering() {
-        Bot wrong = new Bot() {
-            @Override
-            public void setup(String line) {
-            }
-
-            @Override
-            public String turn(String line) {
-                return "half: \uD83D, whole: \uD83D\uDE00, \"quoted\"";
-            }
-        };
+        Bot wrong = TestBots.answering(line -> "half: \uD83D, whole: \uD83D\uDE00, \"quoted\"");
         Bot stops = new Bot() {
             private final SeededBot bot = new SeededBot(1, 0);
             private int turns;
@@ -101,19 +93,8 @@ class RoundTripTest {
     /** JSON can spell half a character in a message; UTF-8 cannot, so the match would be lost in the writing. */
     @Test
     void aMessageWithHalfACharacterIsKept() {
-        Bot bot = new Bot() {
-            private int turns;
-
-            @Override
-            public void setup(String line) {
-            }
-
-            @Override
-            public String turn(String line) {
-                return ++turns > 2 ? null
-                    : "{\"pods\":[{\"x\":1,\"y\":2,\"thrust\":3}],\"message\":\"a\\ud83d \\ud83d\\ude00\\u0000\"}";
-            }
-        };
+        Bot bot = TestBots.byTurn(turn -> turn > 2 ? null
+            : "{\"pods\":[{\"x\":1,\"y\":2,\"thrust\":3}],\"message\":\"a\\ud83d \\ud83d\\ude00\\u0000\"}");
         Recorded match = Recorded.of(TestScenes.open("duel"), 1, List.of(bot, new SeededBot(2, 0)));
 
         assertEquals(new Verification(3, null, null), match.verify());

@@ -14,9 +14,9 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import steward.bot.Bot;
 import steward.bot.InProcessPlayer;
 import steward.bot.process.BotProcess;
+import steward.bots.BundledBotMatches;
 import steward.bots.Racer;
 import steward.cli.Main;
 import steward.match.MatchListener;
@@ -60,7 +60,8 @@ class ReadmeTest {
         assumeTrue(runs(python), "skipped: there is no python3 on the PATH");
         Path bot = Files.writeString(folder.resolve("bot.py"), block("python", 0));
         MatchResult result = new Referee(TestScenes.open("mad-pod-racing"), 7,
-            List.of(new BotProcess("me", List.of(python, bot.toString())), new InProcessPlayer("racer", racer())),
+            List.of(new BotProcess("me", List.of(python, bot.toString())),
+                new InProcessPlayer("racer", BundledBotMatches.asBot(new Racer()))),
             TimeControl.UNLIMITED, new MatchListener() { }).play();
 
         assertNull(result.players().get(0).fault());
@@ -95,20 +96,5 @@ class ReadmeTest {
         } catch (IOException | InterruptedException problem) {
             return false;
         }
-    }
-
-    private static Bot racer() {
-        Racer racer = new Racer();
-        return new Bot() {
-            @Override
-            public void setup(String line) {
-                racer.setup(line);
-            }
-
-            @Override
-            public String turn(String line) {
-                return racer.turn(line);
-            }
-        };
     }
 }

@@ -35,4 +35,11 @@ class NearestNameTest {
         assertEquals(Optional.of("mass"), NearestName.of("mats", List.of("mass", "maps")));
         assertEquals(Optional.empty(), NearestName.of("mats", List.of()));
     }
+
+    @Test
+    void theQuestionEndsAMessage() {
+        assertEquals("; did you mean 'mass'?", NearestName.question("mas", KNOWN, "'"));
+        assertEquals("; did you mean mass?", NearestName.question("mas", KNOWN, ""));
+        assertEquals("", NearestName.question("length", KNOWN, "'"));
+    }
 }

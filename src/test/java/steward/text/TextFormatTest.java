@@ -32,4 +32,30 @@ class TextFormatTest {
         assertEquals("one  two", TextFormat.wrap("one  two", "  ", 14, "    "));
         assertEquals("alongitemthatfitsnowhere,\n  b", TextFormat.wrap("alongitemthatfitsnowhere, b", ", ", 10, "  "));
     }
+
+    @Test
+    void aShortenedTextFitsItsColumn() {
+        assertEquals("veteran", TextFormat.shorten("veteran", 7));
+        assertEquals("vet...", TextFormat.shorten("veteran", 6));
+        assertEquals("", TextFormat.shorten("", 0));
+    }
+
+    @Test
+    void aBeginningHasSoManyCharactersOfTheText() {
+        assertEquals("veteran", TextFormat.beginning("veteran", 7));
+        assertEquals("vetera...", TextFormat.beginning("veteran", 6));
+        assertEquals("...", TextFormat.beginning("veteran", 0));
+    }
+
+    @Test
+    void noSurrogatePairIsCutInHalf() {
+        String faces = "a\uD83D\uDE00\uD83D\uDE00b";
+        assertEquals("a...", TextFormat.beginning(faces, 2));
+        assertEquals("a\uD83D\uDE00...", TextFormat.beginning(faces, 3));
+        assertEquals("a\uD83D\uDE00...", TextFormat.beginning(faces, 4));
+        assertEquals("a\uD83D\uDE00\uD83D\uDE00...", TextFormat.beginning(faces, 5));
+        assertEquals(faces, TextFormat.beginning(faces, 6));
+        assertEquals("a...", TextFormat.shorten(faces, 5));
+        assertEquals("half \uD83D...", TextFormat.beginning("half \uD83D of one", 6));
+    }
 }

@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Properties;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import steward.text.NearestName;
 
 /**
  * The bots bundled with the program: ordinary bot programs, started as processes of the JVM that runs the referee.
@@ -97,31 +98,8 @@ public final class BuiltinBots {
         if (mains.isEmpty()) {
             return problem + ": this installation has none (no " + RESOURCE + " on the class path)";
         }
-        String nearest = mains.firstKey();
-        for (String each : mains.keySet()) {
-            nearest = distance(name, each) < distance(name, nearest) ? each : nearest;
-        }
-        boolean near = distance(name, nearest) <= 1 + name.length() / 3;
-        return problem + (near ? "; did you mean '" + nearest + "'? There are: " : "; there are: ")
+        String question = NearestName.question(name, mains.keySet(), "'");
+        return problem + (question.isEmpty() ? "; there are: " : question + " There are: ")
             + String.join(", ", mains.keySet());
-    }
-
-    /** How many letters must be put in, taken out or replaced to turn one word into the other, whatever their case. */
-    static int distance(String one, String other) {
-        int[] row = new int[other.length() + 1];
-        for (int j = 0; j < row.length; j++) {
-            row[j] = j;
-        }
-        for (int i = 1; i <= one.length(); i++) {
-            int diagonal = row[0];
-            row[0] = i;
-            for (int j = 1; j < row.length; j++) {
-                boolean same = Character.toLowerCase(one.charAt(i - 1)) == Character.toLowerCase(other.charAt(j - 1));
-                int replaced = diagonal + (same ? 0 : 1);
-                diagonal = row[j];
-                row[j] = Math.min(replaced, 1 + Math.min(row[j], row[j - 1]));
-            }
-        }
-        return row[other.length()];
     }
 }

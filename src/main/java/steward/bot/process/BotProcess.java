@@ -14,6 +14,7 @@ import java.util.function.Consumer;
 import steward.bot.Answer;
 import steward.bot.AnswerReader;
 import steward.bot.FaultMessages;
+import steward.bot.LineBuffer;
 import steward.bot.Player;
 import steward.bot.command.BotCommand;
 
@@ -56,8 +57,7 @@ public final class BotProcess implements Player {
     private final Deadline deadline = new Deadline(Watchdog.shared(), alarm);
     private volatile Consumer<Answer> continuation;
 
-    private byte[] queued = new byte[256];
-    private int queuedLength;
+    private final LineBuffer queued = new LineBuffer();
 
     private StderrFile stderr;
     private OutputStream input;
@@ -123,11 +123,7 @@ public final class BotProcess implements Player {
 
     @Override
     public void tell(byte[] lines, int length) {
-        if (queuedLength + length > queued.length) {
-            queued = Arrays.copyOf(queued, Math.max(2 * queued.length, queuedLength + length));
-        }
-        System.arraycopy(lines, 0, queued, queuedLength, length);
-        queuedLength += length;
+        queued.write(lines, 0, length);
     }
 
     @Override
@@ -228,11 +224,11 @@ public final class BotProcess implements Player {
     private void send(byte[] frame, int length) {
         byte[] bytes = frame;
         int count = length;
-        if (queuedLength > 0) {
+        if (queued.size() > 0) {
             tell(frame, length);
-            bytes = queued;
-            count = queuedLength;
-            queuedLength = 0;
+            bytes = queued.bytes();
+            count = queued.size();
+            queued.reset();
         }
         try {
             input.write(bytes, 0, count);

@@ -1,7 +1,5 @@
 package steward.cli.bench;
 
-import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.LocalDate;
 import java.time.ZoneOffset;
@@ -11,10 +9,13 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.bench.BenchFiles;
 import steward.bench.Effort;
 import steward.bench.Section;
+import steward.cli.options.CallCheck;
+import steward.cli.options.TableFolder;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Interruption;
 import steward.cli.shared.ProgressLine;
@@ -22,7 +23,6 @@ import steward.cli.shared.Streams;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.lab.tradeoff.TradeoffMachine;
-import steward.text.NearestName;
 import steward.text.TextFormat;
 
 /** {@code steward bench}: how fast pod turns, matches, frames, replays, bot processes and crowds are. */
@@ -34,8 +34,6 @@ import steward.text.TextFormat;
         "", "Exit status: 0 done; 1 something could not be measured; 2 the call cannot be used; 130 Ctrl-C."})
 public final class BenchCommand implements Callable<Integer> {
 
-    private static final int MOST_THREADS = 256;
-    private static final int MOST_GAMES = 1_000_000;
     private static final List<Integer> BODIES = List.of(100, 1000, 10_000, 100_000);
     private static final List<Integer> QUICK_BODIES = List.of(100, 1000);
     private static final int MILLION = 1_000_000;
@@ -44,6 +42,7 @@ public final class BenchCommand implements Callable<Integer> {
     private static final long PATIENCE_MS = 2000;
 
     private final Streams streams;
+    private final CallCheck check = CallCheck.brief();
     private final Thread measuring = Thread.currentThread();
     private final CountDownLatch told = new CountDownLatch(1);
     private volatile boolean interrupted;
@@ -73,8 +72,8 @@ public final class BenchCommand implements Callable<Integer> {
         + " into a folder, row by row, and in the end " + BenchFiles.PAGE + ".")
     private String out;
 
-    @Option(names = "--overwrite", description = "Replaces the files if they exist.")
-    private boolean overwrite;
+    @Mixin
+    private final TableFolder tables = new TableFolder();
 
     public BenchCommand(Streams streams) {
         this.streams = streams;
@@ -82,13 +81,11 @@ public final class BenchCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        check(!(full && quick), "--long and --quick exclude each other");
-        check(!overwrite || out != null, "--overwrite: expected --out");
-        check(games == null || games >= 1 && games <= MOST_GAMES,
-            "--games: found " + games + ", expected 1 to " + MOST_GAMES);
-        check(threads == null || threads >= 1 && threads <= MOST_THREADS,
-            "--threads: found " + threads + ", expected 1 to " + MOST_THREADS);
-        List<Section> sections = chosen(sections());
+        check.exclusive("--long", full, "--quick", quick);
+        tables.check(out);
+        check.games(games);
+        check.threads(threads);
+        List<Section> sections = check.chosen("--only", only, sections(), Section::name, ", ");
         if (out == null) {
             try (Interruption interruption = new Interruption(streams, () -> stopped("what was measured is above"))) {
                 int status = measure(sections, null);
@@ -97,7 +94,8 @@ public final class BenchCommand implements Callable<Integer> {
             }
         }
         Path folder = OutputFiles.path(out);
-        try (BenchFiles files = files(folder);
+        try (BenchFiles files = tables.start(folder, BenchFiles.ALL, List.of(BenchFiles.PAGE),
+                    () -> new BenchFiles(folder, TradeoffMachine.line(), LocalDate.now(ZoneOffset.UTC).toString()));
                 Interruption interruption = new Interruption(streams,
                     () -> stopped("the rows so far are in " + folder))) {
             int status = measure(sections, files);
@@ -106,12 +104,6 @@ public final class BenchCommand implements Callable<Integer> {
                 interruption.over();
             }
             return status;
-        }
-    }
-
-    private static void check(boolean right, String problem) {
-        if (!right) {
-            throw new InputException(problem);
         }
     }
 
@@ -125,28 +117,6 @@ public final class BenchCommand implements Callable<Integer> {
                 games == null ? quick ? 200 : 2000 : games, crowds);
         } catch (IllegalArgumentException problem) {
             throw new InputException("--bodies: " + problem.getMessage());
-        }
-    }
-
-    private List<Section> chosen(List<Section> all) {
-        List<String> known = all.stream().map(Section::name).toList();
-        for (String name : only) {
-            check(known.contains(name), "--only: found '" + name + "', expected one of " + String.join(", ", known)
-                + NearestName.of(name, known).map(near -> "; did you mean '" + near + "'?").orElse(""));
-        }
-        return only.isEmpty() ? all : all.stream().filter(each -> only.contains(each.name())).toList();
-    }
-
-    private BenchFiles files(Path folder) {
-        OutputFiles.prepareFolder(folder);
-        for (String name : BenchFiles.ALL) {
-            OutputFiles.check(folder.resolve(name), overwrite);
-        }
-        try {
-            Files.deleteIfExists(folder.resolve(BenchFiles.PAGE));
-            return new BenchFiles(folder, TradeoffMachine.line(), LocalDate.now(ZoneOffset.UTC).toString());
-        } catch (IOException problem) {
-            throw new InputException(folder + ": cannot be written into: " + problem.getMessage());
         }
     }
 
@@ -180,8 +150,8 @@ public final class BenchCommand implements Callable<Integer> {
         for (Section section : sections) {
             table.begin(section);
             String task = part++ + " of " + sections.size() + ": " + section.name();
-            try (ProgressLine progress = progress(task, section.steps(effort))) {
-                section.run(effort, about -> step(progress), row -> {
+            try (ProgressLine progress = ProgressLine.watched(streams, task, section.steps(effort))) {
+                section.run(effort, about -> ProgressLine.step(progress), row -> {
                     any = true;
                     if (files != null) {
                         files.add(row);
@@ -204,16 +174,5 @@ public final class BenchCommand implements Callable<Integer> {
             table.release();
         }
         return status;
-    }
-
-    /** @return {@code null} where nobody watches */
-    private ProgressLine progress(String task, int steps) {
-        return streams.errTerminal() ? new ProgressLine(streams.err(), task, steps) : null;
-    }
-
-    private static void step(ProgressLine progress) {
-        if (progress != null) {
-            progress.step();
-        }
     }
 }

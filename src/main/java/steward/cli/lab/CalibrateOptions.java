@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import picocli.CommandLine.Option;
+import steward.cli.options.CallCheck;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
 import steward.cli.shared.Streams;
@@ -19,6 +20,8 @@ import steward.scene.SceneFiles;
 final class CalibrateOptions {
 
     private static final int MOST_STATES = 10_000_000;
+
+    private final CallCheck check = CallCheck.brief();
 
     @Option(names = "--calibrate", paramLabel = "SCENE", description = "Instead: measure how far off each rung is in "
         + "this scene and write it to NAME.accuracy.json beside the file (or into --out), where a scene that states "
@@ -39,12 +42,8 @@ final class CalibrateOptions {
      * @param out a folder for the figures, or {@code null} to put them beside the scenes
      */
     int run(Streams streams, String out, boolean overwrite) throws InterruptedException {
-        if (scenes.isEmpty()) {
-            throw new InputException("--states: expected --calibrate with it");
-        }
-        if (states != null && (states < 1 || states > MOST_STATES)) {
-            throw new InputException("--states: found " + states + ", expected 1 to " + MOST_STATES);
-        }
+        check.that(!scenes.isEmpty(), "--states: expected --calibrate with it");
+        check.range("--states", states, 1, MOST_STATES);
         List<CalibrationRun> all = new ArrayList<>();
         List<Path> files = new ArrayList<>();
         for (String scene : scenes) {

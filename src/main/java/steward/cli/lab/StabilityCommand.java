@@ -1,18 +1,17 @@
 package steward.cli.lab;
 
-import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
-import java.util.function.Function;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
+import steward.cli.options.CallCheck;
+import steward.cli.options.TableFolder;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Interruption;
 import steward.cli.shared.Streams;
-import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.lab.stability.GoldenHash;
 import steward.lab.stability.StabilityCases;
@@ -22,7 +21,6 @@ import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
 import steward.lab.trial.StabilityCase;
 import steward.numerics.StateHash;
-import steward.text.NearestName;
 
 /** {@code steward stability}: the physics at the numerical extremes, compared with what is demanded. */
 @Command(name = "stability", description = "Tries the physics at the numerical extremes, on every rung of accuracy, "
@@ -37,6 +35,7 @@ public final class StabilityCommand implements Callable<Integer> {
     private static final long MOST_IMPACTS = 1_000_000_000_000L;
 
     private final Streams streams;
+    private final CallCheck check = CallCheck.brief();
 
     @Option(names = "--long", description = "The long versions: hours.")
     private boolean full;
@@ -58,8 +57,8 @@ public final class StabilityCommand implements Callable<Integer> {
         + StabilityFiles.JSON + " in a folder too, row by row.")
     private String out;
 
-    @Option(names = "--overwrite", description = "Replaces the files if they exist.")
-    private boolean overwrite;
+    @Mixin
+    private final TableFolder tables = new TableFolder();
 
     @Option(names = "--golden", description = "Prints the hash of all that is computed instead; it must be the same on "
         + "every machine.")
@@ -71,31 +70,25 @@ public final class StabilityCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        if (full && quick) {
-            throw new InputException("--long and --quick exclude each other");
-        }
-        if (overwrite && out == null) {
-            throw new InputException("--overwrite: expected --out");
-        }
-        if (impacts != null && !(impacts >= 1 && impacts <= MOST_IMPACTS)) {
-            throw new InputException("--impacts: found " + impacts + ", expected 1 to " + MOST_IMPACTS);
-        }
+        check.exclusive("--long", full, "--quick", quick);
+        tables.check(out);
+        check.range("--impacts", impacts, 1, MOST_IMPACTS);
         RunLength size = full ? RunLength.LONG : quick ? RunLength.SMALL : RunLength.NORMAL;
         if (golden) {
-            if (out != null || !names.isEmpty() || !rungNames.isEmpty() || impacts != null) {
-                throw new InputException("--golden goes with --quick or --long only");
-            }
+            check.that(out == null && names.isEmpty() && rungNames.isEmpty() && impacts == null,
+                "--golden goes with --quick or --long only");
             return golden(size);
         }
-        List<StabilityCase> cases = chosen("--case", names, StabilityCases.all(impacts == null ? 0 : impacts),
-            StabilityCase::name);
-        List<Rung> rungs = chosen("--rung", rungNames, Rung.all(), Rung::name);
+        List<StabilityCase> cases = check.chosen("--case", names, StabilityCases.all(impacts == null ? 0 : impacts),
+            StabilityCase::name, "; ");
+        List<Rung> rungs = check.chosen("--rung", rungNames, Rung.all(), Rung::name, "; ");
         StabilityTable table = new StabilityTable(streams, cases.size() * rungs.size());
         if (out == null) {
             return table(cases, rungs, size, table, null, "the rows so far are above");
         }
         Path folder = OutputFiles.path(out);
-        try (StabilityFiles files = files(folder, size)) {
+        try (StabilityFiles files = tables.start(folder, StabilityFiles.ALL, List.of(),
+            () -> new StabilityFiles(folder, size))) {
             return table(cases, rungs, size, table, files, "the rows so far are in " + folder);
         }
     }
@@ -107,32 +100,6 @@ public final class StabilityCommand implements Callable<Integer> {
         }
         streams.out().println(StateHash.toHex(GoldenHash.total(parts)) + "  all");
         return ExitStatus.DONE;
-    }
-
-    private static <T> List<T> chosen(String option, List<String> names, List<T> all, Function<T, String> nameOf) {
-        List<String> known = all.stream().map(nameOf).toList();
-        for (String name : names) {
-            if (!known.contains(name)) {
-                throw new InputException(option + ": found '" + name + "', expected one of " + String.join("; ", known)
-                    + NearestName.of(name, known).map(near -> "; did you mean '" + near + "'?").orElse(""));
-            }
-        }
-        return names.isEmpty() ? all : all.stream().filter(each -> names.contains(nameOf.apply(each))).toList();
-    }
-
-    private StabilityFiles files(Path folder, RunLength size) {
-        OutputFiles.prepareFolder(folder);
-        for (String name : List.of(StabilityFiles.CSV, StabilityFiles.JSON)) {
-            Path file = folder.resolve(name);
-            if (Files.exists(file) && !overwrite) {
-                throw OutputFiles.exists(file);
-            }
-        }
-        try {
-            return new StabilityFiles(folder, size);
-        } catch (IOException problem) {
-            throw new InputException(folder + ": cannot be written into: " + problem.getMessage());
-        }
     }
 
     private int table(List<StabilityCase> cases, List<Rung> rungs, RunLength size, StabilityTable table,

@@ -1,7 +1,5 @@
 package steward.cli.lab;
 
-import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.LocalDate;
 import java.time.ZoneOffset;
@@ -11,6 +9,7 @@ import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
+import steward.cli.options.TableFolder;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Interruption;
 import steward.cli.shared.ProgressLine;
@@ -48,8 +47,8 @@ public final class TradeoffCommand implements Callable<Integer> {
         + TradeoffReport.JSON + " into a folder, scene by scene, and in the end a plot and a page that shows it.")
     private String out;
 
-    @Option(names = "--overwrite", description = "Replaces the files if they exist.")
-    private boolean overwrite;
+    @Mixin
+    private final TableFolder tables = new TableFolder();
 
     @Mixin
     private final CalibrateOptions calibrate = new CalibrateOptions();
@@ -64,11 +63,9 @@ public final class TradeoffCommand implements Callable<Integer> {
             if (quick || !scenes.isEmpty()) {
                 throw new InputException("--calibrate: found " + (quick ? "--quick" : "--scene") + " with it");
             }
-            return calibrate.run(streams, out, overwrite);
+            return calibrate.run(streams, out, tables.overwrite());
         }
-        if (overwrite && out == null) {
-            throw new InputException("--overwrite: expected --out");
-        }
+        tables.check(out);
         boolean all = scenes.isEmpty();
         boolean headings = all || scenes.contains(TradeoffScenes.HEADINGS);
         List<TradeoffScene> chosen = all ? TradeoffScenes.all()
@@ -91,20 +88,8 @@ public final class TradeoffCommand implements Callable<Integer> {
     }
 
     private TradeoffReport files(Path folder) {
-        OutputFiles.prepareFolder(folder);
-        for (String name : TradeoffReport.ALL) {
-            OutputFiles.check(folder.resolve(name), overwrite);
-        }
-        try {
-            if (overwrite) {
-                for (String name : TradeoffReport.ALL) {
-                    Files.deleteIfExists(folder.resolve(name));
-                }
-            }
-            return new TradeoffReport(folder, TradeoffMachine.line(), LocalDate.now(ZoneOffset.UTC).toString());
-        } catch (IOException problem) {
-            throw new InputException(folder + ": cannot be written into: " + problem.getMessage());
-        }
+        return tables.start(folder, TradeoffReport.ALL, TradeoffReport.ALL,
+            () -> new TradeoffReport(folder, TradeoffMachine.line(), LocalDate.now(ZoneOffset.UTC).toString()));
     }
 
     private void measure(List<TradeoffScene> chosen, boolean headings, TradeoffReport files) {
@@ -115,9 +100,9 @@ public final class TradeoffCommand implements Callable<Integer> {
         for (TradeoffScene scene : chosen) {
             TradeoffMeasurement measurement = new TradeoffMeasurement(scene, effort);
             List<TradeoffRow> rows;
-            try (ProgressLine progress = progress(part++ + " of " + parts + ": " + scene.name(),
+            try (ProgressLine progress = ProgressLine.watched(streams, part++ + " of " + parts + ": " + scene.name(),
                 measurement.steps())) {
-                rows = measurement.run(() -> step(progress));
+                rows = measurement.run(() -> ProgressLine.step(progress));
             }
             if (files != null) {
                 files.add(rows);
@@ -126,9 +111,9 @@ public final class TradeoffCommand implements Callable<Integer> {
         }
         for (boolean aligned : headings ? new boolean[] {false, true} : new boolean[0]) {
             TradeoffHeadings row;
-            try (ProgressLine progress = progress(parts + " of " + parts + ": headings",
+            try (ProgressLine progress = ProgressLine.watched(streams, parts + " of " + parts + ": headings",
                 TradeoffHeadings.steps(effort.podTurns()))) {
-                row = TradeoffHeadings.measure(aligned, effort.podTurns(), () -> step(progress));
+                row = TradeoffHeadings.measure(aligned, effort.podTurns(), () -> ProgressLine.step(progress));
             }
             if (files != null) {
                 files.addHeadings(row);
@@ -137,17 +122,6 @@ public final class TradeoffCommand implements Callable<Integer> {
         }
         if (!chosen.isEmpty()) {
             table.end();
-        }
-    }
-
-    /** @return {@code null} where nobody watches */
-    private ProgressLine progress(String task, int steps) {
-        return streams.errTerminal() ? new ProgressLine(streams.err(), task, steps) : null;
-    }
-
-    private static void step(ProgressLine progress) {
-        if (progress != null) {
-            progress.step();
         }
     }
 }

@@ -84,8 +84,7 @@ final class TradeoffScenes {
         boolean file = word.endsWith(".json") || word.contains("/") || Files.exists(OutputFiles.path(word));
         if (!file && !known.contains(word)) {
             throw new InputException("--scene: found '" + word + "', expected a scene file or one of "
-                + String.join(", ", known) + NearestName.of(word, known).map(near -> "; did you mean '" + near + "'?")
-                .orElse(""));
+                + String.join(", ", known) + NearestName.question(word, known, "'"));
         }
     }
 

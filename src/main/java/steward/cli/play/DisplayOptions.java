@@ -1,6 +1,7 @@
 package steward.cli.play;
 
 import picocli.CommandLine.Option;
+import steward.cli.options.CallCheck;
 
 /** The options of a match by which people see it. */
 final class DisplayOptions {
@@ -35,8 +36,8 @@ final class DisplayOptions {
         if (!watch && (port != null || host != null)) {
             return (port != null ? "--port" : "--host") + " is for --watch, expected both";
         }
-        return port == null || port >= 0 && port <= MOST_PORT ? null
-            : "--port: found " + port + ", expected 0 to " + MOST_PORT;
+        return port == null || CallCheck.isWithin(port, 0, MOST_PORT) ? null
+            : CallCheck.outside("--port", port, 0, MOST_PORT);
     }
 
     /** Whether anything is to be shown. */

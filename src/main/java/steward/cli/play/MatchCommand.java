@@ -3,23 +3,20 @@ package steward.cli.play;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
-import java.util.SplittableRandom;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Spec;
-import steward.cli.shared.AccuracyOption;
-import steward.cli.shared.ShippedScenes;
+import steward.cli.options.CallCheck;
+import steward.cli.options.ProtocolWord;
+import steward.cli.options.SceneOptions;
+import steward.cli.options.SeedOption;
+import steward.cli.options.TimeLimitOptions;
 import steward.cli.shared.Streams;
 import steward.cli.shared.Verbosity;
 import steward.contest.Contest;
 import steward.contest.Series;
 import steward.files.OutputFiles;
-import steward.match.Protocol;
 
 /** {@code steward match}: one match, or many. */
 @Command(name = "match", description = "Plays a match between bots, or many matches.",
@@ -43,21 +40,11 @@ import steward.match.Protocol;
         "2 wrong call; 130 interrupted (of many games, those that are over are told)."})
 public final class MatchCommand implements Callable<Integer> {
 
-    /** Seeds that are drawn stay below this, so that people can type them again. */
-    private static final long DRAWN_SEEDS = 1_000_000_000;
-
     private final Streams streams;
-
-    @Spec
-    private CommandSpec spec;
-
-    @Option(names = "--scene", paramLabel = "FILE|NAME", defaultValue = "mad-pod-racing",
-        completionCandidates = ShippedScenes.class,
-        description = "The scene: a file or one of ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}).")
-    private String scene;
+    private final CallCheck check = CallCheck.withHelp();
 
     @Mixin
-    private final AccuracyOption accuracy = new AccuracyOption();
+    private final SceneOptions scene = new SceneOptions();
 
     @Option(names = "--bot", paramLabel = "BOT", description = "A bot; see below.")
     private List<String> bots = new ArrayList<>();
@@ -66,8 +53,8 @@ public final class MatchCommand implements Callable<Integer> {
         description = "What bots without a prefix speak: json or codingame (default: ${DEFAULT-VALUE}).")
     private String protocol;
 
-    @Option(names = "--seed", paramLabel = "N", description = "What is drawn by lot follows from it (default: drawn).")
-    private Long seed;
+    @Mixin
+    private final SeedOption seed = new SeedOption();
 
     @Option(names = "--out", paramLabel = "FILE",
         description = "Write the replay to this file; with --games or --swap, one for each game into this folder.")
@@ -88,11 +75,8 @@ public final class MatchCommand implements Callable<Integer> {
     @Option(names = "--strict", description = "Exit with status 1 if a bot fails.")
     private boolean strict;
 
-    @Option(names = "--time-factor", paramLabel = "X", description = "Multiply the scene's time limits.")
-    private Double timeFactor;
-
-    @Option(names = "--no-deadline", description = "Wait for answers without end.")
-    private boolean noDeadline;
+    @Mixin
+    private final TimeLimitOptions pace = new TimeLimitOptions();
 
     @Mixin
     private final SeriesOptions many = new SeriesOptions();
@@ -103,20 +87,15 @@ public final class MatchCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws InterruptedException {
-        check(!json || !quiet, "--json and --quiet exclude each other");
-        check(!noDeadline || timeFactor == null, "--no-deadline and --time-factor exclude each other");
-        String wrong = many.problem(out != null);
-        check(wrong == null, wrong);
-        check(!overwrite || out != null || show.view() != null, "--overwrite: expected --out or --view with it");
+        check.exclusive("--json", json, "--quiet", quiet);
+        double factor = pace.factor();
+        many.check(out != null);
+        check.that(!overwrite || out != null || show.view() != null,
+            "--overwrite: expected --out or --view with it");
         String problem = show.problem(many.isAny());
-        check(problem == null, problem);
-        Optional<Protocol> usual = Protocol.of(protocol);
-        check(usual.isPresent(), "--protocol: found '" + protocol + "', expected json or codingame");
-        double factor = noDeadline ? Double.POSITIVE_INFINITY : timeFactor == null ? 1 : timeFactor;
-        check(noDeadline || factor > 0 && factor < Double.POSITIVE_INFINITY,
-            "--time-factor: found " + factor + ", expected a number above 0");
-        Contest contest = Contest.of(accuracy.open(scene), bots, usual.get(), factor);
-        long first = seed != null ? seed : new SplittableRandom().nextLong(DRAWN_SEEDS);
+        check.that(problem == null, problem);
+        Contest contest = Contest.of(scene.open(), bots, ProtocolWord.parse(protocol), factor);
+        long first = seed.orDrawn();
         Path path = out == null ? null : OutputFiles.path(out);
         Verbosity report = json ? Verbosity.JSON : quiet ? Verbosity.LINE : Verbosity.FULL;
         if (many.isAny()) {
@@ -125,11 +104,5 @@ public final class MatchCommand implements Callable<Integer> {
         }
         SingleMatch game = new SingleMatch(streams, contest, report, strict);
         return show.isAny() ? game.play(first, path, overwrite, show) : game.play(first, path, overwrite);
-    }
-
-    private void check(boolean right, String problem) {
-        if (!right) {
-            throw new ParameterException(spec.commandLine(), problem);
-        }
     }
 }

@@ -5,15 +5,13 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
-import steward.cli.shared.AccuracyOption;
+import steward.cli.options.SceneOptions;
+import steward.cli.options.SeedOption;
+import steward.cli.options.TimeLimitOptions;
 import steward.cli.shared.ExitStatus;
-import steward.cli.shared.ShippedScenes;
 import steward.cli.shared.Streams;
-import steward.cli.shared.TimeLimitOptions;
 import steward.codingame.LeagueAttributes;
 import steward.codingame.LeagueJson;
 import steward.contest.Contest;
@@ -45,28 +43,20 @@ public final class PlayCommand implements Callable<Integer> {
 
     private final Streams streams;
 
-    @Spec
-    private CommandSpec spec;
-
     @Option(names = "--json-league", required = true, description = "Prints the result in this form, the only one.")
     private boolean league;
 
     @Parameters(paramLabel = "BOT", description = "The bots, one for each player of the scene; see below.")
     private List<String> bots = new ArrayList<>();
 
-    @Option(names = "--seed", paramLabel = "N", description = "What is drawn by lot follows from it (default: drawn).")
-    private Long seed;
-
-    @Option(names = "--scene", paramLabel = "FILE|NAME", defaultValue = "mad-pod-racing",
-        completionCandidates = ShippedScenes.class,
-        description = "The scene: a file or one of ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}).")
-    private String scene;
+    @Mixin
+    private final SeedOption seed = new SeedOption();
 
     @Mixin
-    private final AccuracyOption accuracy = new AccuracyOption();
+    private final SceneOptions scene = new SceneOptions();
 
     @Mixin
-    private TimeLimitOptions pace = new TimeLimitOptions();
+    private final TimeLimitOptions pace = new TimeLimitOptions();
 
     public PlayCommand(Streams streams) {
         this.streams = streams;
@@ -74,14 +64,14 @@ public final class PlayCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws InterruptedException {
-        GameSetup setup = accuracy.open(scene);
+        GameSetup setup = scene.open();
         int players = setup.scene().players();
         if (bots.size() != players) {
             throw new InputException("found " + TextFormat.count(bots.size(), "bot") + ", expected "
                 + TextFormat.count(players, "bot") + ", one for each player of the scene");
         }
-        Contest contest = Contest.withFailing(setup, bots, Protocol.CODINGAME, pace.factor(spec));
-        long used = seed == null ? RefereeArguments.drawSeed() : seed;
+        Contest contest = Contest.withFailing(setup, bots, Protocol.CODINGAME, pace.factor());
+        long used = seed.orDrawn();
         LeagueAttributes attributes = new LeagueAttributes();
         MatchResult result = contest.play(used, 0, null, attributes);
         MatchJson.printObject(streams, out -> LeagueJson.write(out, used, result, attributes));

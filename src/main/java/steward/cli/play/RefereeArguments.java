@@ -2,7 +2,6 @@ package steward.cli.play;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.SplittableRandom;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
 import steward.files.InputException;
@@ -14,8 +13,6 @@ final class RefereeArguments {
     static final int MOST_PLAYERS = 8;
 
     private static final String SEED = "seed";
-    /** Seeds that are drawn stay below this: some tools keep 31 bits. */
-    private static final long DRAWN_SEEDS = 1_000_000_000;
 
     private final CommandSpec spec;
 
@@ -107,10 +104,5 @@ final class RefereeArguments {
             }
         }
         return seed;
-    }
-
-    /** For a game that may be any. */
-    static long drawSeed() {
-        return new SplittableRandom().nextLong(DRAWN_SEEDS);
     }
 }

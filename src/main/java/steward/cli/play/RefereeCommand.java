@@ -10,12 +10,14 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
-import steward.cli.shared.AccuracyOption;
+import steward.cli.options.AccuracyOption;
+import steward.cli.options.CallCheck;
+import steward.cli.options.SceneOptions;
+import steward.cli.options.SeedOption;
+import steward.cli.options.ShippedScenes;
+import steward.cli.options.TimeLimitOptions;
 import steward.cli.shared.ExitStatus;
-import steward.cli.shared.ShippedScenes;
 import steward.cli.shared.Streams;
-import steward.cli.shared.TimeLimitOptions;
 import steward.codingame.OldReferee;
 import steward.contest.Contest;
 import steward.files.InputException;
@@ -44,6 +46,7 @@ import steward.match.TimeControl;
 public final class RefereeCommand implements Callable<Integer> {
 
     private final Streams streams;
+    private final CallCheck check = CallCheck.withHelp();
     private CommandSpec spec;
 
     @Option(names = "-d", paramLabel = "KEY=VALUE",
@@ -62,9 +65,8 @@ public final class RefereeCommand implements Callable<Integer> {
     @Option(names = "-s", description = "Makes a page that shows the match, and prints where it is after the scores.")
     private boolean page;
 
-    @Option(names = {"-scene", "--scene"}, paramLabel = "FILE|NAME", defaultValue = "mad-pod-racing",
-        completionCandidates = ShippedScenes.class,
-        description = "The scene: a file or one of ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}).")
+    @Option(names = {"-scene", "--scene"}, paramLabel = "FILE|NAME", defaultValue = SceneOptions.USUAL,
+        completionCandidates = ShippedScenes.class, description = SceneOptions.DESCRIPTION)
     private String scene;
 
     @Mixin
@@ -79,7 +81,7 @@ public final class RefereeCommand implements Callable<Integer> {
     private boolean old;
 
     @Mixin
-    private TimeLimitOptions pace = new TimeLimitOptions();
+    private final TimeLimitOptions pace = new TimeLimitOptions();
 
     private RefereeCommand(Streams streams) {
         this.streams = streams;
@@ -98,24 +100,24 @@ public final class RefereeCommand implements Callable<Integer> {
     public Integer call() throws InterruptedException {
         RefereeArguments arguments = new RefereeArguments(spec);
         Long inData = RefereeArguments.seed(data);
-        check(seed == null || inData == null || seed.equals(inData),
+        check.that(seed == null || inData == null || seed.equals(inData),
             "found two seeds, " + seed + " and " + inData + ", expected one");
-        check(league == null || league >= 0, "-league: found " + league + ", expected 0 or more");
-        double factor = pace.factor(spec);
+        check.that(league == null || league >= 0, "-league: found " + league + ", expected 0 or more");
+        double factor = pace.factor();
         Long wanted = seed != null ? seed : inData;
         if (old) {
-            check(!arguments.hasPlayers() && log == null && replay == null && !page,
+            check.that(!arguments.hasPlayers() && log == null && replay == null && !page,
                 "--old: expected no -p1, -l, -r or -s with it: the tool has the bots");
             return playOld(factor, wanted);
         }
         GameSetup setup = accuracy.open(scene);
         List<String> bots = arguments.bots(setup.scene().players(), setup.scene().name());
         Contest contest = named(Contest.withFailing(setup, bots, Protocol.CODINGAME, factor), arguments);
-        check(log == null || !log.isBlank(), "-l: found no name of a file");
-        check(replay == null || !replay.isBlank(), "-r: found no name of a file");
+        check.that(log == null || !log.isBlank(), "-l: found no name of a file");
+        check.that(replay == null || !replay.isBlank(), "-r: found no name of a file");
         Path logFile = log == null ? null : OutputFiles.path(log);
         Path replayFile = replay == null ? null : OutputFiles.path(replay);
-        check(logFile == null || replayFile == null
+        check.that(logFile == null || replayFile == null
             || !logFile.toAbsolutePath().normalize().equals(replayFile.toAbsolutePath().normalize()),
             "-l and -r: found " + log + " twice, expected two files");
         RefereeFiles.check(logFile, replayFile, page);
@@ -134,7 +136,7 @@ public final class RefereeCommand implements Callable<Integer> {
         try {
             TimeControl time = factor == Double.POSITIVE_INFINITY ? TimeControl.UNLIMITED
                 : TimeControl.of(setup.scene().time(), factor);
-            referee.play(time, () -> wanted == null ? RefereeArguments.drawSeed() : wanted);
+            referee.play(time, () -> wanted == null ? SeedOption.draw() : wanted);
         } catch (IllegalArgumentException problem) {
             throw new InputException(problem.getMessage());
         }
@@ -149,11 +151,5 @@ public final class RefereeCommand implements Callable<Integer> {
             entrants.add(name == null ? entrant : entrant.named(name));
         }
         return new Contest(contest.setup(), entrants, contest.time(), contest.timeFactor());
-    }
-
-    private void check(boolean right, String problem) {
-        if (!right) {
-            throw new ParameterException(spec.commandLine(), problem);
-        }
     }
 }

@@ -6,6 +6,7 @@ import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import steward.cli.options.SeedOption;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
 import steward.cli.shared.Streams;
@@ -35,7 +36,7 @@ record RefereeGame(Streams streams, Contest contest, Path log, Path replay, bool
      * @return the exit status
      */
     int play(Long wanted) throws InterruptedException {
-        long seed = wanted == null ? RefereeArguments.drawSeed() : wanted;
+        long seed = wanted == null ? SeedOption.draw() : wanted;
         Path recording = replay == null && page ? temporary() : replay;
         MatchResult result;
         try (OutputStream logStream = log == null ? null : OutputFiles.open(log, true);

@@ -2,15 +2,16 @@ package steward.cli.play;
 
 import java.util.Optional;
 import picocli.CommandLine.Option;
+import steward.cli.options.CallCheck;
 import steward.cli.shared.Streams;
 import steward.contest.Keep;
 
 /** The options of many matches. */
 final class SeriesOptions {
 
-    private static final int MOST_THREADS = 256;
-    private static final int MOST_GAMES = 1_000_000;
     private static final String AUTO = "auto";
+
+    private final CallCheck check = CallCheck.withHelp();
 
     @Option(names = "--games", paramLabel = "N",
         description = "Plays N games with the seeds SEED, SEED + 1, ... and prints who scored how many points.")
@@ -31,22 +32,20 @@ final class SeriesOptions {
             + "(lost), in which a bot failed or that have no result (failed), or none.")
     private String keep;
 
-    /** What is wrong with the options, or {@code null}. */
-    String problem(boolean out) {
-        if (games != null && (games < 1 || games > MOST_GAMES)) {
-            return "--games: found " + games + ", expected 1 to " + MOST_GAMES;
-        }
-        if (threads != null && threads(1) < 0) {
-            return "--threads: found '" + threads + "', expected 1 to " + MOST_THREADS + ", or auto";
-        }
-        if (!isAny() && (threads != null || keep != null)) {
-            return (threads != null ? "--threads" : "--keep")
-                + " is for many games, expected --games or --swap with it";
-        }
-        if (keep != null && Keep.of(keep).isEmpty()) {
-            return "--keep: found '" + keep + "', expected all, lost, failed or none";
-        }
-        return keep != null && !out ? "--keep: expected --out with it" : null;
+    /**
+     * Refuses options that are out of range or do not go together.
+     *
+     * @param out whether {@code --out} is there
+     */
+    void check(boolean out) {
+        check.games(games);
+        check.that(threads == null || threads(1) > 0,
+            "--threads: found '" + threads + "', expected 1 to " + CallCheck.MOST_THREADS + ", or auto");
+        check.that(isAny() || threads == null, "--threads is for many games, expected --games or --swap with it");
+        check.that(isAny() || keep == null, "--keep is for many games, expected --games or --swap with it");
+        check.that(keep == null || Keep.of(keep).isPresent(),
+            "--keep: found '" + keep + "', expected all, lost, failed or none");
+        check.that(keep == null || out, "--keep: expected --out with it");
     }
 
     /** Whether there is to be more than one match. */
@@ -89,7 +88,7 @@ final class SeriesOptions {
         }
         try {
             int count = Integer.parseInt(threads);
-            return count >= 1 && count <= MOST_THREADS ? count : -1;
+            return CallCheck.isWithin(count, 1, CallCheck.MOST_THREADS) ? count : -1;
         } catch (NumberFormatException problem) {
             return -1;
         }
@@ -97,6 +96,6 @@ final class SeriesOptions {
 
     /** A game keeps one processor busy, since bots are asked in turns; one is left for all else there is to do. */
     static int auto(int processors) {
-        return Math.max(1, Math.min(processors - 1, MOST_THREADS));
+        return Math.max(1, Math.min(processors - 1, CallCheck.MOST_THREADS));
     }
 }

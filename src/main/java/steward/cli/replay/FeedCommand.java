@@ -6,13 +6,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 import steward.bot.command.BotCommand;
 import steward.bot.process.Debugger;
+import steward.cli.options.CallCheck;
+import steward.cli.options.ProtocolWord;
 import steward.cli.shared.Games;
 import steward.cli.shared.PlayerChoice;
 import steward.cli.shared.StandardFiles;
@@ -64,9 +63,7 @@ import steward.replay.verify.Resimulation;
 public final class FeedCommand implements Callable<Integer> {
 
     private final Streams streams;
-
-    @Spec
-    private CommandSpec spec;
+    private final CallCheck check = CallCheck.withHelp();
 
     @Parameters(index = "0", paramLabel = "REPLAY",
         description = "The recorded match; - is the standard input.")
@@ -133,7 +130,7 @@ public final class FeedCommand implements Callable<Integer> {
             throw new InputException("--out: found the replay itself, expected another file");
         }
         BotCommand bot = bot(match.header().protocols().get(player));
-        check(pause == null || !Debugger.is(bot.words()),
+        check.that(pause == null || !Debugger.is(bot.words()),
             "--pause is for attaching, expected none with a debugger");
         Protocol spoken = spoken(bot);
         Resimulation again = new Resimulation(match.header(), Games.types(), match.source());
@@ -147,23 +144,19 @@ public final class FeedCommand implements Callable<Integer> {
     }
 
     private void checkCall() {
-        check(!command.isEmpty(), "expected the command of a bot: steward feed REPLAY --player P -- COMMAND");
-        check(!replace || from != null && out != null, "--replace: expected --from-turn and --out with it");
-        check(replace || from == null, "--from-turn is for --replace, expected both");
-        check(replace || out == null, "--out is for --replace, expected both");
-        check(!overwrite || out != null, "--overwrite: expected --out with it");
-        check(!replace || until == null, "--until and --replace exclude each other");
-        check(protocol == null || Protocol.of(protocol).isPresent(),
-            "--protocol: found '" + protocol + "', expected json or codingame");
-        check(!json || !StandardFiles.is(out), "--json is printed to the standard output, expected a file for --out");
-        check(!StandardFiles.is(file) || pause == null && until == null,
-            "--pause and --until wait for Enter on the standard input, expected a file for REPLAY with them");
-    }
-
-    private void check(boolean right, String problem) {
-        if (!right) {
-            throw new ParameterException(spec.commandLine(), problem);
+        check.that(!command.isEmpty(), "expected the command of a bot: steward feed REPLAY --player P -- COMMAND");
+        check.that(!replace || from != null && out != null, "--replace: expected --from-turn and --out with it");
+        check.that(replace || from == null, "--from-turn is for --replace, expected both");
+        check.that(replace || out == null, "--out is for --replace, expected both");
+        check.that(!overwrite || out != null, "--overwrite: expected --out with it");
+        check.exclusive("--until", until != null, "--replace", replace);
+        if (protocol != null) {
+            ProtocolWord.parse(protocol);
         }
+        check.that(!json || !StandardFiles.is(out),
+            "--json is printed to the standard output, expected a file for --out");
+        check.that(!StandardFiles.is(file) || pause == null && until == null,
+            "--pause and --until wait for Enter on the standard input, expected a file for REPLAY with them");
     }
 
     private static void checkTurn(String option, Integer turn, int last, RecordedMatch match, int player) {
@@ -176,7 +169,7 @@ public final class FeedCommand implements Callable<Integer> {
 
     /** A single word is taken apart as 'match' does, unless there is such a file. */
     private BotCommand bot(Protocol recorded) {
-        Protocol usual = protocol == null ? recorded : Protocol.of(protocol).orElseThrow();
+        Protocol usual = protocol == null ? recorded : ProtocolWord.parse(protocol);
         BotCommand.Prefix prefix = usual == Protocol.CODINGAME ? BotCommand.Prefix.CODINGAME : BotCommand.Prefix.JSON;
         try {
             return command.size() > 1 || Files.exists(OutputFiles.path(command.get(0)))

@@ -1,12 +1,12 @@
 package steward.cli.replay;
 
 import java.util.Map;
+import steward.bot.LineBuffer;
 import steward.cli.shared.FailedException;
 import steward.cli.shared.Games;
 import steward.cli.shared.Json;
 import steward.cli.shared.Streams;
 import steward.match.Dialogue;
-import steward.match.LineBuffer;
 import steward.numerics.StateHash;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayReader;

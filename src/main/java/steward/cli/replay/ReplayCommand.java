@@ -6,11 +6,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
+import steward.cli.options.CallCheck;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
 import steward.cli.shared.Games;
@@ -39,9 +37,7 @@ import steward.text.TextFormat;
 public final class ReplayCommand implements Callable<Integer> {
 
     private final Streams streams;
-
-    @Spec
-    private CommandSpec spec;
+    private final CallCheck check = CallCheck.withHelp();
 
     @Parameters(index = "0", paramLabel = "FILE",
         description = "The replay; - is the standard input.")
@@ -88,10 +84,10 @@ public final class ReplayCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws InterruptedException {
-        check();
+        checkCall();
         boolean piped = StandardFiles.is(file);
         if (view != null || open) {
-            check(!piped, "--view and --open read the replay twice, expected a file, found -");
+            check.that(!piped, "--view and --open read the replay twice, expected a file, found -");
             return view(OutputFiles.path(file));
         }
         try (ReplayReader replay = piped ? StandardFiles.openReplay(streams) : open(OutputFiles.path(file))) {
@@ -123,30 +119,24 @@ public final class ReplayCommand implements Callable<Integer> {
         }
     }
 
-    private void check() {
+    private void checkCall() {
         boolean range = from != null || to != null;
-        check(turn == null || !range, "--turn and --from or --to exclude each other");
-        check(from == null || from >= 0, "--from: found " + from + ", expected 0 or more");
-        check(to == null || to >= (from == null ? 0 : from), "--to: found " + to + ", expected "
+        check.that(turn == null || !range, "--turn and --from or --to exclude each other");
+        check.that(from == null || from >= 0, "--from: found " + from + ", expected 0 or more");
+        check.that(to == null || to >= (from == null ? 0 : from), "--to: found " + to + ", expected "
             + (from == null ? "0 or more" : "at least --from, which is " + from));
-        check(turn == null || turn >= 1, "--turn: found " + turn + ", expected 1 or more");
-        check(!verify || !frames && !impacts && !range && turn == null,
+        check.that(turn == null || turn >= 1, "--turn: found " + turn + ", expected 1 or more");
+        check.that(!verify || !frames && !impacts && !range && turn == null,
             "--verify takes the whole match, expected no --turn, --from, --to, --impacts or --frames with it");
-        check(!frames || !impacts && !range && turn == null,
+        check.that(!frames || !impacts && !range && turn == null,
             "--frames prints the whole match, expected no --turn, --from, --to or --impacts with it");
-        check(!frames || player != null, "--frames: expected --player P with it");
-        check(frames || player == null, "--player is for --frames, expected both");
-        check(view == null && !open || !verify && !frames && !impacts && !range && turn == null,
+        check.that(!frames || player != null, "--frames: expected --player P with it");
+        check.that(frames || player == null, "--player is for --frames, expected both");
+        check.that(view == null && !open || !verify && !frames && !impacts && !range && turn == null,
             "--view and --open take the whole match, expected no --verify, --frames, --impacts, --turn, --from or --to "
             + "with them");
-        check(!overwrite || view != null, "--overwrite: expected --view with it");
-        check(!quiet || !frames && !impacts && turn == null, "--quiet is for the summary and --verify");
-    }
-
-    private void check(boolean right, String problem) {
-        if (!right) {
-            throw new ParameterException(spec.commandLine(), problem);
-        }
+        check.that(!overwrite || view != null, "--overwrite: expected --view with it");
+        check.that(!quiet || !frames && !impacts && turn == null, "--quiet is for the summary and --verify");
     }
 
     /** Opens a replay. */

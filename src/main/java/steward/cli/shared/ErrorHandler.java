@@ -31,6 +31,10 @@ public final class ErrorHandler implements IParameterExceptionHandler, IExecutio
         StringWriter suggestions = new StringWriter();
         UnmatchedArgumentException.printSuggestions(problem, new PrintWriter(suggestions, true));
         streams.err().print(suggestions);
+        return pointToHelp(command);
+    }
+
+    private int pointToHelp(CommandLine command) {
         streams.err().println("Try '" + command.getCommandSpec().qualifiedName() + " --help'.");
         return ExitStatus.UNUSABLE;
     }
@@ -38,6 +42,10 @@ public final class ErrorHandler implements IParameterExceptionHandler, IExecutio
     @Override
     public int handleExecutionException(Exception problem, CommandLine command, ParseResult parsed) {
         streams.out().flush();
+        if (problem instanceof CallException) {
+            say(problem.getMessage());
+            return pointToHelp(command);
+        }
         if (problem instanceof InputException || problem instanceof SceneException
             || problem instanceof ReplayException || problem instanceof UncheckedIOException) {
             say(problem.getMessage());

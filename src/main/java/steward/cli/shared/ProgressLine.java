@@ -33,9 +33,21 @@ public final class ProgressLine implements AutoCloseable {
             .setConsumer(new ConsoleProgressBarConsumer(terminal, WIDTH)).build();
     }
 
+    /** A line on the standard error if that is a terminal, otherwise {@code null}. */
+    public static ProgressLine watched(Streams streams, String task, int steps) {
+        return streams.errTerminal() ? new ProgressLine(streams.err(), task, steps) : null;
+    }
+
     /** One more; by any thread. */
     public void step() {
         bar.step();
+    }
+
+    /** One more, if there is a line. */
+    public static void step(ProgressLine watched) {
+        if (watched != null) {
+            watched.step();
+        }
     }
 
     /** One more, with a word on how it stands; by any thread. */

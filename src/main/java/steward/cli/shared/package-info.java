@@ -1,6 +1,5 @@
 /**
- * What several commands share: streams and terminals, options, messages of errors and their exit status, the list of
- * games.
+ * What several commands share: streams and terminals, messages of errors and their exit status, the list of games.
  */
 @Internal
 package steward.cli.shared;

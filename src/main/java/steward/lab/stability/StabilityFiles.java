@@ -1,20 +1,17 @@
 package steward.lab.stability;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import steward.files.CsvFile;
+import steward.files.OutputFiles;
 import steward.game.JsonNumbers;
+import steward.game.JsonObject;
 import steward.lab.trial.RunLength;
-import tools.jackson.core.JsonGenerator;
-import tools.jackson.core.ObjectWriteContext;
+import steward.text.CsvRow;
 
 /**
  * The stability table in files: {@code stability.csv} grows by a line per row, {@code stability.json} is replaced by
@@ -26,9 +23,11 @@ public final class StabilityFiles implements AutoCloseable {
     public static final String CSV = "stability.csv";
     /** Name of the table for programs. */
     public static final String JSON = "stability.json";
+    /** All files that a run writes. */
+    public static final List<String> ALL = List.of(CSV, JSON);
 
     private final Path json;
-    private final OutputStream csv;
+    private final CsvFile csv;
     private final RunLength size;
     private final List<StabilityRow> rows = new ArrayList<>();
 
@@ -42,17 +41,16 @@ public final class StabilityFiles implements AutoCloseable {
         json = folder.resolve(JSON);
         this.size = size;
         writeJson();
-        csv = Files.newOutputStream(folder.resolve(CSV));
-        csv.write("case,rung,verdict,seconds,seen,demand\n".getBytes(StandardCharsets.UTF_8));
+        csv = new CsvFile(folder.resolve(CSV), "case", "rung", "verdict", "seconds", "seen", "demand");
     }
 
     /** @throws UncheckedIOException if it cannot be written */
     public void add(StabilityRow row) {
         rows.add(row);
-        String line = String.join(",", quote(row.name()), quote(row.rung()), word(row),
-            String.format(Locale.ROOT, "%.3f", row.seconds()), quote(row.seen().text()), quote(row.demand()));
         try {
-            csv.write((line + "\n").getBytes(StandardCharsets.UTF_8));
+            csv.add(new CsvRow().text(row.name()).text(row.rung())
+                .words(word(row), String.format(Locale.ROOT, "%.3f", row.seconds()))
+                .text(row.seen().text()).text(row.demand()));
             writeJson();
         } catch (IOException problem) {
             throw new UncheckedIOException(problem);
@@ -60,38 +58,23 @@ public final class StabilityFiles implements AutoCloseable {
     }
 
     private void writeJson() throws IOException {
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), bytes)) {
-            out.writeStartObject();
+        OutputFiles.replace(json, JsonObject.of(out -> {
             out.writeStringProperty("type", "stability");
             out.writeStringProperty("size", size.name().toLowerCase(Locale.ROOT));
             out.writeStringProperty("java", System.getProperty("java.version"));
-            out.writeName("rows");
-            out.writeStartArray();
-            for (StabilityRow row : rows) {
-                out.writeStartObject();
+            JsonObject.writeAll(out, "rows", rows, row -> {
                 out.writeStringProperty("case", row.name());
                 out.writeStringProperty("rung", row.rung());
                 out.writeStringProperty("demand", row.demand());
                 out.writeStringProperty("seen", row.seen().text());
                 out.writeStringProperty("verdict", word(row));
                 JsonNumbers.write(out, "seconds", row.seconds());
-                out.writeEndObject();
-            }
-            out.writeEndArray();
-            out.writeEndObject();
-        }
-        Path part = json.resolveSibling(JSON + ".part");
-        Files.write(part, bytes.toByteArray());
-        Files.move(part, json, StandardCopyOption.REPLACE_EXISTING);
+            });
+        }));
     }
 
     private static String word(StabilityRow row) {
         return row.seen().verdict().name().toLowerCase(Locale.ROOT);
-    }
-
-    private static String quote(String text) {
-        return '"' + text.replace("\"", "\"\"") + '"';
     }
 
     @Override

@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import steward.game.JsonNumbers;
+import steward.text.TextFormat;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;
@@ -23,12 +24,8 @@ public record Difference(int turn, String field, String recorded, String found) 
 
     @Override
     public String toString() {
-        return (turn == 0 ? "start" : "turn " + turn) + ", " + field + ": recorded " + shorten(recorded)
-            + ", re-simulated " + shorten(found);
-    }
-
-    private static String shorten(String text) {
-        return text.length() <= SHOWN ? text : text.substring(0, SHOWN) + "...";
+        return (turn == 0 ? "start" : "turn " + turn) + ", " + field + ": recorded "
+            + TextFormat.beginning(recorded, SHOWN) + ", re-simulated " + TextFormat.beginning(found, SHOWN);
     }
 
     /**

@@ -2,8 +2,8 @@ package steward.replay.verify;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import steward.bot.LineBuffer;
 import steward.game.JsonNumbers;
-import steward.match.LineBuffer;
 import steward.numerics.StateHash;
 import steward.replay.InputHash;
 import steward.replay.OutcomeJson;

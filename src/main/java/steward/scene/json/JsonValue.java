@@ -3,6 +3,7 @@ package steward.scene.json;
 import java.util.List;
 import java.util.Map;
 import steward.Internal;
+import steward.text.TextFormat;
 import tools.jackson.core.JsonGenerator;
 
 /** A value of a scene file as it was written, with its position. Numbers keep their text. */
@@ -63,8 +64,7 @@ public sealed interface JsonValue {
 
         @Override
         public String shown() {
-            String start = text.length() > MOST_SHOWN ? text.substring(0, MOST_SHOWN) + "..." : text;
-            return '"' + start.replaceAll("\\p{Cntrl}", "?") + '"';
+            return '"' + TextFormat.beginning(text, MOST_SHOWN).replaceAll("\\p{Cntrl}", "?") + '"';
         }
 
         @Override

@@ -36,7 +36,7 @@ public final class Wording {
 
     /** The allowed words, and the nearest of them to a word that is not allowed. */
     public static String choice(String word, Collection<String> known) {
-        return oneOf(known) + NearestName.of(word, known).map(near -> "; did you mean \"" + near + "\"?").orElse("");
+        return oneOf(known) + NearestName.question(word, known, "\"");
     }
 
     /** The allowed words. */

@@ -167,11 +167,12 @@ class BotCommandTest {
     }
 
     @Test
-    void distanceCountsLettersToChange() {
-        assertEquals(0, BuiltinBots.distance("racer", "Racer"));
-        assertEquals(1, BuiltinBots.distance("racr", "racer"));
-        assertEquals(5, BuiltinBots.distance("", "racer"));
-        assertEquals(3, BuiltinBots.distance("kitten", "sitting"));
+    void neighboursThatChangedPlacesAreOneSlip() {
+        BuiltinBots builtins = new BuiltinBots(Map.of("racer", "a.Racer"));
+        assertEquals("there is no builtin bot 'arcer'; did you mean 'racer'? There are: racer",
+            assertThrows(IllegalArgumentException.class, () -> builtins.command("arcer", List.of())).getMessage());
+        assertEquals("there is no builtin bot 'aecer'; there are: racer",
+            assertThrows(IllegalArgumentException.class, () -> builtins.command("aecer", List.of())).getMessage());
     }
 
     @Test

@@ -110,10 +110,7 @@ class CalibrateTest {
     }
 
     private static void refused(String message, String call) {
-        Cli cli = Cli.run("--cli", call);
-        assertEquals(ExitStatus.UNUSABLE, cli.status(), cli.err());
-        assertTrue(cli.err().startsWith("steward: ") && cli.err().contains(message), cli.err());
-        assertEquals("", cli.out());
+        Cli.run("--cli", call).assertRefused(message);
     }
 
     @Test

@@ -120,10 +120,7 @@ class StabilityCommandTest {
     }
 
     private static void refused(String message, String... more) {
-        Cli cli = stability(more);
-        assertEquals(ExitStatus.UNUSABLE, cli.status());
-        assertTrue(cli.err().contains(message), cli.err());
-        assertEquals("", cli.out());
+        stability(more).assertRefused(message);
     }
 
     /** An interrupted run leaves the rows that were measured, in files that are whole. */

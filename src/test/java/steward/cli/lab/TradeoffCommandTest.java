@@ -75,10 +75,7 @@ class TradeoffCommandTest {
     }
 
     private static void refused(String message, String... more) {
-        Cli cli = tradeoff(false, more);
-        assertEquals(ExitStatus.UNUSABLE, cli.status());
-        assertTrue(cli.err().contains(message), cli.err());
-        assertEquals("", cli.out());
+        tradeoff(false, more).assertRefused(message);
     }
 
     /** An interrupted run leaves the scenes that were measured, in files that are whole. */

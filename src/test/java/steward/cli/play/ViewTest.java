@@ -132,11 +132,8 @@ class ViewTest {
         }
     }
 
-    private void refused(String message, String... call) {
-        Cli cli = Cli.run(call);
-        assertEquals(ExitStatus.UNUSABLE, cli.status(), cli.err());
-        assertTrue(cli.err().startsWith("steward: ") && cli.err().contains(message), cli.err());
-        assertEquals("", cli.out());
+    private static void refused(String message, String... call) {
+        Cli.run(call).assertRefused(message);
     }
 
     @Test

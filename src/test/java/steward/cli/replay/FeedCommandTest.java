@@ -284,10 +284,7 @@ class FeedCommandTest {
     }
 
     private void refused(String message, String options, String... command) {
-        Cli cli = feed(options, command);
-        assertEquals(ExitStatus.UNUSABLE, cli.status(), cli.out() + cli.err());
-        assertTrue(cli.err().startsWith("steward: ") && cli.err().contains(message), cli.err());
-        assertEquals("", cli.out());
+        feed(options, command).assertRefused(message);
     }
 
     @Test

@@ -49,11 +49,8 @@ class ImportCommandTest {
         assertEquals(ExitStatus.DONE, cli.status());
     }
 
-    private void refused(String message, String... arguments) {
-        Cli cli = Cli.run(arguments);
-        assertEquals(ExitStatus.UNUSABLE, cli.status(), cli.out());
-        assertTrue(cli.err().startsWith("steward: ") && cli.err().contains(message), cli.err());
-        assertEquals("", cli.out());
+    private static void refused(String message, String... arguments) {
+        Cli.run(arguments).assertRefused(message);
     }
 
     private Cli replay(String... arguments) {

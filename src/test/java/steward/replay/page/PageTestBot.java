@@ -1,10 +1,9 @@
 package steward.replay.page;
 
-import java.util.function.Consumer;
-import steward.bot.Answer;
 import steward.bot.Bot;
 import steward.bot.InProcessPlayer;
 import steward.bot.Player;
+import steward.bot.StderrPlayer;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -93,44 +92,6 @@ final class PageTestBot implements Bot {
 
     /** A player whose stderr is what the bot notes. */
     static Player player(String name, PageTestBot bot) {
-        return new Noting(name, bot);
-    }
-
-    private static final class Noting implements Player {
-
-        private final Player player;
-        private final PageTestBot bot;
-
-        Noting(String name, PageTestBot bot) {
-            player = new InProcessPlayer(name, bot);
-            this.bot = bot;
-        }
-
-        @Override
-        public String name() {
-            return player.name();
-        }
-
-        @Override
-        public void tell(byte[] lines, int length) {
-            player.tell(lines, length);
-        }
-
-        @Override
-        public Ending ask(byte[] frame, int length, int answerLines, long limitNanos, Answer answer) {
-            Ending ending = player.ask(frame, length, answerLines, limitNanos, answer);
-            answer.setStderr(bot.notes());
-            return ending;
-        }
-
-        @Override
-        public void onAbandoned(Consumer<Answer> continuation) {
-            player.onAbandoned(continuation);
-        }
-
-        @Override
-        public void finish(byte[] lines, int length) {
-            player.finish(lines, length);
-        }
+        return new StderrPlayer(new InProcessPlayer(name, bot), turn -> bot.notes());
     }
 }

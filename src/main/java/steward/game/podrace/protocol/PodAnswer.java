@@ -1,7 +1,6 @@
 package steward.game.podrace.protocol;
 
 import java.util.Arrays;
-import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import steward.game.JsonNumbers;
@@ -11,6 +10,7 @@ import steward.game.RawJson;
 import steward.game.podrace.PodRace;
 import steward.scene.json.JsonProblem;
 import steward.text.NearestName;
+import steward.text.TextFormat;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
@@ -277,9 +277,8 @@ public final class PodAnswer {
     }
 
     private static String unknown(String path, String name, Set<String> known) {
-        Optional<String> near = NearestName.of(name, known);
         return path + shorten(name) + ": unknown field, expected one of " + String.join(", ", known)
-            + near.map(word -> "; did you mean " + word + "?").orElse("");
+            + NearestName.question(name, known, "");
     }
 
     private String count() {
@@ -300,7 +299,7 @@ public final class PodAnswer {
     }
 
     private static String shorten(String text) {
-        return text.length() <= 40 ? text : text.substring(0, 40) + "...";
+        return TextFormat.beginning(text, 40);
     }
 
     @Override

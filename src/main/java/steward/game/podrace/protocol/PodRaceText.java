@@ -10,6 +10,7 @@ import steward.game.TextCodec;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodRaceSettings;
 import steward.game.podrace.PodState;
+import steward.text.TextFormat;
 
 /**
  * CodinGame's line protocols of the pod race. Where each player has several pods (the upper leagues), the setup is
@@ -18,10 +19,10 @@ import steward.game.podrace.PodState;
  * nextDist nextAngle} and a line {@code x y} per opponent.
  *
  * <p>Answers are one line per pod, {@code X Y THRUST|SHIELD|BOOST message}. They are read as leniently as real bots
- * need it: any number of blanks, a carriage return, decimals and a plus in X and Y, lower-case words, blanks at the end,
- * and no third word, which means full thrust; the published referee refuses all of these but blanks between the words,
- * and a blank behind Y. Where two blanks stand behind Y, what follows may be a message and the thrust is full. Lines
- * before a bad one take effect.
+ * need it: any number of blanks, a carriage return, decimals and a plus in X and Y, lower-case words, blanks at the
+ * end, and no third word, which means full thrust; the published referee refuses all of these but blanks between the
+ * words, and a blank behind Y. Where two blanks stand behind Y, what follows may be a message and the thrust is full.
+ * Lines before a bad one take effect.
  */
 public final class PodRaceText implements TextCodec {
 
@@ -210,6 +211,6 @@ public final class PodRaceText implements TextCodec {
     }
 
     private static String shorten(String text) {
-        return text.length() <= 40 ? text : text.substring(0, 40) + "...";
+        return TextFormat.beginning(text, 40);
     }
 }

@@ -8,6 +8,7 @@ import java.util.Locale;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodRaceSettings;
 import steward.game.podrace.PodState;
+import steward.text.TextFormat;
 
 /**
  * The line protocol with which the community checks pod-race simulators: input is states and commands, output the
@@ -200,6 +201,6 @@ public final class SimulatorProtocol {
     }
 
     private static String shorten(String text) {
-        return text.length() <= 60 ? text : text.substring(0, 60) + "...";
+        return TextFormat.beginning(text, 60);
     }
 }

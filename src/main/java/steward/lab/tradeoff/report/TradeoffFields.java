@@ -3,6 +3,7 @@ package steward.lab.tradeoff.report;
 import java.util.List;
 import java.util.function.Function;
 import steward.lab.tradeoff.TradeoffRow;
+import steward.text.CsvRow;
 
 /** The columns of the files, in their order: the same names in CSV and JSON. */
 final class TradeoffFields {
@@ -41,11 +42,22 @@ final class TradeoffFields {
     private TradeoffFields() {
     }
 
-    /** As it stands in a line of CSV; names of scenes and rungs may have anything in them. */
-    static String text(Object value) {
-        if (value instanceof Double number) {
-            return Double.isFinite(number) ? number.toString() : "";
+    /** The heads of the columns. */
+    static String[] names() {
+        return ALL.stream().map(Field::name).toArray(String[]::new);
+    }
+
+    /** A row for spreadsheets; names of scenes and rungs may have anything in them. */
+    static CsvRow csv(TradeoffRow row) {
+        CsvRow cells = new CsvRow();
+        for (Field field : ALL) {
+            Object value = field.value().apply(row);
+            if (value instanceof String text) {
+                cells.text(text);
+            } else {
+                cells.words(value instanceof Double number && !Double.isFinite(number) ? "" : value.toString());
+            }
         }
-        return value instanceof String text ? '"' + text.replace("\"", "\"\"") + '"' : value.toString();
+        return cells;
     }
 }

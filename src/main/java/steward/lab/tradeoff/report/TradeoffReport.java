@@ -1,23 +1,20 @@
 package steward.lab.tradeoff.report;
 
 import java.awt.AWTError;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.StringJoiner;
+import steward.files.CsvFile;
+import steward.files.OutputFiles;
 import steward.game.JsonNumbers;
+import steward.game.JsonObject;
 import steward.lab.tradeoff.TradeoffHeadings;
 import steward.lab.tradeoff.TradeoffResult;
 import steward.lab.tradeoff.TradeoffRow;
 import tools.jackson.core.JsonGenerator;
-import tools.jackson.core.ObjectWriteContext;
 
 /**
  * The trade-off in files. {@code tradeoff.csv} grows by the rows of each scene, {@code tradeoff.json} is replaced by
@@ -38,7 +35,7 @@ public final class TradeoffReport implements AutoCloseable {
     private final Path folder;
     private final String machine;
     private final String date;
-    private final OutputStream csv;
+    private final CsvFile csv;
     private final List<TradeoffRow> rows = new ArrayList<>();
     private final List<TradeoffHeadings> headings = new ArrayList<>();
 
@@ -54,10 +51,7 @@ public final class TradeoffReport implements AutoCloseable {
         this.machine = machine;
         this.date = date;
         writeJson();
-        csv = Files.newOutputStream(folder.resolve(CSV));
-        StringJoiner names = new StringJoiner(",");
-        TradeoffFields.ALL.forEach(field -> names.add(field.name()));
-        csv.write((names + "\n").getBytes(StandardCharsets.UTF_8));
+        csv = new CsvFile(folder.resolve(CSV), TradeoffFields.names());
     }
 
     /** What was measured so far. */
@@ -68,14 +62,8 @@ public final class TradeoffReport implements AutoCloseable {
     /** @throws UncheckedIOException if it cannot be written */
     public void add(List<TradeoffRow> more) {
         rows.addAll(more);
-        StringBuilder lines = new StringBuilder();
-        for (TradeoffRow row : more) {
-            StringJoiner line = new StringJoiner(",", "", "\n");
-            TradeoffFields.ALL.forEach(field -> line.add(TradeoffFields.text(field.value().apply(row))));
-            lines.append(line);
-        }
         try {
-            csv.write(lines.toString().getBytes(StandardCharsets.UTF_8));
+            csv.addAll(more.stream().map(TradeoffFields::csv).toList());
             writeJson();
         } catch (IOException problem) {
             throw new UncheckedIOException(problem);
@@ -114,36 +102,20 @@ public final class TradeoffReport implements AutoCloseable {
     }
 
     private void writeJson() throws IOException {
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), bytes)) {
-            out.writeStartObject();
+        OutputFiles.replace(folder.resolve(JSON), JsonObject.of(out -> {
             out.writeStringProperty("type", "tradeoff");
             out.writeStringProperty("machine", machine);
             out.writeStringProperty("date", date);
-            out.writeArrayPropertyStart("rows");
-            for (TradeoffRow row : rows) {
-                out.writeStartObject();
-                TradeoffFields.ALL.forEach(field -> write(out, field.name(), field.value().apply(row)));
-                out.writeEndObject();
-            }
-            out.writeEndArray();
-            out.writeArrayPropertyStart("headings");
-            for (TradeoffHeadings each : headings) {
-                out.writeStartObject();
+            JsonObject.writeAll(out, "rows", rows, row ->
+                TradeoffFields.ALL.forEach(field -> write(out, field.name(), field.value().apply(row))));
+            JsonObject.writeAll(out, "headings", headings, each -> {
                 out.writeStringProperty("headings", each.headings());
                 out.writeNumberProperty("podTurns", each.podTurns());
                 out.writeNumberProperty("differing", each.differing());
                 JsonNumbers.write(out, "nanosAngles", each.nanosAngles());
                 JsonNumbers.write(out, "nanosVector", each.nanosVector());
-                out.writeEndObject();
-            }
-            out.writeEndArray();
-            out.writeEndObject();
-        }
-        Path json = folder.resolve(JSON);
-        Path part = folder.resolve(JSON + ".part");
-        Files.write(part, bytes.toByteArray());
-        Files.move(part, json, StandardCopyOption.REPLACE_EXISTING);
+            });
+        }));
     }
 
     private static void write(JsonGenerator out, String name, Object value) {

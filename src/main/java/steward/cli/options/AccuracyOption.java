@@ -1,8 +1,9 @@
-package steward.cli.shared;
+package steward.cli.options;
 
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.TypeConversionException;
+import steward.cli.shared.Games;
 import steward.game.GameSetup;
 import steward.scene.Accuracy;
 

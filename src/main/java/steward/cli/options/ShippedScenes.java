@@ -1,4 +1,4 @@
-package steward.cli.shared;
+package steward.cli.options;
 
 import java.util.Iterator;
 import steward.scene.SceneFiles;

@@ -1,4 +1,4 @@
-package steward.cli.shared;
+package steward.cli.options;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
@@ -19,6 +19,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.cli.Cli;
 import steward.cli.ShellBots;
+import steward.cli.shared.ExitStatus;
 import steward.scene.SceneFiles;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;

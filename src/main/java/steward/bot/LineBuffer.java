@@ -1,4 +1,4 @@
-package steward.match;
+package steward.bot;
 
 import java.io.OutputStream;
 import java.util.Arrays;

@@ -1,0 +1,27 @@
+package steward.cli.options;
+
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import steward.game.GameSetup;
+
+/** The options that say which scene is played, and on which rung of accuracy. */
+public final class SceneOptions {
+
+    /** The scene that is played unless another is called for. */
+    public static final String USUAL = "mad-pod-racing";
+    /** What {@code --scene} takes. */
+    public static final String DESCRIPTION
+        = "The scene: a file or one of ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}).";
+
+    @Option(names = "--scene", paramLabel = "FILE|NAME", defaultValue = USUAL,
+        completionCandidates = ShippedScenes.class, description = DESCRIPTION)
+    private String scene;
+
+    @Mixin
+    private final AccuracyOption accuracy = new AccuracyOption();
+
+    /** Opens the scene on the rung. */
+    public GameSetup open() {
+        return accuracy.open(scene);
+    }
+}

@@ -1,0 +1,34 @@
+package steward.text;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import org.junit.jupiter.api.Test;
+
+/** Rows as RFC 4180 has them. */
+class CsvRowTest {
+
+    @Test
+    void cellsAreDividedByCommas() {
+        assertEquals("crowds,1.5,,7\n", new CsvRow().words("crowds", "1.5", "", "7").line());
+        assertEquals("1,\"two\",3\n", new CsvRow().words("1").text("two").words("3").line());
+    }
+
+    @Test
+    void textIsAlwaysQuotedAndItsQuotesDoubled() {
+        assertEquals("\"plain\"\n", new CsvRow().text("plain").line());
+        assertEquals("\"\"\n", new CsvRow().text("").line());
+        assertEquals("\"a, b\",\"says \"\"hello\"\"\",\"two\nlines\"\n",
+            new CsvRow().text("a, b").text("says \"hello\"").text("two\nlines").line());
+    }
+
+    @Test
+    void aWordIsQuotedOnlyWhereItMustBe() {
+        assertEquals("\"1,5\",\"\"\"\",\"a\nb\",\"a\rb\",a b\n",
+            new CsvRow().words("1,5", "\"", "a\nb", "a\rb", "a b").line());
+    }
+
+    @Test
+    void anEmptyFirstCellIsACell() {
+        assertEquals(",1\n", new CsvRow().words("", "1").line());
+    }
+}
