@@ -228,7 +228,11 @@ export JAVA_HOME
 if [ -n "$debian" ]; then
     # What Debian's script does, but for the three lines of the JVM's version that it prints every time. The options
     # are split by shell quoting, as there.
-    eval "set -- --add-opens java.base/java.lang=ALL-UNNAMED ${JAVA_OPTS:-} ${GRADLE_OPTS:-}" \
+    quiet=''
+    case $java_version in
+        24 | 25) quiet=--sun-misc-unsafe-memory-access=allow ;;   # otherwise they warn of Gradle's own Guava
+    esac
+    eval "set -- --add-opens java.base/java.lang=ALL-UNNAMED $quiet ${JAVA_OPTS:-} ${GRADLE_OPTS:-}" \
         '-Dorg.gradle.appname=gradle -classpath "$debian/lib/gradle-launcher-4.4.1.jar"' \
         'org.gradle.launcher.GradleMain "$@"'
     gradle=$java_home/bin/java

@@ -6,7 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.function.Supplier;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -15,6 +18,7 @@ import steward.game.GameSetup;
 import steward.match.MatchResult;
 
 /** The ladder of bundled bots: each step beats the one below without a fault, and needs no more than it is sent now. */
+@Execution(ExecutionMode.CONCURRENT)
 class BotLadderTest {
 
     /** From the weakest to the strongest. */
@@ -26,6 +30,7 @@ class BotLadderTest {
      * seeds, every step won 0.84 or more.
      */
     @ParameterizedTest
+    @Tag("slow")
     @ValueSource(strings = {"mad-pod-racing", "mad-pod-racing-silver", "walled-race", "duel"})
     void everyStepBeatsTheOneBelow(String name) {
         GameSetup scene = BundledBotMatches.scene(name);

@@ -5,13 +5,18 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestReporter;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /**
  * Sine and cosine are the nearest doubles, by the quick value and by the series alike, and the quick value is as near
  * as its derivation says: judged by {@link SineCosineOracle}. 150 thousand angles, or what the system property
  * {@code steward.angles} says; ten millions take some minutes.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class SineCosineTest {
 
     private static final long COUNT = Long.getLong("steward.angles", 150_000);
@@ -27,7 +32,8 @@ class SineCosineTest {
     private double greatestError;
 
     @Test
-    void everyResultIsTheNearestDouble() {
+    @Tag("slow")
+    void everyResultIsTheNearestDouble(TestReporter report) {
         long left = 0;
         for (long k = 0; k < COUNT; k++) {
             double angle = angle();
@@ -35,7 +41,7 @@ class SineCosineTest {
             check(angle);
             left += Double.isNaN(angles.sineHead) ? 0 : 1;
         }
-        System.out.println("seed " + SEED + ", " + COUNT + " angles; error of the quick value at most "
+        report.publishEntry("seed " + SEED + ", " + COUNT + " angles; error of the quick value at most "
             + greatestError / SineCosine.ERROR + " of ERROR; " + left + " left to the series");
     }
 
@@ -133,7 +139,7 @@ class SineCosineTest {
 
     /** Of headings one in some five thousand: the series takes a hundred times as long. */
     @Test
-    void theSeriesIsNeededRarely() {
+    void theSeriesIsNeededRarely(TestReporter report) {
         int left = 0;
         int count = 1_000_000;
         for (int k = 0; k < count; k++) {
@@ -141,7 +147,7 @@ class SineCosineTest {
             angles.turn((random.nextDouble() - 0.5) * 20);
             left += Double.isNaN(angles.sineHead) ? 0 : 1;
         }
-        System.out.println("seed " + SEED + ": " + left + " of " + count + " headings left to the series");
+        report.publishEntry("seed " + SEED + ": " + left + " of " + count + " headings left to the series");
         assertTrue(left < count / 3000, "left to the series: " + left);
     }
 

@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -19,6 +20,7 @@ import steward.cli.ShellBots;
 import tools.jackson.databind.JsonNode;
 
 /** Why a bot failed is said where people look: below the result, in one line with {@code --quiet}, and in JSON. */
+@Tag("process")
 @Timeout(60)
 class FailureReportTest {
 

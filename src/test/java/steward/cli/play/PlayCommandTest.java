@@ -76,6 +76,7 @@ class PlayCommandTest {
 
     /** The other bots of a league are to play on, whatever becomes of one of them. */
     @ParameterizedTest
+    @Tag("process")
     @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
         "/no/such/bot | bot 'codingame:/no/such/bot': there is no file '/no/such/bot'",
         "/tmp | bot 'codingame:/tmp': '/tmp' is a directory; expected an executable program",

@@ -60,6 +60,7 @@ class RefereeCommandTest {
     }
 
     @ParameterizedTest
+    @Tag("process")
     @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
         "/no/such/bot | bot 'codingame:/no/such/bot': there is no file '/no/such/bot'",
         "builtin:nobody | bot 'builtin:nobody': there is no builtin bot 'nobody'",
@@ -78,6 +79,7 @@ class RefereeCommandTest {
 
     /** As tools call: the same names again and again, or files that they have made. */
     @Test
+    @Tag("process")
     void filesOfTheirOwnKindAreReplaced() throws IOException {
         Path log = folder.resolve("log.json");
         Path replay = folder.resolve("match.jsonl");
@@ -92,6 +94,7 @@ class RefereeCommandTest {
     }
 
     @Test
+    @Tag("process")
     void otherFilesAreKept() throws IOException {
         for (String precious : List.of("int main() {}\n", "{\"errors\":[1,2]}", "[]", "{", "{\"type\":\"x\"}")) {
             Path file = Files.writeString(folder.resolve("precious"), precious);

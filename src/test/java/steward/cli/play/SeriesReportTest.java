@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -22,6 +23,7 @@ import steward.cli.shared.ExitStatus;
 import tools.jackson.databind.JsonNode;
 
 /** What a series says and keeps. */
+@Tag("process")
 @Timeout(120)
 class SeriesReportTest {
 

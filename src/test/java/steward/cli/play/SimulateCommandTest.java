@@ -214,6 +214,7 @@ class SimulateCommandTest {
     }
 
     @Test
+    @Tag("process")
     void aFolderIsNoInput() throws IOException, InterruptedException {
         String call = ProcessTest.steward("simulate") + " </tmp 2>&1";
         assertEquals("steward: standard input: found a folder, expected a file or a pipe\nstatus 2\n",

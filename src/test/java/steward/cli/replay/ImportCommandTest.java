@@ -14,6 +14,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.cli.Cli;
@@ -163,6 +164,7 @@ class ImportCommandTest {
 
     /** Between programs, where the input is a pipe and not a file. */
     @Test
+    @Tag("process")
     void pipesOfAShellAreRead() throws IOException, InterruptedException {
         assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
         assertEquals("verified: " + GAME.turns() + " turns\nstatus 0\n", ProcessTest.shell("cat " + recording + " | "

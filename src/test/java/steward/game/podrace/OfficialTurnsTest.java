@@ -11,6 +11,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestReporter;
 import steward.game.podrace.Recordings.Command;
 import steward.physics.Impact;
 
@@ -39,7 +40,7 @@ class OfficialTurnsTest {
     private final List<String[]> recorded = new ArrayList<>();
 
     @Test
-    void everyTurnAndEveryImpactToTheLastBit() throws IOException {
+    void everyTurnAndEveryImpactToTheLastBit(TestReporter report) throws IOException {
         try (Stream<Path> files = Files.list(Recordings.folder())) {
             for (Path file : files.filter(each -> each.getFileName().toString().startsWith("turns_")).sorted().toList()) {
                 forget();
@@ -47,7 +48,7 @@ class OfficialTurnsTest {
                 Recordings.lines(file).forEach(line -> read(file.getFileName().toString(), line.trim().split(" +")));
             }
         }
-        System.out.println(turns + " turns and " + impacts + " impacts of the server compared");
+        report.publishEntry(turns + " turns and " + impacts + " impacts of the server compared");
         assertTrue(turns >= 60, "turns " + turns);
         assertEquals(33, impacts, "lines C of all files");
     }

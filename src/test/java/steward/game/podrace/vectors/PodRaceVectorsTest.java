@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestReporter;
 
 /**
  * Whole matches of the published referee with correctly rounded sine and cosine: states, impacts, paths, ends, faults
@@ -29,7 +30,7 @@ class PodRaceVectorsTest {
     }
 
     @Test
-    void everyMatchOfTheRefereeIsReproducedToTheLastBit() throws IOException {
+    void everyMatchOfTheRefereeIsReproducedToTheLastBit(TestReporter report) throws IOException {
         List<String> differences = new ArrayList<>();
         long values = 0;
         long impacts = 0;
@@ -38,14 +39,14 @@ class PodRaceVectorsTest {
         for (Path file : files) {
             VectorMatch match = VectorMatch.read(file);
             Comparison found = new VectorReplay(match).compare();
-            System.out.println(match.name() + ": " + match.turns().size() + " turns, " + found.values()
+            report.publishEntry(match.name() + ": " + match.turns().size() + " turns, " + found.values()
                 + " values compared, " + found.differences().size() + " different");
             values += found.values();
             impacts += found.impacts();
             turns += match.turns().size();
             differences.addAll(found.differences());
         }
-        System.out.println(files.size() + " matches, " + turns + " turns, " + impacts + " impacts, " + values
+        report.publishEntry(files.size() + " matches, " + turns + " turns, " + impacts + " impacts, " + values
             + " values compared, " + differences.size() + " different");
 
         assertTrue(values > 0, "the folder holds matches");
@@ -53,7 +54,7 @@ class PodRaceVectorsTest {
     }
 
     @Test
-    void theSimulatorPlaysTheSameTurns() throws IOException {
+    void theSimulatorPlaysTheSameTurns(TestReporter report) throws IOException {
         List<String> differences = new ArrayList<>();
         long values = 0;
         int turns = 0;
@@ -65,7 +66,7 @@ class PodRaceVectorsTest {
             turns += simulated.turns();
             differences.addAll(found.differences());
         }
-        System.out.println("simulator: " + turns + " turns, " + values + " values compared, " + differences.size()
+        report.publishEntry("simulator: " + turns + " turns, " + values + " values compared, " + differences.size()
             + " different");
 
         assertTrue(turns > 0, "the folder holds turns without faults");
