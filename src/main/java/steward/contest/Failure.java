@@ -40,6 +40,7 @@ public record Failure(int player, int turn, String reason, List<String> stderr, 
     public String kind() {
         int received = reason.indexOf(RECEIVED);
         String text = WAITED.matcher(received < 0 ? reason : reason.substring(0, received)).replaceAll("");
-        return FaultMessages.isExit(reason) || FaultMessages.isLate(reason) ? text : NUMBER.matcher(text).replaceAll("#");
+        return FaultMessages.isExit(reason) || FaultMessages.isLate(reason) ? text
+            : NUMBER.matcher(text).replaceAll("#");
     }
 }

@@ -57,7 +57,8 @@ final class FailureHints {
     /** It died of the first thing it was told, or answered in another way. */
     private static boolean speaksTheOther(Protocol protocol, String reason, String received, List<String> stderr) {
         if (FaultMessages.isExit(reason)) {
-            return !reason.equals(FaultMessages.exited(0)) && stderr.stream().noneMatch(line -> CLEAR.matcher(line).find());
+            return !reason.equals(FaultMessages.exited(0)) && stderr.stream().noneMatch(line
+                -> CLEAR.matcher(line).find());
         }
         boolean object = received.stripLeading().startsWith("{");
         return !received.isBlank() && object == (protocol == Protocol.CODINGAME);

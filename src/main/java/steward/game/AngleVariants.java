@@ -5,9 +5,9 @@ import steward.Internal;
 import steward.physics.TurnLog;
 
 /**
- * A turn about to be played, computed in every way in which the sines and cosines that it uses may be a unit in the last
- * place off. It says how far such an error reaches: another referee whose functions are not correctly rounded gives
- * times and impulses within that range. Grazing impacts amplify the error far beyond a unit in the last place.
+ * A turn about to be played, computed in every way in which the sines and cosines that it uses may be a unit in the
+ * last place off. It says how far such an error reaches: another referee whose functions are not correctly rounded
+ * gives times and impulses within that range. Grazing impacts amplify the error far beyond a unit in the last place.
  */
 @Internal
 @FunctionalInterface

@@ -12,8 +12,8 @@ public enum Angles {
     /** {@link SineCosine}: each the double that is nearest to the true value. */
     CORRECTLY_ROUNDED("correctly-rounded"),
     /**
-     * {@link StrictAngles}, those of {@link StrictMath}, which is specified by fdlibm 5.3: what replays of formats 1 and
-     * 2 were made with. A game may give them the former rules of that time too.
+     * {@link StrictAngles}, those of {@link StrictMath}, which is specified by fdlibm 5.3: what replays of formats 1
+     * and 2 were made with. A game may give them the former rules of that time too.
      */
     FDLIBM("fdlibm");
 

@@ -1,7 +1,7 @@
 /**
- * Small, exact numeric tools that all other rooms rely on: the random numbers of a match, the hash of a state, correctly
- * rounded sine and cosine, and arithmetic beyond doubles (errors of sums and products, double-doubles, exact sums). This
- * room knows nothing else of Steward.
+ * Small, exact numeric tools that all other rooms rely on: the random numbers of a match, the hash of a state,
+ * correctly rounded sine and cosine, and arithmetic beyond doubles (errors of sums and products, double-doubles, exact
+ * sums). This room knows nothing else of Steward.
  */
 @Internal
 package steward.numerics;

@@ -62,7 +62,8 @@ class FaultMessagesTest {
         assertTrue(FaultMessages.isLate(FaultMessages.late(75 * MS, 76 * MS)));
         assertTrue(FaultMessages.isExit(FaultMessages.exited(3)) && FaultMessages.isExit(FaultMessages.exited(139)));
         assertTrue(FaultMessages.isExit(FaultMessages.exited(127), 127));
-        assertFalse(FaultMessages.isExit(FaultMessages.exited(12), 127) || FaultMessages.isExit(FaultMessages.late(1, 2)));
+        assertFalse(FaultMessages.isExit(FaultMessages.exited(12), 127)
+            || FaultMessages.isExit(FaultMessages.late(1, 2)));
         assertFalse(FaultMessages.isLate(FaultMessages.inputUnread(1, 2)));
     }
 }

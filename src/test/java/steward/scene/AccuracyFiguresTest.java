@@ -145,7 +145,8 @@ class AccuracyFiguresTest {
             + "least 0",
         "\"maxPositionError\": 1, \"share\": 0 | accuracy.share: found 0, expected a number above 0, up to 1",
         "\"maxPositionError\": 1, \"share\": 1.5 | accuracy.share: found 1.5, expected a number 0..1",
-        "\"maxPositionError\": 1, \"share\": \"most\" | accuracy.share: found the text \"most\", expected a number 0..1",
+        "\"maxPositionError\": 1, \"share\": \"most\" | accuracy.share: found the text \"most\", "
+            + "expected a number 0..1",
         "\"maxPositionError\": 1, \"share\": 1, \"advance\": \"event\" | accuracy.advance: found an unknown field, "
             + "expected one of \"maxPositionError\", \"share\""})
     void aWrongDemandIsRefused(String accuracy, String message) throws IOException {

@@ -5,8 +5,8 @@ import steward.physics.TurnLog;
 
 /**
  * The rules as they were when replays of formats 1 and 2 were made, so that these are played again as they were: angles
- * of fdlibm, every knot of a path a corner, another formula for the distance of a checkpoint, nothing counted behind the
- * finish, players ranked by the turn in which they went out.
+ * of fdlibm, every knot of a path a corner, another formula for the distance of a checkpoint, nothing counted behind
+ * the finish, players ranked by the turn in which they went out.
  */
 final class FormerRules extends RaceRules {
 

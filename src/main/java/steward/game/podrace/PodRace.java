@@ -23,8 +23,8 @@ import steward.scene.Scene;
  * Sources: the published official referee and official recordings of 2016 and 2026; with the official law and
  * arithmetic, positions, speeds, headings, impact times and impulses agree with them to the last bit.
  *
- * <p>The pods of an eliminated player stay on the field: they get no commands, drift, and can be hit; a pod whose shield
- * was raised stays heavy. Commands that stand in a faulty answer before the fault take effect in that turn.
+ * <p>The pods of an eliminated player stay on the field: they get no commands, drift, and can be hit; a pod whose
+ * shield was raised stays heavy. Commands that stand in a faulty answer before the fault take effect in that turn.
  *
  * <p>A little over 400 lines, because the steps of a turn belong together and half of the class are accessors for
  * codecs.

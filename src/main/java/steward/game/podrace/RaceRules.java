@@ -2,7 +2,9 @@ package steward.game.podrace;
 
 import steward.physics.TurnLog;
 
-/** What the rules of the race are where two editions of them differ: today's, and those of replays of formats 1 and 2. */
+/**
+ * What the rules of the race are where two editions of them differ: today's, and those of replays of formats 1 and 2.
+ */
 abstract sealed class RaceRules permits CurrentRules, FormerRules {
 
     /** Sine and cosine of the last {@link #point}. */

@@ -11,8 +11,8 @@ public final class StartPlaces {
     }
 
     /**
-     * Side by side across checkpoint 0, facing checkpoint 1, {@code [n][x, y]}: offsets -500, +500, -1500, +1500, ... of
-     * an even number of pods; 0, +1000, -1000, ... of an odd one, as in the published referee.
+     * Side by side across checkpoint 0, facing checkpoint 1, {@code [n][x, y]}: offsets -500, +500, -1500, +1500, ...
+     * of an even number of pods; 0, +1000, -1000, ... of an odd one, as in the published referee.
      */
     public static double[][] of(double[][] checkpoints, int pods) {
         double dx = checkpoints[1][0] - checkpoints[0][0];

@@ -11,8 +11,8 @@ import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;
 
 /**
- * Times and impulses of another referee's impacts against ours: equal to the last bit, or within the range that a unit in
- * the last place of every sine and cosine of the turn reaches ({@link ImpactRange}), or outside of it.
+ * Times and impulses of another referee's impacts against ours: equal to the last bit, or within the range that a unit
+ * in the last place of every sine and cosine of the turn reaches ({@link ImpactRange}), or outside of it.
  */
 final class ImpactComparison {
 

@@ -179,7 +179,8 @@ class ReplayCommandTest {
     @Test
     void futureAnglesAndFormats() throws IOException {
         String text = new String(duel.bytes(), StandardCharsets.UTF_8);
-        Path file = Files.writeString(folder.resolve("future.jsonl"), text.replace("\"correctly-rounded\"", "\"abacus\""));
+        Path file = Files.writeString(folder.resolve("future.jsonl"), text.replace("\"correctly-rounded\"",
+            "\"abacus\""));
         assertEquals(new Cli(ExitStatus.UNUSABLE, "", "steward: " + file + ":1: angles: found abacus, expected "
             + "correctly-rounded or fdlibm; a newer version of Steward may know others\n"), replay(file, "--verify"));
         Files.writeString(file, text.replace("\"format\":3", "\"format\":4"));

@@ -42,7 +42,8 @@ class OfficialTurnsTest {
     @Test
     void everyTurnAndEveryImpactToTheLastBit(TestReporter report) throws IOException {
         try (Stream<Path> files = Files.list(Recordings.folder())) {
-            for (Path file : files.filter(each -> each.getFileName().toString().startsWith("turns_")).sorted().toList()) {
+            for (Path file : files.filter(each
+                -> each.getFileName().toString().startsWith("turns_")).sorted().toList()) {
                 forget();
                 checkpoints = null;
                 Recordings.lines(file).forEach(line -> read(file.getFileName().toString(), line.trim().split(" +")));
@@ -109,7 +110,8 @@ class OfficialTurnsTest {
     private static double[][] row(String[] words) {
         double[][] pods = new double[PODS][COLUMNS];
         for (int k = 0; k < PODS * COLUMNS; k++) {
-            pods[k / COLUMNS][k % COLUMNS] = words[2 + k].equals("null") ? Double.NaN : Double.parseDouble(words[2 + k]);
+            pods[k / COLUMNS][k % COLUMNS] = words[2 + k].equals("null") ? Double.NaN
+                : Double.parseDouble(words[2 + k]);
         }
         return pods;
     }

@@ -11,9 +11,9 @@ final class PodPaths implements TurnSink {
 
     private static final double CLEARANCE = 0.1;
     /**
-     * The filter sets a path aside if the true square of its distance is above that of the radius by 0.9 u^2. The rules'
-     * formula has squares of the path's length in it, which round by less than 2^-50 of them: up to here by less than
-     * 0.9. Longer paths, in u, are not filtered.
+     * The filter sets a path aside if the true square of its distance is above that of the radius by 0.9 u^2. The
+     * rules' formula has squares of the path's length in it, which round by less than 2^-50 of them: up to here by
+     * less than 0.9. Longer paths, in u, are not filtered.
      */
     static final double LONG = 0x1p24;
 

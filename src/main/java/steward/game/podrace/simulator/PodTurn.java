@@ -67,7 +67,7 @@ final class PodTurn {
     /** Offsets per pod in {@link #speed}: the position before, the velocity, and these. */
     private static final int POWER = 4;
     private static final int MASS = 5;
-    private static final int SPEED = 6;
+    static final int SPEED = 6;
 
     private final int pods;
     private final int perPlayer;
@@ -148,7 +148,7 @@ final class PodTurn {
         counts = numbers;
         steer(targetX, targetY, thrust, first);
         paths.clear();
-        long near = pods == 4 && allFar4() ? 0 : nearPairs();
+        long near = pods == 4 && PodPairFilter.allFar(speed, advance.reach()) ? 0 : PodPairFilter.nearPairs(speed, pods, advance);
         int last = counts.length;
         for (int player = COUNTS * pods; player < last; player++) {
             counts[player]--;
@@ -253,54 +253,6 @@ final class PodTurn {
         speed[to + VX] = state[at + VX] + headings.directionX() * speed[to + POWER];
         speed[to + VY] = state[at + VY] + headings.directionY() * speed[to + POWER];
         speed[to + POWER] = 0;
-    }
-
-    /** Whether no pair of four pods can meet, by the coarse test without a loop; true for most turns. */
-    private boolean allFar4() {
-        double[] of = speed;
-        double x0 = of[X];
-        double y0 = of[Y];
-        double vx0 = of[VX];
-        double vy0 = of[VY];
-        double x1 = of[SPEED + X];
-        double y1 = of[SPEED + Y];
-        double vx1 = of[SPEED + VX];
-        double vy1 = of[SPEED + VY];
-        double x2 = of[2 * SPEED + X];
-        double y2 = of[2 * SPEED + Y];
-        double vx2 = of[2 * SPEED + VX];
-        double vy2 = of[2 * SPEED + VY];
-        double x3 = of[3 * SPEED + X];
-        double y3 = of[3 * SPEED + Y];
-        double vx3 = of[3 * SPEED + VX];
-        double vy3 = of[3 * SPEED + VY];
-        double reach = advance.reach();
-        return OfficialAdvance.areFar(x0 - x1, y0 - y1, vx0 - vx1, vy0 - vy1, reach)
-            && OfficialAdvance.areFar(x0 - x2, y0 - y2, vx0 - vx2, vy0 - vy2, reach)
-            && OfficialAdvance.areFar(x0 - x3, y0 - y3, vx0 - vx3, vy0 - vy3, reach)
-            && OfficialAdvance.areFar(x1 - x2, y1 - y2, vx1 - vx2, vy1 - vy2, reach)
-            && OfficialAdvance.areFar(x1 - x3, y1 - y3, vx1 - vx3, vy1 - vy3, reach)
-            && OfficialAdvance.areFar(x2 - x3, y2 - y3, vx2 - vx3, vy2 - vy3, reach);
-    }
-
-    /** The pairs that may meet, as bits in the order of the scan. */
-    private long nearPairs() {
-        double[] from = speed;
-        long near = 0;
-        long bit = 1;
-        for (int i = SPEED * (pods - 1); i > 0; i -= SPEED) {
-            double xi = from[i + X];
-            double yi = from[i + Y];
-            double vxi = from[i + VX];
-            double vyi = from[i + VY];
-            for (int j = i - SPEED; j >= 0; j -= SPEED) {
-                if (advance.mayMeet(xi - from[j + X], yi - from[j + Y], vxi - from[j + VX], vyi - from[j + VY])) {
-                    near |= bit;
-                }
-                bit <<= 1;
-            }
-        }
-        return near;
     }
 
     /*

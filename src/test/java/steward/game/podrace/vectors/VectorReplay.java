@@ -14,8 +14,9 @@ import tools.jackson.databind.JsonNode;
 /**
  * Plays a match of the published referee again by the rules and the site's lines, and compares everything.
  *
- * <p>Players who are out have no rank there but the score 0. The published version has no BOOST: the word is fed as a message in brackets where it stands as one, and is a fault
- * otherwise. Lines that we take and that referee refuses (documented at the protocol) end the player here by hand.
+ * <p>Players who are out have no rank there but the score 0. The published version has no BOOST: the word is fed as a
+ * message in brackets where it stands as one, and is a fault otherwise. Lines that we take and that referee refuses
+ * (documented at the protocol) end the player here by hand.
  */
 final class VectorReplay {
 
