@@ -9,12 +9,6 @@ public enum Arithmetic {
     /** The published referee's own expressions: the same bits as the server. */
     OFFICIAL,
 
-    /**
-     * As {@link #OFFICIAL}, but an impulse is divided by the mass instead of multiplied by its inverse: what replays of
-     * formats 1 and 2 were made with. No scene can ask for it.
-     */
-    FORMER_OFFICIAL,
-
     /** Closed forms without cancellation, in doubles. */
     DOUBLE,
 
@@ -26,7 +20,13 @@ public enum Arithmetic {
      * positions at impacts, impulses and new velocities are computed in double-double and rounded once, when they are
      * stored.
      */
-    EXACT;
+    EXACT,
+
+    /**
+     * As {@link #OFFICIAL}, but an impulse is divided by the mass instead of multiplied by its inverse: what replays of
+     * formats 1 and 2 were made with. No scene can ask for it.
+     */
+    FORMER_OFFICIAL;
 
     /** Those that a scene can ask for, in the order of accuracy. */
     public static final List<Arithmetic> OF_SCENES = List.of(OFFICIAL, DOUBLE, COMPENSATED, EXACT);

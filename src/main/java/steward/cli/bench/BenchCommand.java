@@ -159,8 +159,9 @@ public final class BenchCommand implements Callable<Integer> {
 
     private int measureAll(List<Section> sections, BenchFiles files) {
         BenchTable table = new BenchTable(streams);
-        ProgressLine.announce(streams, (only.isEmpty() ? "" : "less than ")
-            + (full ? "tens of minutes" : quick ? "about a minute" : "some minutes"));
+        if (only.isEmpty() && games == null && bodies.isEmpty()) {
+            ProgressLine.announce(streams, full ? "tens of minutes" : quick ? "about a minute" : "some minutes");
+        }
         Runtime.getRuntime().addShutdownHook(new Thread(table::release, "bench-interrupted"));
         Effort effort = quick ? Effort.QUICK : full ? Effort.LONG : Effort.NORMAL;
         streams.out().println(TradeoffMachine.line());

@@ -106,8 +106,9 @@ public final class StabilityCommand implements Callable<Integer> {
         List<StabilityCase> cases = check.chosen("--case", names, StabilityCases.all(impacts == null ? 0 : impacts),
             StabilityCase::name, "; ");
         List<Rung> rungs = check.chosen("--rung", rungNames, Rung.all(), Rung::name, "; ");
-        ProgressLine.announce(streams, (names.isEmpty() && rungNames.isEmpty() ? "" : "less than ")
-            + (full ? "hours" : quick ? "about a minute" : "some minutes"));
+        if (names.isEmpty() && rungNames.isEmpty() && impacts == null) {
+            ProgressLine.announce(streams, full ? "hours" : quick ? "about a minute" : "some minutes");
+        }
         StabilityTable table = new StabilityTable(streams, cases.size() * rungs.size());
         if (out == null) {
             return table(cases, rungs, size, table, null, "the rows so far are above");

@@ -97,7 +97,9 @@ public final class TradeoffCommand implements Callable<Integer> {
     private void measure(List<TradeoffScene> chosen, boolean headings, TradeoffReport files) {
         TradeoffEffort effort = quick ? TradeoffEffort.QUICK : TradeoffEffort.NORMAL;
         TradeoffTable table = new TradeoffTable(streams);
-        ProgressLine.announce(streams, quick ? "about a minute" : "some minutes");
+        if (scenes.isEmpty()) {
+            ProgressLine.announce(streams, quick ? "about a minute" : "some minutes");
+        }
         int parts = chosen.size() + (headings ? 1 : 0);
         int part = 1;
         for (TradeoffScene scene : chosen) {

@@ -44,7 +44,8 @@ final class PodPairFilter {
             double vxi = from[i + PodTurn.VX];
             double vyi = from[i + PodTurn.VY];
             for (int j = i - PodTurn.SPEED; j >= 0; j -= PodTurn.SPEED) {
-                if (advance.mayMeet(xi - from[j + PodTurn.X], yi - from[j + PodTurn.Y], vxi - from[j + PodTurn.VX], vyi - from[j + PodTurn.VY])) {
+                if (advance.mayMeet(xi - from[j + PodTurn.X], yi - from[j + PodTurn.Y], vxi - from[j + PodTurn.VX],
+                    vyi - from[j + PodTurn.VY])) {
                     near |= bit;
                 }
                 bit <<= 1;

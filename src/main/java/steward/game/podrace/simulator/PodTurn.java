@@ -148,7 +148,8 @@ final class PodTurn {
         counts = numbers;
         steer(targetX, targetY, thrust, first);
         paths.clear();
-        long near = pods == 4 && PodPairFilter.allFar(speed, advance.reach()) ? 0 : PodPairFilter.nearPairs(speed, pods, advance);
+        long near = pods == 4 && PodPairFilter.allFar(speed, advance.reach()) ? 0 : PodPairFilter.nearPairs(speed,
+            pods, advance);
         int last = counts.length;
         for (int player = COUNTS * pods; player < last; player++) {
             counts[player]--;
