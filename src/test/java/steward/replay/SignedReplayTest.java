@@ -16,6 +16,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.bot.Bot;
@@ -127,6 +128,7 @@ class SignedReplayTest {
 
     /** As the Javadoc of what is signed says; with the tools of any Unix. */
     @Test
+    @Tag("process")
     void otherToolsCanCheckIt(@TempDir Path folder) throws IOException, InterruptedException {
         Files.write(folder.resolve("match.jsonl"), duel(KEY).bytes());
         KEY.write(folder.resolve("mine"));

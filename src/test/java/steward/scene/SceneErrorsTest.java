@@ -306,7 +306,7 @@ class SceneErrorsTest {
     /** Such an error is located behind what is too much. */
     @Test
     void theParserKeepsItsBounds() {
-        assertEquals("s.json:1:502: not JSON: found objects and arrays 501 deep, expected at most 500",
+        assertEquals("s.json:1:17: " + "[0]".repeat(16) + ": found nesting deeper than 16, expected at most 16",
             assertThrows(SceneException.class, () -> read("[".repeat(1000))).getMessage());
         assertEquals("s.json:1:2001: not JSON: found a number of 2000 characters, expected at most 1000",
             assertThrows(SceneException.class, () -> read("1".repeat(2000))).getMessage());

@@ -159,8 +159,8 @@ class SceneFilesTest {
 
     @Test
     void aFileThatGoesOnAndOnIsRefused(@TempDir Path folder) throws IOException {
-        Path file = Files.write(folder.resolve("long.json"), new byte[(1 << 20) + 1]);
-        assertEquals(file + ": found a file of more than 1048576 bytes, expected a scene, which is shorter",
+        Path file = Files.write(folder.resolve("long.json"), new byte[(4 << 20) + 1]);
+        assertEquals(file + ": found a file of more than 4194304 bytes, expected a scene of at most 4194304",
             assertThrows(SceneException.class, () -> SceneFiles.load(file.toString())).getMessage());
     }
 

@@ -145,6 +145,6 @@ class DocsTest {
     @Test
     void theFormatOfReplaysIsTheOneThatIsWritten() throws IOException {
         String page = Files.readString(Path.of("docs/replays.md"));
-        assertTrue(page.contains("The format is number " + ReplayHeader.FORMAT + ";"), "docs/replays.md");
+        assertTrue(page.contains("The format is number " + ReplayHeader.FORMAT + "."), "docs/replays.md");
     }
 }

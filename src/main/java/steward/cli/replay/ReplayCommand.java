@@ -43,8 +43,9 @@ import steward.replay.verify.Verification;
         "  steward replay match.jsonl --verify --signed-by mine.key.pub",
         "  steward replay match.jsonl --view match.html --open",
         "  steward replay match.jsonl --frames --player 1 | ./mybot",
-        "", "Exit status: 0 done; 1 not verified: something differs from what the rules give,",
-        "or is missing, or is signed by another key or none; 2 the file or the call is wrong."})
+        "", "Exit status: 0 done; 1 not verified: something differs from what the rules",
+        "give, or is missing, or is signed by another key or none; 2 the file or the",
+        "call is wrong."})
 public final class ReplayCommand implements Callable<Integer> {
 
     private final Streams streams;

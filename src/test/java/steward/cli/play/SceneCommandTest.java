@@ -16,8 +16,8 @@ import steward.scene.SceneFiles;
 class SceneCommandTest {
 
     @Test
-    void itListsWhatTheReadmeLists() throws IOException {
-        String readme = Files.readString(Path.of("README.md"));
+    void itListsWhatTheManualLists() throws IOException {
+        String readme = Files.readString(Path.of("docs/scenes.md"));
         List<String> lines = Cli.run("scene").out().lines().toList();
         assertEquals(SceneFiles.shipped().size(), lines.size());
         for (String line : lines) {

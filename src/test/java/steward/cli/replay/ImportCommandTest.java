@@ -71,8 +71,7 @@ class ImportCommandTest {
         assertEquals("imported: " + GAME.turns() + " turns, finished after 3 laps\n  steward replay " + replay
             + " --verify   compares every turn with these rules\n", cli.out());
         assertEquals(ExitStatus.DONE, cli.status());
-        assertEquals("verified: states of " + GAME.turns() + " of " + GAME.turns()
-            + " turns, as another referee saw them, and the result\n", replay("--verify").out());
+        assertEquals(verified(), replay("--verify").out());
     }
 
     @Test
@@ -97,10 +96,20 @@ class ImportCommandTest {
         assertEquals(2 + checkpoints + 4L * GAME.turns(), frames.lines().count());
     }
 
+    private static String verified() {
+        return "verified: states of " + GAME.turns() + " of " + GAME.turns()
+            + " turns, as another referee saw them, and the result\n" + impacts(24);
+    }
+
+    private static String impacts(int equal) {
+        return "impacts: " + equal
+            + " equal to the last bit, 0 within what a unit in the last place of sines and cosines makes, 0 outside\n";
+    }
+
     @Test
     void aSketchIsShownToo() throws IOException {
         imported(GAME.sketch(SKETCHED));
-        assertEquals("verified: states of 26 of 33 turns, as another referee saw them, and the result\n",
+        assertEquals("verified: states of 26 of 33 turns, as another referee saw them, and the result\n" + impacts(0),
             replay("--verify").out());
         String table = replay().out();
         assertTrue(table.contains("player 1 failed: no answer in the recording"), table);
@@ -120,8 +129,7 @@ class ImportCommandTest {
         assertEquals("precious", Files.readString(replay));
         assertEquals(ExitStatus.DONE, Cli.run("import", recording.toString(), "--out", replay.toString(),
             "--overwrite").status());
-        assertEquals("verified: states of " + GAME.turns() + " of " + GAME.turns()
-            + " turns, as another referee saw them, and the result\n", replay("--verify").out());
+        assertEquals(verified(), replay("--verify").out());
     }
 
     @Test
@@ -155,7 +163,7 @@ class ImportCommandTest {
             "--out", "-"));
         ByteArrayOutputStream verified = new ByteArrayOutputStream();
         assertEquals(ExitStatus.DONE, piped(piped.toByteArray(), verified, "replay", "-", "--verify"));
-        assertEquals("verified: " + GAME.turns() + " turns\n", verified.toString(StandardCharsets.UTF_8));
+        assertEquals(verified(), verified.toString(StandardCharsets.UTF_8));
         ByteArrayOutputStream nothing = new ByteArrayOutputStream();
         assertEquals(ExitStatus.UNUSABLE, piped(new byte[0], nothing, "import", "-", "--out", "-"));
         assertEquals(ExitStatus.UNUSABLE, piped(piped.toByteArray(), nothing, "replay", "-", "--view", "x.html"));
@@ -167,7 +175,7 @@ class ImportCommandTest {
     @Tag("process")
     void pipesOfAShellAreRead() throws IOException, InterruptedException {
         assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
-        assertEquals("verified: " + GAME.turns() + " turns\nstatus 0\n", ProcessTest.shell("cat " + recording + " | "
+        assertEquals(verified() + "status 0\n", ProcessTest.shell("cat " + recording + " | "
             + ProcessTest.steward("import", "-", "--out", "-") + " | "
             + ProcessTest.steward("replay", "-", "--verify")));
     }
