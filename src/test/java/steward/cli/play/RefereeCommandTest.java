@@ -74,7 +74,8 @@ class RefereeCommandTest {
         assertTrue(cli.err().startsWith("steward: warning: -p2 has failed, because it cannot be started: " + reason)
             && cli.err().indexOf('\n') == cli.err().length() - 1, cli.err());
         assertTrue(Files.readString(replay).contains("\"name\":\"b\",\"fault\":\"could not be started: " + reason));
-        assertEquals("verified: states of 1 of 1 turn and the result\n", Cli.run("replay", replay.toString(), "--verify").out());
+        assertEquals("verified: states of 1 of 1 turn and the result\n",
+            Cli.run("replay", replay.toString(), "--verify").out());
     }
 
     /** As tools call: the same names again and again, or files that they have made. */

@@ -115,7 +115,8 @@ class SeriesProcessTest {
         Path cut = replays.resolve("game-0003.jsonl");
         assertEquals("steward: interrupted; 2 of 9 games were complete and count; replays that were cut off: " + cut
             + "\n", err());
-        assertEquals("verified up to the cut: states of 2 of 2 turns\n", Cli.run("replay", cut.toString(), "--verify").out());
+        assertEquals("verified up to the cut: states of 2 of 2 turns\n",
+            Cli.run("replay", cut.toString(), "--verify").out());
         assertFalse(isThere(4));
         assertNoBotIsLeft();
     }

@@ -206,7 +206,8 @@ class FeedCommandTest {
         words[0] = "far=sh";
         assertEquals(ExitStatus.DONE, feed(call, words).status());
         assertTrue(Files.readString(file).contains("\"players\":[{\"name\":\"far-0\",\"bot\":\"far=sh "), "header");
-        assertEquals("verified: states of 50 of 50 turns and the result\n", Cli.run("replay", file.toString(), "--verify").out());
+        assertEquals("verified: states of 50 of 50 turns and the result\n",
+            Cli.run("replay", file.toString(), "--verify").out());
     }
 
     /** A player that spoke CodinGame's lines, and a bundled bot, which speaks JSON. */
@@ -261,7 +262,8 @@ class FeedCommandTest {
         ByteArrayOutputStream verified = new ByteArrayOutputStream();
         Main.run(new Streams(new ByteArrayInputStream(out.toByteArray()), false, verified, err, false, false),
             "replay", "-", "--verify");
-        assertEquals("verified: states of 50 of 50 turns and the result\n", verified.toString(StandardCharsets.UTF_8));
+        assertEquals("verified: states of 50 of 50 turns and the result\n",
+            verified.toString(StandardCharsets.UTF_8));
     }
 
     @Test

@@ -16,7 +16,7 @@ import steward.scene.SceneReader;
 class ImpactRangeTest {
 
     private static PodRace race() {
-        PodRace race = ((PodRaceType.PodRaceSetup) new PodRaceType().open(SceneReader.read(
+        PodRace race = (new PodRaceType().open(SceneReader.read(
             SceneFiles.load("mad-pod-racing"), null))).create(new double[][] {{-1e6, -1e6}, {1e6, 1e6}});
         race.setPod(0, new PodState(6604, 3176, -95, -300, 3.126392304229368, 3, true, 0));
         race.setPod(1, new PodState(7041, 5398, -127, -82, -1.7994764356989612, 0, true, 0));
