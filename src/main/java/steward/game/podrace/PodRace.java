@@ -21,12 +21,14 @@ import steward.scene.Scene;
 /**
  * The rules of the pod race, free of JSON. Pods are the bodies 0..pods-1 in the order of players; bumpers follow.
  * Sources: the published official referee and official recordings of 2016 and 2026; with the official law and
- * arithmetic, positions, speeds, headings, impact times and impulses agree with them to the last bit.
+ * arithmetic, positions, speeds, headings, impact times and impulses agree with them to the last bit. A recorded
+ * impact of a game that is imported may also lie within what a unit in the last place of that turn's sines and cosines
+ * makes.
  *
  * <p>The pods of an eliminated player stay on the field: they get no commands, drift, and can be hit; a pod whose
  * shield was raised stays heavy. Commands that stand in a faulty answer before the fault take effect in that turn.
  *
- * <p>A little over 400 lines, because the steps of a turn belong together and half of the class are accessors for
+ * <p>Over 450 lines, because the steps of a turn belong together and half of the class are accessors for
  * codecs.
  */
 public final class PodRace implements Game {

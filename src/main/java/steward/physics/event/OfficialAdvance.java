@@ -18,6 +18,8 @@ import steward.physics.time.TimeOfImpact;
  * {@link EventAdvance}).
  *
  * <p>Caveat: at most {@value #MOST_BODIES} bodies; more, or of different sizes, are left to {@link EventAdvance}.
+ *
+ * <p>A little over 400 lines: a third of them is the proof that belongs beside the filter.
  */
 public final class OfficialAdvance implements Advance {
 
