@@ -8,6 +8,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.concurrent.CompletionException;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import steward.cli.shared.ErrorHandler;
 import steward.cli.shared.ExitStatus;
@@ -15,6 +16,7 @@ import steward.cli.shared.OutOfMemory;
 import steward.cli.shared.Streams;
 
 /** When the memory does not suffice: one line with advice, and exit status 1, wherever it happened. */
+@Tag("process")
 class OutOfMemoryTest {
 
     private static final String LINE =

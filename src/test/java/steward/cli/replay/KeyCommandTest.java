@@ -16,6 +16,7 @@ import java.util.Base64;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.cli.Cli;
@@ -23,6 +24,7 @@ import steward.cli.shared.ExitStatus;
 import steward.replay.Forge;
 
 /** {@code steward key}, {@code match --sign} and {@code replay --verify --signed-by}. */
+@Tag("process")
 class KeyCommandTest {
 
     @TempDir
