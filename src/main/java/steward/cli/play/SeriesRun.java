@@ -27,6 +27,7 @@ record SeriesRun(Streams streams, Series series, Verbosity report, boolean stric
     private static final int LONGEST_NAME = 12;
 
     /** @return the exit status: not 0 if a game has no result */
+    @SuppressWarnings("try")                           // the interruption is only to be closed
     int play(int threads, boolean overwrite) throws InterruptedException {
         series.prepare(overwrite);
         SeriesPlay play = new SeriesPlay(series, overwrite);
