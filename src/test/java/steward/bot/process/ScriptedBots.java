@@ -36,6 +36,17 @@ public final class ScriptedBots {
         assumeTrue(Files.isDirectory(Path.of("/proc/self")), "there is no /proc");
     }
 
+    /**
+     * A process that a shell started in the background, or nohup, may ignore Ctrl-C, and so do the processes it starts.
+     */
+    public static void assumeInterruptible() throws IOException {
+        Path status = Path.of("/proc/self/status");
+        assumeTrue(Files.exists(status), "there is no /proc");
+        assumeTrue(Files.readAllLines(status).stream().filter(line -> line.startsWith("SigIgn:"))
+            .noneMatch(line -> (Long.parseUnsignedLong(line.substring("SigIgn:".length()).strip(), 16) & 2) != 0),
+            "this process ignores the signal of Ctrl-C");
+    }
+
     static BotProcess bot(String script) {
         return new BotProcess("bot", List.of("sh", "-c", script));
     }

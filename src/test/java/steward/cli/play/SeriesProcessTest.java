@@ -20,6 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.bot.command.CommandLine;
+import steward.bot.process.ScriptedBots;
 import steward.cli.Cli;
 import steward.cli.ProcessTest;
 import steward.cli.ShellBots;
@@ -73,7 +74,7 @@ class SeriesProcessTest {
 
     /** Interrupts it as Ctrl-C does when the third game is under way; what it wrote to stdout. */
     private String interrupted(String... more) throws IOException, InterruptedException {
-        assumeTrue(interruptible(), "this process is deaf to Ctrl-C, and those it starts are");
+        ScriptedBots.assumeInterruptible();
         Process match = new ProcessBuilder("sh", "-c", "exec " + call(more))
             .redirectError(folder.resolve("err").toFile()).start();
         try {
@@ -90,13 +91,6 @@ class SeriesProcessTest {
         } finally {
             match.destroyForcibly();
         }
-    }
-
-    /** A shell that starts something in the background may have made it deaf. */
-    private static boolean interruptible() throws IOException {
-        Path status = Path.of("/proc/self/status");
-        return Files.exists(status) && Files.readAllLines(status).stream().filter(line -> line.startsWith("SigIgn:"))
-            .noneMatch(line -> (Long.parseUnsignedLong(line.substring("SigIgn:".length()).strip(), 16) & 2) != 0);
     }
 
     private String err() throws IOException {
