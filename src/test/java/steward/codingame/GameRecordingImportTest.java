@@ -16,6 +16,8 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.codingame.GameRecordingImport.Imported;
 import steward.match.TestScenes;
 import steward.replay.verify.Difference;
@@ -27,6 +29,7 @@ import tools.jackson.databind.node.ObjectNode;
  * Games of ours in the form of official recordings, imported: they verify, and whatever is changed in them is found in
  * the turn it was changed in.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class GameRecordingImportTest {
 
     private static final OfficialGame GAME = OfficialGame.play(12);

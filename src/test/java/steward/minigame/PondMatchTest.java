@@ -9,6 +9,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.bot.Bot;
 import steward.bot.TestBots;
 import steward.match.MatchResult;
@@ -16,6 +18,7 @@ import steward.minigame.PondMatches.Played;
 import steward.replay.verify.Verification;
 
 /** Whole matches of the pond through the referee, the bots in process, recorded, replayed and verified. */
+@Execution(ExecutionMode.CONCURRENT)
 class PondMatchTest {
 
     private static List<PondBot> bots() {

@@ -4,8 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** Every operation against decimals of 60 digits: within the bound that its class states, in units of 2^-106. */
+@Execution(ExecutionMode.CONCURRENT)
 class DoubleDoubleTest {
 
     private static final int CASES = 5_000;

@@ -4,8 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** Sums and products with their errors, against exact decimals and against the processor's fused multiply-add. */
+@Execution(ExecutionMode.CONCURRENT)
 class ErrorFreeTest {
 
     @Test

@@ -4,11 +4,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /**
  * Bit for bit the values of StrictMath: at random arguments of every kind, on and beside every number at which the
  * algorithm changes its way. One million pairs, or what the system property {@code steward.angles} says.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class StrictAnglesTest {
 
     private static final long COUNT = Long.getLong("steward.angles", 1_000_000);

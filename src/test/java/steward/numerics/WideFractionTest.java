@@ -6,8 +6,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.math.BigDecimal;
 import java.math.BigInteger;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** Fractions of 192 digits against whole numbers of any length. */
+@Execution(ExecutionMode.CONCURRENT)
 class WideFractionTest {
 
     private static final int COUNT = 20_000;

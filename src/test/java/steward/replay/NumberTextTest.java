@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.game.JsonNumbers;
@@ -19,6 +21,7 @@ import tools.jackson.core.ObjectWriteContext;
  * back as the same double; those marked "not before JDK 19" are where {@code Double.toString} once wrote more digits
  * (JDK-4511638).
  */
+@Execution(ExecutionMode.CONCURRENT)
 class NumberTextTest {
 
     private static final byte[] NOTHING = {};

@@ -9,6 +9,8 @@ import java.util.List;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -20,6 +22,7 @@ import steward.match.SeededBot;
 import steward.match.TestScenes;
 
 /** What is written is read back, verifies, and is the same when the match is played again. */
+@Execution(ExecutionMode.CONCURRENT)
 class RoundTripTest {
 
     static Stream<Arguments> matches() {

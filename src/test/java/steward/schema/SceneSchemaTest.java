@@ -9,6 +9,8 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.match.TestScenes;
@@ -27,6 +29,7 @@ import tools.jackson.databind.node.ObjectNode;
  * The schema of scenes says what their reader does: scenes spoilt at random in seeded ways are accepted by both, or
  * refused by both, except for rules that no schema can state.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class SceneSchemaTest {
 
     private static final Schema SCHEMA = Schemas.open("scene");

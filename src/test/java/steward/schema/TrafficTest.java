@@ -9,6 +9,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.bot.Bot;
@@ -20,6 +22,7 @@ import steward.match.TestScenes;
 import steward.replay.Recorded;
 
 /** Real traffic: every frame, every answer and every line of the replay of whole matches is valid. */
+@Execution(ExecutionMode.CONCURRENT)
 class TrafficTest {
 
     private static final Schema SETUP = Schemas.open("setup");

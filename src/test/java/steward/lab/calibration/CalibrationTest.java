@@ -9,6 +9,8 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.game.GameSetup;
@@ -23,6 +25,7 @@ import steward.scene.SceneFiles;
 import steward.scene.SceneText;
 
 /** How far off the rungs are in a scene's own states. */
+@Execution(ExecutionMode.CONCURRENT)
 class CalibrationTest {
 
     /** Both pods make for the same place, by ways that differ from turn to turn. */

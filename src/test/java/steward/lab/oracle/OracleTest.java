@@ -8,6 +8,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.math.BigDecimal;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.numerics.SplitMix64;
@@ -19,6 +21,7 @@ import steward.physics.Segment;
 import steward.physics.Wall;
 
 /** The oracle itself, against closed forms by hand, conservation, reversal and the digits of pi. */
+@Execution(ExecutionMode.CONCURRENT)
 class OracleTest {
 
     /** What 64 digits leave of an error after a few operations. */

@@ -7,12 +7,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.math.BigDecimal;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.lab.trial.PairSampler;
 import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 
 /** The fast truth about pairs against the oracle, and by hand. */
+@Execution(ExecutionMode.CONCURRENT)
 class PairOracleTest {
 
     private static Bodies pair(double x, double y, double vx, double vy, double radius) {

@@ -9,6 +9,8 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.numerics.SplitMix64;
 import steward.physics.Arena;
 import steward.physics.Arithmetic;
@@ -24,6 +26,7 @@ import steward.physics.TurnSink;
 import steward.physics.Wall;
 
 /** Whole turns in exact arithmetic: what is stored is what decimals say, rounded once. */
+@Execution(ExecutionMode.CONCURRENT)
 class ExactTurnTest {
 
     private static final MathContext DIGITS = new MathContext(70);

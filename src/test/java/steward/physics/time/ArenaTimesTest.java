@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.math.BigDecimal;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.numerics.SplitMix64;
 import steward.physics.Arena;
 
@@ -13,6 +15,7 @@ import steward.physics.Arena;
  * circle of radius "room" (arena less body) for the centre; with cos of the angle between flight and normal there,
  * known to 32 u room / (|v| cos), u = 2^-53, by the same derivation as for two circles.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class ArenaTimesTest {
 
     private static final double NEVER = Double.POSITIVE_INFINITY;

@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.math.BigDecimal;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.numerics.SplitMix64;
 
 /**
@@ -24,6 +26,7 @@ import steward.numerics.SplitMix64;
  * |v| |t - exact| <= 16 u d / cos as long as the first order counts, cos^2 > 64 u d / s. Hit or miss is decided by
  * |v| s - |d x v|, wrong by at most 6 u d |v|: certain unless |p - s| <= 8 u d.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class CirclesTest {
 
     private static final double NEVER = Double.POSITIVE_INFINITY;

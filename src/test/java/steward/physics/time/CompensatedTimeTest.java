@@ -5,9 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.math.BigDecimal;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.numerics.SplitMix64;
 
 /** The bound that {@link CompensatedTime} states, against 60 digits. */
+@Execution(ExecutionMode.CONCURRENT)
 class CompensatedTimeTest {
 
     /** Derived in the class: 4.9 units, whatever cancels. */

@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.math.BigDecimal;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.numerics.SplitMix64;
 import steward.physics.HalfPlane;
 import steward.physics.Segment;
@@ -14,6 +16,7 @@ import steward.physics.Segment;
  * the speed toward the wall at the touch, each place is known to about 8 u M and each time to 32 u M / w; a miss or a
  * hit is certain where it is the same with a radius 32 u M smaller and larger.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class FlatWallTimesTest {
 
     private static final double NEVER = Double.POSITIVE_INFINITY;

@@ -9,6 +9,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.bot.Bot;
 import steward.match.SeededBot;
 import steward.match.TestScenes;
@@ -22,6 +24,7 @@ import steward.scene.json.SceneException;
  * A small match of four turns with impacts, messages beyond ASCII and a fault: every byte of its replay is altered, one
  * at a time, twice; and some are taken away or doubled. Only what stands within {@code times} may be anything.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class EveryByteTest {
 
     private static Recorded match(SigningKey key) {

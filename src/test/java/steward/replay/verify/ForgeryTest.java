@@ -20,6 +20,8 @@ import java.util.Map;
 import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.bot.Bot;
 import steward.match.SeededBot;
 import steward.match.TestScenes;
@@ -34,6 +36,7 @@ import steward.scene.json.SceneException;
  * an unsigned replay, once for a signed one. An unsigned one passes only where nothing of the game is touched, or where
  * it is another game altogether: a replay proves that states follow from commands, not who gave them.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class ForgeryTest {
 
     enum Verdict {

@@ -12,12 +12,15 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /**
  * Whole matches of the published referee with correctly rounded sine and cosine: states, impacts, paths, ends, faults
  * and the lines sent to bots, from the start and from every state that was set by hand. Another folder of this form:
  * {@code gradle test --tests '*VectorsTest' -Psteward.vectors=FOLDER}.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class PodRaceVectorsTest {
 
     private static List<Path> files() throws IOException {
