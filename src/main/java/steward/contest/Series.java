@@ -54,7 +54,7 @@ public record Series(Contest contest, long first, int seeds, boolean swap, Path 
             return player;
         }
 
-        /** Whether there is a result, and all players failed in the same turn: then nobody has earned it. */
+        /** Whether there is a result, and all players failed in the same turn: then no player has earned it. */
         public boolean allFailed() {
             return result != null && failures.size() == result.players().size()
                 && failures.stream().allMatch(failure -> failure.turn() == failures.get(0).turn());

@@ -10,13 +10,13 @@ import steward.numerics.Angles;
  *
  * @param game       id of the game
  * @param scene      the scene as used, one line of JSON
- * @param seed       what everything drawn by lot followed from
+ * @param seed       the seed of all random draws of the match
  * @param names      of the players, in order
  * @param bots       their commands, in order
  * @param protocols  the languages they speak, in order
  * @param timeFactor by which the scene's limits were multiplied; {@code POSITIVE_INFINITY} for no deadlines
  * @param angles     where the sines and cosines of the game came from
- * @param signer     the public key of who signs the replay, as {@link steward.replay.sign.SignerKey#text}; or
+ * @param signer     the public key of the signer, as {@link steward.replay.sign.SignerKey#text}; or
  *                   {@code null}
  */
 public record ReplayHeader(String game, String scene, long seed, List<String> names, List<String> bots,

@@ -77,7 +77,7 @@ final class SeriesOptions {
         return Optional.ofNullable(keep).flatMap(Keep::of).orElse(Keep.ALL);
     }
 
-    /** How many games at the same time; says so if these processors will not carry them. */
+    /** How many games at the same time; warns if there are too few processors for them. */
     int threads(Streams streams) {
         int processors = Runtime.getRuntime().availableProcessors();
         int count = threads(processors);
@@ -105,7 +105,7 @@ final class SeriesOptions {
         }
     }
 
-    /** A game keeps one processor busy, since bots are asked in turns; one is left for all else there is to do. */
+    /** A game keeps one processor busy, since bots are asked in turns; one is left for everything else. */
     static int auto(int processors) {
         return Math.max(1, Math.min(processors - 1, CallCheck.MOST_THREADS));
     }

@@ -16,7 +16,7 @@ import steward.text.TextFormat;
 final class SeriesText {
 
     private static final int KINDS_SHOWN = 10;
-    /** So many games are named in a line. */
+    /** How many games are named in a line. */
     private static final int GAMES_SHOWN = 8;
     private static final double NANOS_PER_MS = 1e6;
     static final double PERCENTILE = 0.99;
@@ -24,7 +24,7 @@ final class SeriesText {
     private SeriesText() {
     }
 
-    /** One line: how many games of what, the points, and who failed how often. */
+    /** One line: how many games of what, the points, and which bots failed how often. */
     static String headline(Series series, Standings standings) {
         StringBuilder line = new StringBuilder(games(series, standings) + ":");
         StringBuilder faults = new StringBuilder();

@@ -147,7 +147,7 @@ public final class Resimulation {
         return token == JsonToken.VALUE_NULL ? null : codec.readPartialCommand(in, player);
     }
 
-    /** What is wrong with the commands, which are read to be told. */
+    /** What is wrong with the commands; they are read one by one to find it. */
     private Difference readCarefully(RecordedTurn turn) {
         byte[] json = turn.commands();
         int player = 0;
