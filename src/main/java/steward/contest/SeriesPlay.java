@@ -181,7 +181,7 @@ public final class SeriesPlay {
         if (game.file() == null) {
             return true;
         }
-        if (series.keep() == Keep.ALL && game.log().turns() > 0) {
+        if (series.keep() == KeptReplays.ALL && game.log().turns() > 0) {
             return false;
         }
         game.file().remove();

@@ -6,7 +6,7 @@ import steward.cli.shared.FailureText;
 import steward.contest.AnswerTimes;
 import steward.contest.Contest;
 import steward.contest.FailureKind;
-import steward.contest.Keep;
+import steward.contest.KeptReplays;
 import steward.contest.Series;
 import steward.contest.Standings;
 import steward.contest.Tally;
@@ -163,7 +163,7 @@ final class SeriesText {
             out.println("Replays: none (--keep " + series.keep().word() + ")");
             return;
         }
-        out.println("Replays: " + (series.keep() == Keep.ALL ? "" : kept.size() + " of "
+        out.println("Replays: " + (series.keep() == KeptReplays.ALL ? "" : kept.size() + " of "
             + TextFormat.count(games.size(), "game") + " (--keep " + series.keep().word() + "), ")
             + kept.get(0).replay() + (kept.size() == 1 ? "" : " to " + kept.get(kept.size() - 1).replay()));
     }

@@ -47,7 +47,7 @@ public record Verification(int turns, int states, boolean whole, Difference diff
         Resimulation again = new Resimulation(replay.header(), types, replay.source());
         SignedLines signed = new SignedLines(replay);
         LineCheck check = replay.format() < SPELLED_SINCE ? new EarlierLineCheck(replay, again)
-            : new SpelledLineCheck(replay, again, signed);
+            : new ExactLineCheck(replay, again, signed);
         Difference difference = check.header();
         String[] faults = new String[again.game().players()];
         int turns = 0;
@@ -68,7 +68,7 @@ public record Verification(int turns, int states, boolean whole, Difference diff
             whole = turn == null && difference == null;
             if (turn != null && difference == null) {
                 turns++;
-                states += !replay.imported() || Observed.hasState(turn.outcome()) ? 1 : 0;
+                states += !replay.imported() || RecordedObservations.hasState(turn.outcome()) ? 1 : 0;
                 for (int player = 0; player < faults.length; player++) {
                     faults[player] = faults[player] == null ? turn.faults()[player] : faults[player];
                 }

@@ -25,7 +25,7 @@ import tools.jackson.core.ObjectWriteContext;
  * bytes up to {@code times} are compared: nothing can be added, left out, doubled, moved or spelled in another way.
  * If they differ, the first difference is looked for.
  */
-final class SpelledLineCheck implements LineCheck {
+final class ExactLineCheck implements LineCheck {
 
     private static final int OUTCOME_NAME = ",\"outcome\":".length();
     private static final int SHOWN = 40;
@@ -34,7 +34,7 @@ final class SpelledLineCheck implements LineCheck {
     private final Resimulation again;
     private final Game game;
     private final SignedLines signed;
-    private final Observed observed;
+    private final RecordedObservations observed;
     private final ImpactComparison impacts = new ImpactComparison();
     private final ReplayLines lines;
     /** The turn that {@link #isSame} has played, or {@code null}; and whether its line is written to its end. */
@@ -43,12 +43,12 @@ final class SpelledLineCheck implements LineCheck {
     private int outcomeFrom;
     private int outcomeTo;
 
-    SpelledLineCheck(ReplayReader replay, Resimulation again, SignedLines signed) {
+    ExactLineCheck(ReplayReader replay, Resimulation again, SignedLines signed) {
         this.replay = replay;
         this.again = again;
         this.signed = signed;
         game = again.game();
-        observed = replay.imported() ? new Observed(replay) : null;
+        observed = replay.imported() ? new RecordedObservations(replay) : null;
         ReplayHeader header = replay.header();
         lines = new ReplayLines(new ReplayHeader(header.game(), again.setup().scene().json(), header.seed(),
             header.names(), header.bots(), header.protocols(), header.timeFactor(), header.angles(), header.signer()),
