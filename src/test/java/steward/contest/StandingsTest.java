@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import steward.match.MatchResult;
 import steward.match.Protocol;
 
-/** What games add up to. */
+/** The sums over the games of a series. */
 class StandingsTest {
 
     private static Contest contest(int players) {

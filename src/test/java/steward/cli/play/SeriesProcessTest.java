@@ -92,7 +92,7 @@ class SeriesProcessTest {
         }
     }
 
-    /** A shell that starts something in the background may have made it deaf. */
+    /** A shell may start a background process with the signal ignored. */
     private static boolean interruptible() throws IOException {
         Path status = Path.of("/proc/self/status");
         return Files.exists(status) && Files.readAllLines(status).stream().filter(line -> line.startsWith("SigIgn:"))
@@ -143,7 +143,7 @@ class SeriesProcessTest {
         }
     }
 
-    /** A process that has ended may stay in the table, without a command line, until its parent asks for it. */
+    /** A zombie process stays in the process table, without a command line, until its parent waits for it. */
     private static boolean isRunning(long pid) {
         return ProcessHandle.of(pid).flatMap(handle -> handle.info().commandLine()).isPresent();
     }

@@ -101,7 +101,7 @@ class EditedReplayTest {
         return b >= '0' && b <= '9';
     }
 
-    /** What was measured: nobody can know it. */
+    /** What was measured, and so cannot be verified. */
     private static boolean isFree(String path) {
         return path.startsWith("/times/");
     }
@@ -302,7 +302,7 @@ class EditedReplayTest {
         assertEquals("commands[2]", difference.field());
     }
 
-    /** Line 6 is one of those that are settled by their bytes: nobody failed, said or wrote anything. */
+    /** Line 6 is one of those that are settled by their bytes: it has no faults, messages or stderr. */
     @ParameterizedTest
     @ValueSource(strings = {"}", "]", "x", "0", ",", "{}", "]}}", ",\"turn\":20}"})
     void somethingBehindATurn(String more) {

@@ -30,9 +30,9 @@ import steward.replay.sign.SigningKey;
 import steward.scene.json.SceneException;
 
 /**
- * What can be done to a replay by who knows the format and makes every hash right again, and what comes of it: once for
- * an unsigned replay, once for a signed one. An unsigned one passes only where nothing of the game is touched, or where
- * it is another game altogether: a replay proves that states follow from commands, not who gave them.
+ * Edits of a replay by a forger that knows the format and computes every hash again, and what verification finds: once
+ * for an unsigned replay, once for a signed one. An unsigned one passes only where nothing of the game is touched, or
+ * where it is another game altogether: a replay proves that states follow from commands, not who gave them.
  */
 class ForgeryTest {
 
@@ -45,9 +45,9 @@ class ForgeryTest {
         CUT,
         /** All agrees but the signature: exit status 1. */
         WRONG_SIGNATURE,
-        /** Verified, but signed by nobody: exit status 1 with {@code --signed-by}. */
+        /** Verified, but not signed: exit status 1 with {@code --signed-by}. */
         UNSIGNED,
-        /** Verified, but signed by somebody else: exit status 1 with {@code --signed-by}. */
+        /** Verified, but signed by another key: exit status 1 with {@code --signed-by}. */
         ANOTHER_SIGNER,
         /** Verified. */
         PASSES
