@@ -47,7 +47,7 @@ public record ReplayHeader(String game, String scene, long seed, List<String> na
         return new ReplayHeader(game, scene, seed, names, bots, protocols, timeFactor, angles, key);
     }
 
-    /** A match between players who all speak JSON. */
+    /** A match between players that all use JSON. */
     public ReplayHeader(String game, String scene, long seed, List<String> names, List<String> bots,
                         double timeFactor) {
         this(game, scene, seed, names, bots, Collections.nCopies(names.size(), Protocol.JSON), timeFactor);

@@ -30,7 +30,7 @@ import tools.jackson.core.JsonToken;
  * from that turn on its own commands are played.
  *
  * <p>The others do not see what has changed: their commands are applied as they are. The match ends when the rules say
- * so, or where a player who is still in has neither a command nor a fault recorded; then the new recording has no
+ * so, or where a player that is still in has neither a command nor a fault recorded; then the new recording has no
  * result.
  */
 public final class Takeover {

@@ -138,7 +138,7 @@ public final class Resimulation {
         return player == game.players();
     }
 
-    /** @return what is wrong with the command of a player who was asked, or {@code null} */
+    /** @return what is wrong with the command of a player that was asked, or {@code null} */
     private String readOne(JsonParser in, JsonToken token, int player, String fault) {
         if (fault == null) {
             return token == JsonToken.VALUE_NULL ? "null" : codec.readCommand(in, player);
