@@ -148,8 +148,8 @@ class CalibrateTest {
     }
 
     /**
-     * The shipped figures are those of the present physics and states. If it is not: {@code steward tradeoff
-     * --calibrate config/scenes/NAME.json --overwrite}.
+     * The shipped figures are those of the present physics and states. If they are not:
+     * {@code steward tradeoff --calibrate config/scenes/NAME.json --overwrite}.
      */
     @ParameterizedTest
     @ValueSource(strings = {"duel", "mad-pod-racing-silver", "mad-pod-racing", "walled-race"})
