@@ -36,7 +36,7 @@ import steward.text.TextFormat;
 record FeedSession(Streams streams, RecordedMatch match, int player, BotCommand bot, Protocol protocol,
                    List<String> words, Integer pause, boolean quiet, boolean json, boolean piped) {
 
-    /** How long a bot that is not debugged may take to end by itself, in milliseconds. */
+    /** How long a bot may take to end by itself, without a debugger or a pause, in milliseconds. */
     private static final long GRACE_MS = 1000;
     private static final long KILL_MS = 500;
 
