@@ -121,7 +121,7 @@ public class ProcessTest {
     }
 
     /** A zombie process stays in the process table, without a command line, until its parent waits for it. */
-    private static boolean isRunning(long pid) {
+    public static boolean isRunning(long pid) {
         return ProcessHandle.of(pid).flatMap(handle -> handle.info().commandLine()).isPresent();
     }
 }

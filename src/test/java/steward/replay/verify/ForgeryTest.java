@@ -21,7 +21,6 @@ import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import steward.bot.Bot;
-import steward.match.SeededBot;
 import steward.match.TestScenes;
 import steward.replay.Forge;
 import steward.replay.Recorded;
@@ -82,29 +81,11 @@ class ForgeryTest {
 
     private static Recorded play(SigningKey key, long seed) {
         return Recorded.of(TestScenes.changed("walled-race", "\"players\": 2", "\"players\": 3"), seed,
-            List.of(new Stopping(LAST, 1), new Stopping(LAST, 2), new Stopping(5, 3)), key);
+            List.of(stopping(LAST, 1), stopping(LAST, 2), stopping(5, 3)), key);
     }
 
-    private static final class Stopping implements Bot {
-
-        private final SeededBot bot;
-        private final int last;
-        private int turns;
-
-        Stopping(int last, long seed) {
-            this.last = last;
-            bot = new SeededBot(seed, 0.9);
-        }
-
-        @Override
-        public void setup(String line) {
-            bot.setup(line);
-        }
-
-        @Override
-        public String turn(String line) {
-            return ++turns < last ? bot.turn(line) : "stop";
-        }
+    private static Bot stopping(int last, long seed) {
+        return new StoppingBot(last, seed, 0.9, "stop");
     }
 
     private static void put(String name, Verdict unsigned, Verdict signedToo, UnaryOperator<Forge> change) {
