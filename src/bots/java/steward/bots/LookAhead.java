@@ -37,7 +37,7 @@ final class LookAhead implements Strategy {
         return leader;
     }
 
-    /** Pods of players who are out come to rest; at the start all pods are at rest. */
+    /** Pods of players that are out come to rest; at the start all pods are at rest. */
     private static boolean moves(Pods pods, int pod) {
         return pods.vx[pod] != 0 || pods.vy[pod] != 0 || pods.headingX[pod] == 0 && pods.headingY[pod] == 0;
     }

@@ -23,7 +23,7 @@ public final class UnstartablePlayer implements Player {
 
     @Override
     public void tell(byte[] lines, int length) {
-        // Nobody is there to be told.
+        // There is no process to send them to.
     }
 
     @Override
@@ -35,7 +35,7 @@ public final class UnstartablePlayer implements Player {
 
     @Override
     public void onAbandoned(Consumer<Answer> continuation) {
-        // It always comes back.
+        // The call always returns.
     }
 
     @Override

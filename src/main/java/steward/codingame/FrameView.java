@@ -54,7 +54,7 @@ final class FrameView {
         lines = text == null || text.isBlank() ? new String[0] : text.stripTrailing().split("\r?\n", -1);
     }
 
-    /** Checks that the view is that of its frame: where frames are missing, the numbers go on otherwise. */
+    /** Checks that the view is that of its frame: where frames are missing, the numbers differ. */
     void checkNumber() {
         if (lines.length == 0) {
             return;

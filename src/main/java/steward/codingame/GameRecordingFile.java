@@ -10,8 +10,8 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * Finds the recording in what a person took for one: {@code {"success":{"gameResult":{"frames":[...],...}}}} or any of
- * the inner objects. Of another file it says what it is.
+ * Finds the recording in a file that was given as one: {@code {"success":{"gameResult":{"frames":[...],...}}}} or any
+ * of the inner objects. The error for another file says what the file is.
  */
 final class GameRecordingFile {
 
@@ -25,7 +25,7 @@ final class GameRecordingFile {
     }
 
     /**
-     * The object whose field {@code frames} is an array with something in it.
+     * The object whose field {@code frames} is an array that is not empty.
      *
      * @param text   of the file
      * @param source its name, for errors

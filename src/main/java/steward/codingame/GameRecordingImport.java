@@ -56,7 +56,7 @@ public final class GameRecordingImport {
      * @param source its name, for errors
      * @param types  must know the pod race
      * @throws IllegalArgumentException     if it is no recording of a pod race; says in which frame and line
-     * @throws steward.scene.json.SceneException if its map is none that can be raced on
+     * @throws steward.scene.json.SceneException if no race is possible on its map
      */
     public static GameRecordingImport of(String json, String source, GameTypes types) {
         GameRecording recording = GameRecordingReader.read(json, source);
@@ -162,7 +162,7 @@ public final class GameRecordingImport {
             turns++;
         }
 
-        /** A server that went on playing after our end is not kept secret. */
+        /** The result counts the turns that the server played after the end by our rules. */
         @Override
         public void end(MatchResult result) {
             int all = recording.turns().size();

@@ -84,7 +84,7 @@ final class GameRecordingReader {
         return withoutImpactsIfThereAreNone(turns);
     }
 
-    /** Whether nobody but the referee speaks; otherwise it must be the player whose turn it is. */
+    /** Whether the frame is the referee's alone; otherwise it must be that of the player whose turn it is. */
     private boolean isReferee(JsonNode frame, int number, int player) {
         JsonNode agent = frame.get("agentId");
         if (agent == null || agent.isNull()) {
@@ -120,7 +120,7 @@ final class GameRecordingReader {
         return ends;
     }
 
-    /** Whoever is missing was not asked any more because the one before had failed, or is the one that failed. */
+    /** A player without a frame was not asked any more because the one before it had failed, or has failed itself. */
     private static List<List<String>> complete(List<List<String>> commands, boolean last) {
         List<List<String>> all = new ArrayList<>(commands);
         while (all.size() < GameRecording.PLAYERS) {
@@ -133,7 +133,7 @@ final class GameRecordingReader {
         return lines.size() < GameRecording.PODS_PER_PLAYER;
     }
 
-    /** A recording without a single impact may come from a source that tells of none. */
+    /** A recording without a single impact may come from a source that records none. */
     private static List<GameRecording.Turn> withoutImpactsIfThereAreNone(List<GameRecording.Turn> turns) {
         boolean any = turns.stream().anyMatch(turn -> turn.impacts() != null && !turn.impacts().isEmpty());
         return any ? turns : turns.stream()

@@ -33,8 +33,8 @@ import tools.jackson.core.ObjectWriteContext;
  * <ul>
  * <li>{@code errors}, {@code outputs}: what {@code "referee"}, {@code "0"}, {@code "1"}, ... wrote to stderr and to
  * stdout, line ends included; the referee writes nothing
- * <li>{@code summaries}: who was eliminated and why; {@code views}: the state after the turn, as the text of a JSON
- * object
+ * <li>{@code summaries}: which players were eliminated and why; {@code views}: the state after the turn, as the text of
+ * a JSON object
  * <li>{@code scores}: see {@link GameResultScores}; {@code uinput}: {@code "seed=N"}; {@code ids} and {@code agents}:
  * the players
  * <li>{@code metadata}: scene, turns and ending, as the text of a JSON object

@@ -54,7 +54,7 @@ public final class LeagueJson {
         writeAttributes(out, matchData, result, ofTurns);
     }
 
-    /** What is about single turns has a bracket where a name should begin; it is in the attributes. */
+    /** Data about single turns have a bracket where a name should begin; they are in the attributes. */
     private static Map<String, String> data(Map<String, String> reported) {
         Map<String, String> data = new TreeMap<>(reported);
         data.keySet().removeIf(name -> name.startsWith("["));

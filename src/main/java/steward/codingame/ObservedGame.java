@@ -11,8 +11,8 @@ import tools.jackson.core.JsonGenerator;
 /**
  * What CodinGame's server saw of a game, in the form of a replay. Of the shield it shows only the turn in which it was
  * raised, of the boost nothing, of the checkpoints the next one: timers, boosts and passed checkpoints are counted
- * here. Its counters are those of a race that goes on: before the first turn everybody has rank 1, and what it counts
- * in the last turn is left out.
+ * here. Its counters are those of a race that goes on: before the first turn all players have rank 1, and those of the
+ * last turn are left out.
  */
 final class ObservedGame implements Observations {
 
@@ -51,7 +51,7 @@ final class ObservedGame implements Observations {
             next[pod] = recording.start().pods().get(pod).nextCheckpoint();
         }
         writePods(out, recording.start().pods());
-        writeTurnsLeft(out, recording.start());               // all have rank 1 there, whoever is nearer
+        writeTurnsLeft(out, recording.start());               // all have rank 1 there, at any distance
     }
 
     @Override
@@ -121,8 +121,8 @@ final class ObservedGame implements Observations {
     }
 
     /**
-     * A pod whose next checkpoint has moved on has passed as many. Only the last one of a race is not seen to be
-     * passed: the server leaves its number as the next, with which both counts agree, so ours is taken.
+     * A pod has passed as many checkpoints as its next one has moved on. Only at the last one of a race this does not
+     * tell: the server leaves its number as the next, which fits both counts, so the computed count is taken.
      */
     private void count(List<GameRecording.Pod> pods) {
         int count = recording.checkpoints().length;

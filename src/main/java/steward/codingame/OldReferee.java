@@ -123,14 +123,14 @@ public final class OldReferee {
         lines.flush();
     }
 
-    /** A player has failed. */
+    /** Notes that a player has failed. */
     void failed(int player) {
         if (!brokenOff) {
             failed.add(player);
         }
     }
 
-    /** Nobody can be asked any more: what is closed from now on has not failed. */
+    /** The input has ended, so no player can be asked: one that is closed from now on has not failed. */
     InputEnded breakOff() {
         brokenOff = true;
         return new InputEnded();
@@ -156,7 +156,7 @@ public final class OldReferee {
             game = started;
         }
 
-        /** The ranks when those who failed in the turn that could not be played are out. */
+        /** The ranks after the players that failed in the turn that could not be played are out. */
         int[] brokenOff() {
             failed.forEach(player -> game.eliminate(player, "failed"));
             return game.ranks();

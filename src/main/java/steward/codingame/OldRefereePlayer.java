@@ -34,7 +34,7 @@ final class OldRefereePlayer implements Player {
         told.write(frame, 0, length);
     }
 
-    /** @throws OldReferee.InputEnded if the input had ended before: then this player is not to blame */
+    /** @throws OldReferee.InputEnded if the input had ended before: then this player has not failed */
     @Override
     public Ending ask(byte[] frame, int length, int answerLines, long limitNanos, Answer answer) {
         answer.clear();

@@ -7,7 +7,7 @@ import java.util.function.Consumer;
 import steward.bot.Answer;
 import steward.bot.Player;
 
-/** A player that says what one did in a recording, in CodinGame's protocol. */
+/** A player that gives the recorded answers of a player, in CodinGame's protocol. */
 final class RecordedPlayer implements Player {
 
     private final GameRecording recording;
@@ -46,7 +46,7 @@ final class RecordedPlayer implements Player {
         return Ending.ANSWERED;
     }
 
-    /** Not asked any more: every pod aims at its own place, which is no command at all. */
+    /** The answer where none is recorded: every pod aims at its own position, which has no effect. */
     private static List<String> idle(byte[] frame, int length, int pods) {
         List<String> lines = new ArrayList<>();
         for (String line : new String(frame, 0, length, StandardCharsets.UTF_8).split("\n")) {

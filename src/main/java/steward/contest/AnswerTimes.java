@@ -12,7 +12,7 @@ public final class AnswerTimes {
     private static final int BITS = 6;
     /** Buckets for each power of two. */
     private static final int PER_POWER = 1 << BITS;
-    /** The last is that of {@code Long.MAX_VALUE}, whose highest bit is 62: 56 shifts, and 127. */
+    /** The last bucket is that of {@code Long.MAX_VALUE}: its highest bit is 62, so 56 shifts, and 127. */
     private static final int BUCKETS = (62 - BITS) * PER_POWER + 2 * PER_POWER;
 
     private final int[] buckets = new int[BUCKETS];
@@ -43,7 +43,7 @@ public final class AnswerTimes {
         }
     }
 
-    /** The answers of a game, which are not from several games. */
+    /** Adds the answers of one game. */
     void addAll(AnswerTimes game, int number) {
         for (int k = 0; k < BUCKETS; k++) {
             buckets[k] += game.buckets[k];
@@ -86,7 +86,7 @@ public final class AnswerTimes {
     }
 
     /**
-     * So long took at most the given share of the answers, by the nearest rank.
+     * The time that the given share of the answers did not exceed: a quantile by the nearest rank.
      *
      * @param share 0..1
      * @return in nanoseconds, at most 1/64 too high; 0 without answers

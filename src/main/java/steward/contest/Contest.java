@@ -32,7 +32,7 @@ import steward.text.TextFormat;
  */
 public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double timeFactor, SigningKey key) {
 
-    /** Whose replays are not signed. */
+    /** A contest whose replays are not signed. */
     public Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double timeFactor) {
         this(setup, entrants, time, timeFactor, null);
     }
@@ -87,7 +87,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
 
     /**
      * As {@link #of}, but a bot that cannot be started takes part, and fails when it is asked for the first time: for
-     * tools whose other bots are to play on.
+     * tools that let the other bots play on.
      */
     public static Contest withFailing(GameSetup setup, List<String> bots, Protocol usual, double timeFactor) {
         int players = setup.scene().players();
@@ -155,7 +155,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         return numbered;
     }
 
-    /** Refuses bots that speak what the scene's game does not. */
+    /** Refuses bots whose protocol the scene's game does not support. */
     public static void checkProtocols(GameSetup setup, List<Entrant> entrants) {
         for (Entrant entrant : entrants) {
             if (entrant.protocol() == Protocol.CODINGAME && !hasText(setup)) {

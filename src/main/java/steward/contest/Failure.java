@@ -28,7 +28,7 @@ public record Failure(int player, int turn, String reason, List<String> stderr, 
         hints = List.copyOf(hints);
     }
 
-    /** Without what takes room: lines and hints. */
+    /** The same without lines and hints, to save memory. */
     Failure brief() {
         return new Failure(player, turn, reason, List.of(), List.of());
     }

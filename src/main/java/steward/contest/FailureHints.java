@@ -7,7 +7,7 @@ import java.util.regex.Pattern;
 import steward.bot.FaultMessages;
 import steward.match.Protocol;
 
-/** What beginners' bots fail of, guessed from how they failed. */
+/** Hints for beginners: the likely cause, guessed from how a bot failed. */
 final class FailureHints {
 
     static final String FLUSH = "nothing ever came on its stdout; does it flush after every answer, and start in time?";
@@ -21,7 +21,7 @@ final class FailureHints {
     private static final int NOT_EXECUTABLE_STATUS = 126;
     private static final int NOT_FOUND_STATUS = 127;
 
-    /** What says by itself why a program did not even begin. */
+    /** Messages that state by themselves why a program did not start. */
     private static final Pattern CLEAR = Pattern.compile("SyntaxError|IndentationError|ModuleNotFoundError|ImportError"
         + "|No such file|can't open|cannot open|ClassNotFound|Could not find or load|command not found|not found$");
 
@@ -29,11 +29,11 @@ final class FailureHints {
     }
 
     /**
-     * @param protocol what the bot was spoken to in
+     * @param protocol the protocol in which the bot was asked
      * @param other    whether the scene has the other protocol too
-     * @param answers  how many good answers it had given
+     * @param answers  how many valid answers it had given
      * @param reason   as the referee says it
-     * @param received what came in place of an answer
+     * @param received what was received in place of an answer
      * @param stderr   the last lines it wrote there
      */
     static List<String> of(Protocol protocol, BooleanSupplier other, int answers, String reason, String received,
@@ -54,7 +54,7 @@ final class FailureHints {
         return hints;
     }
 
-    /** It died of the first thing it was told, or answered in another way. */
+    /** Whether it exited at its first input, or answered in the form of the other protocol. */
     private static boolean speaksTheOther(Protocol protocol, String reason, String received, List<String> stderr) {
         if (FaultMessages.isExit(reason)) {
             return !reason.equals(FaultMessages.exited(0)) && stderr.stream().noneMatch(line

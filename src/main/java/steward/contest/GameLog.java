@@ -7,15 +7,16 @@ import java.util.List;
 import steward.Internal;
 import steward.match.MatchListener;
 import steward.match.Turn;
+import steward.text.TextFormat;
 
 /**
- * Follows one game for what its result does not tell: why bots failed, with the last lines they wrote to stderr, and
- * how long each answer took. A turn costs it a few additions.
+ * Follows one game and collects what its result does not contain: why bots failed, with the last lines they wrote to
+ * stderr, and how long each answer took. A turn costs it a few additions.
  */
 @Internal
 public final class GameLog implements MatchListener {
 
-    /** As much of a line of stderr is kept, in characters. */
+    /** How much of a line of stderr is kept, in characters. */
     private static final int LONGEST = 200;
 
     private final Contest contest;
@@ -68,7 +69,7 @@ public final class GameLog implements MatchListener {
         turns = turn.number();
     }
 
-    /** Texts, not lines: most games need none. The latest is the first. */
+    /** Keeps the last texts, latest first; they are split into lines only if a bot fails. */
     private void remember(int player, String text) {
         String[] texts = stderr[player];
         System.arraycopy(texts, 0, texts, 1, texts.length - 1);
@@ -93,16 +94,9 @@ public final class GameLog implements MatchListener {
             if (last.size() == Failure.LINES) {
                 last.removeFirst();
             }
-            last.addLast(shortened(line));
+            last.addLast(TextFormat.beginning(line, LONGEST));
         });
         return List.copyOf(last);
-    }
-
-    private static String shortened(String line) {
-        if (line.length() <= LONGEST) {
-            return line;
-        }
-        return line.substring(0, Character.isHighSurrogate(line.charAt(LONGEST - 1)) ? LONGEST - 1 : LONGEST) + "...";
     }
 
     /** How many turns have been played; may be asked by any thread. */
@@ -115,7 +109,7 @@ public final class GameLog implements MatchListener {
         return List.of(times);
     }
 
-    /** Who failed, in the order in which it happened; when the game is over. */
+    /** The failures, in the order in which they happened; when the game is over. */
     public List<Failure> failures() {
         return List.copyOf(failures);
     }

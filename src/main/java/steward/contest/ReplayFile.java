@@ -84,7 +84,7 @@ public final class ReplayFile extends OutputStream {
         }
     }
 
-    /** Devices and links are not: they were there before, and stay. */
+    /** Whether the file was made here: devices and links were there before, and stay. */
     private boolean isOurs() {
         return Files.isRegularFile(path, LinkOption.NOFOLLOW_LINKS);
     }
@@ -104,7 +104,7 @@ public final class ReplayFile extends OutputStream {
             }
             return false;
         } catch (IOException unreadable) {
-            return true;                               // who knows: nothing that was recorded is lost
+            return true;                               // unknown: it is kept, nothing recorded is lost
         }
     }
 
@@ -115,7 +115,7 @@ public final class ReplayFile extends OutputStream {
                 Files.delete(path);
             }
         } catch (IOException stays) {
-            // It has to stay, then.
+            // It cannot be removed.
             return;
         }
     }

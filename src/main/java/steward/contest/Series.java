@@ -17,7 +17,7 @@ import steward.match.MatchResult;
  * @param folder  for the replays, or {@code null}
  * @param keep    which replays are kept when their games are over
  */
-public record Series(Contest contest, long first, int seeds, boolean swap, Path folder, Keep keep) {
+public record Series(Contest contest, long first, int seeds, boolean swap, Path folder, KeptReplays keep) {
 
     private static final int LEAST_DIGITS = 4;
 
@@ -54,7 +54,7 @@ public record Series(Contest contest, long first, int seeds, boolean swap, Path 
             return player;
         }
 
-        /** Whether there is a result, and all players failed in the same turn: then nobody has earned it. */
+        /** Whether there is a result, and all players failed in the same turn: then no player has earned it. */
         public boolean allFailed() {
             return result != null && failures.size() == result.players().size()
                 && failures.stream().allMatch(failure -> failure.turn() == failures.get(0).turn());
@@ -71,7 +71,7 @@ public record Series(Contest contest, long first, int seeds, boolean swap, Path 
 
     /** Without a folder where nothing is to be kept. */
     public Series {
-        folder = keep == Keep.NONE ? null : folder;
+        folder = keep == KeptReplays.NONE ? null : folder;
     }
 
     /** How many games there are in all. */

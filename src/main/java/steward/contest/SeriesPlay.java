@@ -14,9 +14,9 @@ import steward.files.InputException;
 import steward.match.MatchResult;
 
 /**
- * A series while it is played, several games at the same time. What fails in one game is told in it and ends no other,
- * with one exception: when a replay cannot be written, on a full disk say, no further games are begun, since theirs
- * could not be either; those under way are played to their end.
+ * A series while it is played, several games at the same time. A failure is reported with its game and does not end
+ * other games, with one exception: when a replay cannot be written, on a full disk say, no further games are begun,
+ * since theirs could not be either; those under way are played to their end.
  */
 public final class SeriesPlay {
 
@@ -85,7 +85,7 @@ public final class SeriesPlay {
         return thread;
     }
 
-    /** Whether there was one, and it counts. */
+    /** Plays a game; returns whether there was one and it counts. */
     private boolean playNext() throws InterruptedException {
         Game game = begin();
         if (game == null) {
@@ -134,7 +134,7 @@ public final class SeriesPlay {
         }
     }
 
-    /** Counts a game, unless the series has been broken off meanwhile; whether it does. */
+    /** Counts a game, unless the series has been broken off meanwhile; returns whether it was counted. */
     private synchronized boolean end(Game game, MatchResult found, String failed) {
         if (brokenOff) {
             return false;
@@ -176,12 +176,12 @@ public final class SeriesPlay {
         return kept;
     }
 
-    /** Whether nothing is left of a game that has been broken off. */
+    /** Ends a game that has been broken off; returns whether nothing is left of it. */
     private boolean cut(Game game) {
         if (game.file() == null) {
             return true;
         }
-        if (series.keep() == Keep.ALL && game.log().turns() > 0) {
+        if (series.keep() == KeptReplays.ALL && game.log().turns() > 0) {
             return false;
         }
         game.file().remove();

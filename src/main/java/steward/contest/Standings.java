@@ -9,8 +9,8 @@ import java.util.TreeMap;
 import steward.match.MatchResult;
 
 /**
- * The games of a series that are over, and what they add up to. May be asked by any thread while games are played;
- * what is asked for does not depend on the order in which they ended.
+ * The games of a series that are over, and their sums. May be read by any thread while games are played; no result
+ * depends on the order in which games ended.
  */
 public final class Standings {
 
@@ -38,7 +38,7 @@ public final class Standings {
     }
 
     /**
-     * One more.
+     * Adds a game.
      *
      * @param failures with their lines, of which only those of the first failure of a kind are kept
      * @param measured answer times by player
@@ -99,7 +99,7 @@ public final class Standings {
             .average().orElse(Double.NaN);
     }
 
-    /** The games in which all bots failed in the same turn: they say nothing about who plays better. */
+    /** The games in which all bots failed in the same turn: they do not tell which bot is better. */
     public List<Series.Played> allFailed() {
         return games().stream().filter(Series.Played::allFailed).toList();
     }

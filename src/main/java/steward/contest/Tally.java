@@ -10,7 +10,7 @@ import steward.match.MatchResult;
  * bots 1 for a win, 1/2 for a draw, 0 for a loss; alone 1.
  *
  * <p>A game in which all bots failed in the same turn counts for its points as its result says, a draw between two; but
- * it is counted apart, since it says nothing about who plays better.
+ * it is counted apart, since it does not tell which bot is better.
  *
  * @param games     with a result
  * @param wins      alone on the first rank

@@ -86,7 +86,7 @@ public final class OutputFiles {
     }
 
     /**
-     * Puts a whole file in the place of an older one. Who looks sees one or the other, never a part.
+     * Replaces a file by a whole new one: a reader sees the old or the new one, never a part.
      *
      * @throws IOException if it cannot be written
      */
@@ -96,7 +96,7 @@ public final class OutputFiles {
         Files.move(part, file, StandardCopyOption.REPLACE_EXISTING);
     }
 
-    /** Whether both are the same file, there already or about to be; nothing is the same as no file. */
+    /** Whether both are the same file, there already or about to be; {@code null} is never the same. */
     public static boolean isSame(Path one, Path other) {
         if (one == null || other == null) {
             return false;

@@ -54,11 +54,11 @@ final class SineCosineSeries {
      * That is enough if no cosine or sine is that near to the middle between two doubles. Up to pi all doubles have
      * been searched: at most 59 equal digits follow the one that decides the rounding (V. Lefevre and J.-M. Muller,
      * "Worst Cases for Correct Rounding of the Elementary Functions in Double Precision", 2001; Lefevre's lists of 2020
-     * in CORE-MATH), so that no result is nearer to a middle than 2^-168. Beyond pi nobody has searched all, and it is
-     * as with random digits: between 2^-j and 2^(1-j) doubles are 2^(-52-j) apart, so that a share of 2^(j-133) of all
-     * numbers lies within 2^-186 of a middle. Fewer than 2^(66-j) results are there, and none beyond j = 61 (no double
-     * is nearer to a multiple of pi/2; J.-M. Muller, "Elementary Functions", on range reduction). So the chance that
-     * even one such result exists is below 2^-60.
+     * in CORE-MATH), so that no result is nearer to a middle than 2^-168. Beyond pi no complete search is known, and
+     * the digits are taken as random: between 2^-j and 2^(1-j) doubles are 2^(-52-j) apart, so that a share of
+     * 2^(j-133) of all numbers lies within 2^-186 of a middle. Fewer than 2^(66-j) results are there, and none beyond
+     * j = 61 (no double is nearer to a multiple of pi/2; J.-M. Muller, "Elementary Functions", on range reduction). So
+     * the chance that even one such result exists is below 2^-60.
      */
 
     /** Computes both of a finite angle, of size 2^-28 or more. */

@@ -8,15 +8,15 @@ import steward.numerics.SplitMix64;
 import steward.numerics.StateHash;
 
 /**
- * A hash of a line, or in formats 1 and 2 of what is recorded in it but does not follow from the game. Verification
- * plays the game again and compares its outcome; what leaves no trace there (a target that is a little off, a message,
- * the name of a bot) is held by this hash. It finds what was damaged or edited, and resists nobody who computes it
- * anew: that is for signatures.
+ * A hash of a line of a replay; in formats 1 and 2, of those of its fields that do not follow from the game.
+ * Verification plays the game again and compares the outcome; fields that have no effect on it (a slightly different
+ * target, a message, the name of a bot) are protected by this hash alone. It detects damage and edits, but not an edit
+ * after which the hash was computed again: signatures are for that.
  *
- * <p>Bytes of JSON enter it eight at a time, the first as the lowest, the last ones filled up with zeros, and then
- * their number. In format 1 of a replay they entered it one by one, signed, without their number. From format 3 on
- * every whole 32 bytes enter four hashes, eight bytes each, that are computed side by side, because a processor does
- * four at once in little more time than one; they enter the hash first, then the rest as before.
+ * <p>Bytes of JSON are hashed eight at a time (little-endian, the last word padded with zeros), then their count. In
+ * format 1 of a replay they were hashed one by one, as signed bytes, without the count. From format 3 on every complete
+ * block of 32 bytes feeds four independent hashes, eight bytes each, because a processor computes four at once in
+ * little more time than one; their values enter the hash first, then the remaining bytes as before.
  */
 @Internal
 public final class InputHash {
@@ -52,7 +52,7 @@ public final class InputHash {
         return StateHash.toHex(hash.value());
     }
 
-    /** Bytes of JSON. */
+    /** Adds bytes of JSON. */
     public static void add(StateHash hash, int format, byte[] bytes, int from, int to) {
         int at = from;
         if (format == BYTE_BY_BYTE) {
@@ -74,7 +74,7 @@ public final class InputHash {
         hash.add(rest).add((long) to - from);
     }
 
-    /** @return where the last whole 32 bytes end */
+    /** @return the end of the last complete block of 32 bytes */
     private static int addFourAtOnce(StateHash hash, byte[] bytes, int from, int to) {
         long a = 0;
         long b = 0;
@@ -91,7 +91,7 @@ public final class InputHash {
         return at;
     }
 
-    /** A text's length and characters, or -1 for none. */
+    /** Adds a text: its length and characters, or -1 for none. */
     public static void add(StateHash hash, String text) {
         hash.add(text == null ? -1L : text.length());
         for (int k = 0; text != null && k < text.length(); k++) {

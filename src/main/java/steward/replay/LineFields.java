@@ -6,8 +6,8 @@ import java.util.stream.Collectors;
 import steward.text.NearestName;
 
 /**
- * The fields that lines of replays have, in their order, by format. A field that is unknown, there twice or in another
- * place is refused by every reader: behind the hash of its line it would be held by nothing.
+ * The fields that lines of replays have, in their order, by format. Every reader refuses a field that is unknown,
+ * repeated or out of place: behind the hash of its line, no hash would cover it.
  */
 enum LineFields {
     /** The first line. */
@@ -27,7 +27,7 @@ enum LineFields {
 
     static final String HEADER_HASH = "headerHash";
     static final String TURN_HASH = "turnHash";
-    /** Of formats 1 and 2: of what the players did in a turn. */
+    /** In formats 1 and 2, the hash of what the players did in a turn. */
     static final String INPUT_HASH = "inputHash";
     static final String RESULT_HASH = "resultHash";
     static final String TIMES = "times";
@@ -37,7 +37,7 @@ enum LineFields {
     private final List<String> names;
     private final Set<String> later;
 
-    /** @param later those that formats 1 and 2 do not have */
+    /** @param later the fields that formats 1 and 2 do not have */
     LineFields(List<String> names, Set<String> later) {
         this.names = names;
         this.later = later;

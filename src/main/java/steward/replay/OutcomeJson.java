@@ -20,7 +20,7 @@ import tools.jackson.core.io.SerializedString;
 @Internal
 public final class OutcomeJson {
 
-    /** A turn can have over ten thousand impacts; the first so many of them are kept, and so many corners of paths. */
+    /** How many impacts of a turn are kept, and how many knots of paths: a turn can have over ten thousand impacts. */
     private static final int MOST = 2000;
 
     /** The names that turns write, encoded once. */

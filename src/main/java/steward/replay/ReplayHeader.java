@@ -10,13 +10,13 @@ import steward.numerics.Angles;
  *
  * @param game       id of the game
  * @param scene      the scene as used, one line of JSON
- * @param seed       what everything drawn by lot followed from
+ * @param seed       the seed of all random draws of the match
  * @param names      of the players, in order
  * @param bots       their commands, in order
  * @param protocols  the languages they speak, in order
  * @param timeFactor by which the scene's limits were multiplied; {@code POSITIVE_INFINITY} for no deadlines
  * @param angles     where the sines and cosines of the game came from
- * @param signer     the public key of who signs the replay, as {@link steward.replay.sign.SignerKey#text}; or
+ * @param signer     the public key of the signer, as {@link steward.replay.sign.SignerKey#text}; or
  *                   {@code null}
  */
 public record ReplayHeader(String game, String scene, long seed, List<String> names, List<String> bots,
@@ -47,7 +47,7 @@ public record ReplayHeader(String game, String scene, long seed, List<String> na
         return new ReplayHeader(game, scene, seed, names, bots, protocols, timeFactor, angles, key);
     }
 
-    /** A match between players who all speak JSON. */
+    /** A match between players that all use JSON. */
     public ReplayHeader(String game, String scene, long seed, List<String> names, List<String> bots,
                         double timeFactor) {
         this(game, scene, seed, names, bots, Collections.nCopies(names.size(), Protocol.JSON), timeFactor);

@@ -15,9 +15,9 @@ import tools.jackson.core.ObjectWriteContext;
 import tools.jackson.core.io.SerializedString;
 
 /**
- * Spells the lines of a replay, from their first byte to their hash: what is the same whenever the same game is played.
- * The writer adds {@code times} and the end of the line; the verifier compares byte by byte with what was recorded, so
- * that one spelling alone is accepted of every line.
+ * Writes the lines of a replay, from the first byte to the hash: the part that is the same whenever the same game is
+ * played. The writer adds {@code times} and the end of the line; the verifier compares byte by byte with what was
+ * recorded, so that every line has exactly one accepted form.
  *
  * <p>The hash of a line is that of all bytes before it, see {@link InputHash}; it is the last field but {@code times}.
  */
@@ -38,7 +38,7 @@ public final class ReplayLines {
     private final ReplayHeader header;
     private final Observations observations;
     private final LineBuffer line = new LineBuffer();
-    /** Stays open from line to line, which costs nothing. */
+    /** Stays open across lines; opening one per line would cost time. */
     private final JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), line);
     private final StateHash hash = new StateHash();
     private final OutcomeJson outcome = new OutcomeJson();
@@ -150,7 +150,7 @@ public final class ReplayLines {
         texts(turn);
     }
 
-    /** What came of the turn. */
+    /** The outcome of the turn. */
     public void outcome(Turn turn, Game game, FrameCodec codec) {
         out.writeName(Name.OUTCOME);
         if (observations == null) {
@@ -255,7 +255,7 @@ public final class ReplayLines {
         }
     }
 
-    /** One text or null per player; left out if nobody has any. */
+    /** One text or null per player; left out if no player has one. */
     private void writeTexts(Text text, Turn turn) {
         boolean any = false;
         for (int player = 0; player < turn.players(); player++) {

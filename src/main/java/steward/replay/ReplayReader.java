@@ -30,8 +30,8 @@ import tools.jackson.core.JacksonException;
 public final class ReplayReader implements AutoCloseable {
 
     /**
-     * How long a line may be, in bytes: several times what 16 players can make of a turn who all say as much as they
-     * may, and a small part of the memory of any JVM.
+     * The longest line that is read, in bytes: several times the longest turn that 16 players can produce, and a small
+     * part of the memory of any JVM.
      */
     static final int LONGEST_LINE = 1 << 24;
 
@@ -211,12 +211,12 @@ public final class ReplayReader implements AutoCloseable {
         return readLine();
     }
 
-    /** The line was not taken apart because it is known to be that of this turn. */
+    /** Notes that a line was not parsed, because it is known to be that of this turn. */
     public void passed(int turn) {
         lastTurn = turn;
     }
 
-    /** Takes the last line read apart, as {@link #next}. */
+    /** Parses the last line read, as {@link #next}. */
     public RecordedTurn turn(byte[] bytes) {
         JsonLine line = bytes == null ? null : parse(bytes);
         if (line == null) {
@@ -265,8 +265,8 @@ public final class ReplayReader implements AutoCloseable {
     }
 
     /**
-     * The signature in base64, or {@code null} if there is none, or it is spelled in another way than it is written;
-     * known at the end. Whether it is right is up to {@link steward.replay.verify}.
+     * The signature in base64, or {@code null} if there is none, or its line is not spelled as it is written; known at
+     * the end. Whether it is right is up to {@link steward.replay.verify}.
      */
     public String signature() {
         String text = signature == null ? null : signature.text("signature");
@@ -314,7 +314,7 @@ public final class ReplayReader implements AutoCloseable {
         return source + ":" + lineNumber;
     }
 
-    /** Refuses a line that goes on and on, before it fills the memory. */
+    /** Refuses a line that is too long, before it fills the memory. */
     private void checkLength(long length) {
         if (length > longest) {
             throw new ReplayException(where() + ": found a line of more than " + longest
@@ -357,7 +357,9 @@ public final class ReplayReader implements AutoCloseable {
         }
     }
 
-    /** Where the next line end is, or {@code to}; eight bytes at a time, of which one is zero after the exclusion. */
+    /**
+     * Where the next line end is, or {@code to}. Eight bytes are tested at once: XOR with line feeds makes one zero.
+     */
     private static int lineEnd(byte[] bytes, int from, int to) {
         int at = from;
         for (; at + Long.BYTES <= to; at += Long.BYTES) {

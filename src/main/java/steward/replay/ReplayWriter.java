@@ -41,7 +41,7 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
         this(file, header, null, null);
     }
 
-    /** Of a match that another referee has played: keeps what was observed in place of what we would record. */
+    /** For a match that another referee has played: what was observed is kept in place of the computed outcomes. */
     public ReplayWriter(OutputStream file, ReplayHeader header, Observations observations) {
         this(file, header, observations, null);
     }
@@ -132,7 +132,7 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
         out.writeEndArray();
     }
 
-    /** The line up to here is signed. */
+    /** Adds the line up to here to what is signed. */
     private void sign() {
         if (digest != null) {
             LineBuffer line = lines.line();

@@ -10,13 +10,13 @@ import java.util.concurrent.locks.ReentrantLock;
 import steward.Internal;
 
 /**
- * Hands what is written to one thread of this JVM that brings it to the file, so that a match does not wait for a disk.
- * The thread is woken when it sleeps, and looks every {@value #PAUSE_MICROS} microseconds while there is work: that is
- * how much of a match a kill of the JVM can take from its file. When the JVM ends in order, also by Ctrl-C, everything
- * is written. At most {@value #CAPACITY} bytes wait; a writer for whom there is no more room writes them itself, and so
- * do {@link #flush} and {@link #close}.
+ * Buffers what is written; one thread of this JVM writes it to the file, so that a match does not wait for a disk. The
+ * thread is woken if it sleeps, and polls every {@value #PAUSE_MICROS} microseconds while there is work: a JVM that is
+ * killed loses that much of a match at most. When the JVM exits in order, also by Ctrl-C, everything is written. At
+ * most {@value #CAPACITY} bytes are buffered; when the buffer is full, the calling thread writes it to the file itself,
+ * as do {@link #flush} and {@link #close}.
  *
- * <p>What goes wrong with the file is thrown by the next call. One thread at a time may write.
+ * <p>A failure to write is thrown by the next call. One thread at a time may write.
  */
 @Internal
 public final class WriteBehind extends OutputStream {
@@ -98,7 +98,7 @@ public final class WriteBehind extends OutputStream {
         }
     }
 
-    /** Writes what waits; whether there was anything. */
+    /** Writes the buffered bytes; returns whether there were any. */
     private boolean drain() {
         writing.lock();
         try {
@@ -153,7 +153,7 @@ public final class WriteBehind extends OutputStream {
         }
     }
 
-    /** The thread, and the streams it looks after. */
+    /** The thread, and the streams whose buffers it writes. */
     private static final class Writer implements Runnable {
 
         private volatile WriteBehind[] open = {};

@@ -144,7 +144,7 @@ class TagsTest {
                 if (target instanceof JavaCodeUnit called && isOfTests(type) && seen.add(called)) {
                     open.add(called);
                 }
-                // What is made may be called back; the tests of a class are called by nobody.
+                // Methods of a created object may be called back; test methods are called by JUnit alone.
                 if (target instanceof JavaConstructor && isOfTests(type) && !type.equals(own)) {
                     type.getMethods().stream().filter(method -> !method.isMetaAnnotatedWith(Testable.class))
                         .filter(seen::add).forEach(open::add);

@@ -9,7 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** What is told of contenders, also when somebody does not wait for the end. */
+/** What is reported of contenders, also when the run is interrupted. */
 class MeterTest {
 
     private final List<Row> rows = new ArrayList<>();

@@ -13,7 +13,7 @@ import steward.bot.process.ScriptedBots;
 /** A bot inside this JVM is treated like a bot program. */
 class InProcessPlayerTest {
 
-    /** Remembers what it hears and says what it was given to say. */
+    /** Remembers the lines it is sent and gives the answers it was given. */
     private static final class Notebook implements Bot {
         private final List<String> heard = new ArrayList<>();
         private final String says;

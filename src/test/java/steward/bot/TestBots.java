@@ -3,7 +3,7 @@ package steward.bot;
 import java.util.function.IntFunction;
 import java.util.function.UnaryOperator;
 
-/** Bots that a test says in a line. */
+/** Bots that a test can write in one line. */
 public final class TestBots {
 
     private TestBots() {

@@ -45,7 +45,7 @@ public final class BundledBotMatches {
         return play(scene, seed, new MatchListener() { }, bots);
     }
 
-    /** Plays one match that somebody follows. */
+    /** Plays one match with a listener. */
     static MatchResult play(GameSetup scene, long seed, MatchListener listener, PodBot... bots) {
         return play(scene, seed, listener, Stream.of(bots).map(BundledBotMatches::asBot).toArray(Bot[]::new));
     }

@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import picocli.CommandLine.Model.OptionSpec;
 import steward.cli.shared.ExitStatus;
 
-/** The help of every command: it fits a terminal of 80 columns, and speaks with one voice. */
+/** The help of every command: it fits a terminal of 80 columns, and is phrased alike. */
 class HelpTest {
 
     /** Options that are said to do something use the third person ("Writes"); these begin the others. */

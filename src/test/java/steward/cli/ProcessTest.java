@@ -98,7 +98,9 @@ public class ProcessTest {
         assertTrue(!isRunning(pid), "the bot is still there");
     }
 
-    /** Its table is begun before anything is measured: stopped then, it does not pretend that there are rows. */
+    /**
+     * The table is begun before anything is measured: interrupted then, the command does not claim that there are rows.
+     */
     @Test
     void aBenchmarkThatIsInterruptedAtOnceSaysThatItHasNothing() throws IOException, InterruptedException {
         Path table = folder.resolve("out/bench.csv");
@@ -118,8 +120,8 @@ public class ProcessTest {
         }
     }
 
-    /** A process that has ended may stay in the table, without a command line, until its parent asks for it. */
-    private static boolean isRunning(long pid) {
+    /** A zombie process stays in the process table, without a command line, until its parent waits for it. */
+    public static boolean isRunning(long pid) {
         return ProcessHandle.of(pid).flatMap(handle -> handle.info().commandLine()).isPresent();
     }
 }

@@ -23,7 +23,7 @@ public final class ShellBots {
         done
         """;
 
-    /** A place that no pod of the scene {@code duel} passes a checkpoint on the way to, from the start. */
+    /** A place: on the way to it from the start of the scene {@code duel} no checkpoint is passed. */
     public static final String NOWHERE = "5000 99000";
     /** The first checkpoint of the scene {@code duel} to be passed. */
     public static final String CHECKPOINT = "10500 3500";

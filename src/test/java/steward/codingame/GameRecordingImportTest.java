@@ -26,8 +26,8 @@ import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * Games of ours in the form of official recordings, imported: they verify, and whatever is changed in them is found in
- * the turn it was changed in.
+ * Games played here, in the form of official recordings, imported: they verify, and every change in them is found in
+ * the turn that was changed.
  */
 @Execution(ExecutionMode.CONCURRENT)
 class GameRecordingImportTest {

@@ -26,8 +26,8 @@ import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * Writes a match of ours in the form of CodinGame's own JSON, as its server does: a frame per player, the pods in the
- * view of the key frame, the impacts behind them. The pod that wins keeps its old next checkpoint.
+ * Writes a match played here in the form of CodinGame's own JSON, as its server does: a frame per player, the pods in
+ * the view of the key frame, the impacts behind them. The pod that wins keeps its old next checkpoint.
  */
 public final class OfficialGame implements MatchListener {
 
@@ -60,7 +60,7 @@ public final class OfficialGame implements MatchListener {
         return game;
     }
 
-    /** The inner object; a copy, to be spoilt. */
+    /** The inner object; a copy that tests may change. */
     ObjectNode gameResult() {
         return result.deepCopy();
     }

@@ -75,7 +75,7 @@ class OldRefereeTest {
 
     @Test
     void aDrawIsOneWord() throws InterruptedException {
-        // Nobody moves: both are out after 50 turns without a checkpoint.
+        // No pod moves: both players are out after 50 turns without a checkpoint.
         String idle = "0 0 0\n".repeat(100);
         assertEquals("###End 01", last(play(TestScenes.duel(2), TimeControl.UNLIMITED, "###Start 2\n" + idle)));
     }

@@ -77,7 +77,7 @@ record TextMatches(MatchResult result, byte[] replay) {
         return new Seat(new InProcessPlayer("racer", BundledBotMatches.asBot(new Racer())), Protocol.JSON);
     }
 
-    /** A bot of CodinGame's lines inside this JVM: from what it is told or sent to its answer. */
+    /** A bot of CodinGame's lines inside this JVM: a function from the lines it is sent to its answer. */
     static Seat lines(String name, UnaryOperator<String> answers) {
         return new Seat(new InProcessPlayer(name, TestBots.answering(answers)), Protocol.CODINGAME);
     }

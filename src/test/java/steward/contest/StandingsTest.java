@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import steward.match.MatchResult;
 import steward.match.Protocol;
 
-/** What games add up to. */
+/** The sums over the games of a series. */
 class StandingsTest {
 
     private static Contest contest(int players) {
@@ -127,9 +127,10 @@ class StandingsTest {
         Series.Played failed = game(4, 0, List.of(0, 1), failure(1, 1, "a"));
         Series.Played nothing = new Series.Played(5, 5, 0, null, "no room", List.of(), null);
         List<Series.Played> all = List.of(won, lost, draw, failed, nothing);
-        assertEquals(all, all.stream().filter(game -> Keep.ALL.keeps(contest, game)).toList());
-        assertEquals(List.of(lost), all.stream().filter(game -> Keep.LOST.keeps(contest, game)).toList());
-        assertEquals(List.of(failed, nothing), all.stream().filter(game -> Keep.FAILED.keeps(contest, game)).toList());
-        assertEquals(List.of(), all.stream().filter(game -> Keep.NONE.keeps(contest, game)).toList());
+        assertEquals(all, all.stream().filter(game -> KeptReplays.ALL.keeps(contest, game)).toList());
+        assertEquals(List.of(lost), all.stream().filter(game -> KeptReplays.LOST.keeps(contest, game)).toList());
+        assertEquals(List.of(failed, nothing),
+            all.stream().filter(game -> KeptReplays.FAILED.keeps(contest, game)).toList());
+        assertEquals(List.of(), all.stream().filter(game -> KeptReplays.NONE.keeps(contest, game)).toList());
     }
 }

@@ -18,7 +18,7 @@ import steward.game.podrace.PodRace;
 import steward.game.podrace.PodState;
 import steward.scene.Time;
 
-/** The loop: who is asked when, who is told what at the end, and what becomes of a match in which players fail. */
+/** The loop: which players are asked when, what they are sent at the end, and how matches go on after failures. */
 @Timeout(20)
 class RefereeTest {
 
@@ -118,7 +118,7 @@ class RefereeTest {
         assertTrue(log.contains("C end"));
     }
 
-    /** Who waits for one program to go, before telling the next, waits for all of them one after another. */
+    /** Waiting for one program to exit before sending the end to the next would add up all their times. */
     @Test
     void allAreToldTheEndBeforeAnyIsWaitedFor() throws InterruptedException {
         play(2, startingWith(0, aboutToFinish()), player("A", ScriptedPlayer::idle), player("B", ScriptedPlayer::idle));

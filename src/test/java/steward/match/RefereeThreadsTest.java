@@ -24,7 +24,7 @@ import steward.bot.Player;
 import steward.game.FrameCodec;
 import steward.game.Game;
 
-/** The loop when something gives way: listeners that throw, players that are stuck, callers that are interrupted. */
+/** The loop when something fails: listeners that throw, players that are stuck, callers that are interrupted. */
 @Timeout(20)
 class RefereeThreadsTest {
 
@@ -92,7 +92,7 @@ class RefereeThreadsTest {
         assertTrue(log.contains("A close") && log.contains("B close"));
     }
 
-    /** The caller is told what was the matter first, and does not wait for ever. */
+    /** The caller gets the first exception, and does not wait for ever. */
     @Test
     void aPlayerThatCannotBeClosedKeepsNobodyWaiting() throws Exception {
         CompletableFuture<Throwable> uncaught = new CompletableFuture<>();
@@ -110,7 +110,7 @@ class RefereeThreadsTest {
         assertEquals("cannot be closed", uncaught.get(10, TimeUnit.SECONDS).getMessage());
     }
 
-    /** Stuck in its question until it is let go; meanwhile another thread is handed the fault. */
+    /** Blocks in {@code ask} until it is released; meanwhile another thread is handed the fault. */
     private final class StuckPlayer extends ScriptedPlayer {
 
         private final int stuckAt;

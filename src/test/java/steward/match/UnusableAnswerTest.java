@@ -150,7 +150,7 @@ class UnusableAnswerTest {
         assertTrue(fault.startsWith("?: unknown field"), fault);
     }
 
-    /** JSON can spell half a character; it must not reach a replay, where it could not be written. */
+    /** JSON can contain half a surrogate pair; it must not reach a replay, where it could not be written. */
     @Test
     void halfCharactersInValuesAreReplaced() throws InterruptedException {
         String value = faultOf("{\"pods\":\"\\ud83d\"}").fault();

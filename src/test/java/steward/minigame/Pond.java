@@ -224,7 +224,7 @@ final class Pond implements Game {
         return ranks;
     }
 
-    /** The hunter's mass; 0 for who is out. */
+    /** The hunter's mass; 0 for a player that is out. */
     @Override
     public double[] scores() {
         double[] scores = new double[players()];

@@ -58,7 +58,7 @@ class PondMatchTest {
         assertEquals(one.withoutTimes(), PondMatches.play(PondMatches.changed(), 5, bots()).withoutTimes());
     }
 
-    /** Whoever pushes too hard in turn 4 is out with a reason, without a body; the others play on. */
+    /** A player that pushes too hard in turn 4 is out with a reason, without a body; the others play on. */
     @Test
     void aFaultTakesAPlayerOutAndTheOthersPlayOn() throws InterruptedException {
         Bot wild = TestBots.byTurn(turn -> "{\"push\":{\"x\":" + (turn == 4 ? 26 : 3) + ",\"y\":0}}");
@@ -74,7 +74,7 @@ class PondMatchTest {
         assertTrue(PondMatches.verify(played.replay()).verified());
     }
 
-    /** Three who never move: ranks 0, 0, 0 after the last turn. */
+    /** Three players that never move: ranks 0, 0, 0 after the last turn. */
     @Test
     void whoDoesNothingTies() throws InterruptedException {
         Bot idle = TestBots.answering(line -> "{\"push\":{\"x\":0,\"y\":0}}");

@@ -9,7 +9,7 @@ final class PondRules implements Reaction {
 
     /** A cell below twice this mass is eaten whole. */
     static final double SMALLEST_CELL = 4;
-    /** Who eats a hunter must be so much heavier. */
+    /** How many times heavier the eater of a hunter must be. */
     static final double HEAVIER = 1.25;
     /** At this speed the halves of a cell part, in u per turn. */
     static final double PARTING = 30;

@@ -123,7 +123,7 @@ class PondTest {
         assertEquals(1600, bodies.x[0], 1e-9);
     }
 
-    /** Two ponds that differ in nothing but who passes whom go on differently: one will ask, the other will not. */
+    /** Two ponds that differ only in an ignored pair go on differently: one will ask, the other will not. */
     @Test
     void twoStatesThatDifferInAPassageAloneHaveDifferentHashes() {
         start();

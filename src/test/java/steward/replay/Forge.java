@@ -7,7 +7,7 @@ import java.util.function.UnaryOperator;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Alters the lines of a replay of format 3, and makes their hashes right again, as who wants to deceive would. */
+/** Alters the lines of a replay of format 3, and computes their hashes again, as a forger would. */
 public final class Forge {
 
     private static final Pattern HASH = Pattern.compile("(?<=,\"(?:header|turn|result)Hash\":\")[0-9a-f]{16}");

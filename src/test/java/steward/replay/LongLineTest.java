@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import steward.match.TestScenes;
 import steward.replay.verify.Verification;
 
-/** A line that goes on and on is refused before it fills the memory. */
+/** A line that is too long is refused before it fills the memory. */
 class LongLineTest {
 
     /** The same byte for ever, without taking any room. */
@@ -56,7 +56,7 @@ class LongLineTest {
         assertTrue(rest.given < 1 << 20, "read: " + rest.given);
     }
 
-    /** A file of hundreds of megabytes without a line end, with the limit that everybody has. */
+    /** A file of hundreds of megabytes without a line end, with the limit of the program. */
     @Test
     void theUsualLimitIsASmallPartOfTheMemory() {
         Endless rest = new Endless();

@@ -92,7 +92,7 @@ class RoundTripTest {
         }
     }
 
-    /** JSON can spell half a character in a message; UTF-8 cannot, so the match would be lost in the writing. */
+    /** JSON can contain half a surrogate pair in a message; UTF-8 cannot, so the match would be lost in the writing. */
     @Test
     void aMessageWithHalfACharacterIsKept() {
         Bot bot = TestBots.byTurn(turn -> turn > 2 ? null
@@ -123,7 +123,7 @@ class RoundTripTest {
 
     @Test
     void aTurnAtTheImpactLimitIsBoundedInSize() {
-        // Three pods wedged between the walls of a narrow box, with a minimum impulse: they rattle for ever.
+        // Three pods wedged between the walls of a narrow box, with a minimum impulse: they collide without end.
         GameSetup wedged = TestScenes.TYPES.open(TestScenes.text("walled-race")
             .replaceAll("(?s)\"bumpers\": \\[.*?]\n  },", "\"bumpers\": []\n  },")
             .replace("\"width\": 16000", "\"width\": 2400").replace("\"height\": 9000", "\"height\": 800")

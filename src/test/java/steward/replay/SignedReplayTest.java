@@ -55,14 +55,14 @@ class SignedReplayTest {
         assertEquals(SignatureCheck.UNSIGNED, duel(null).verify().signature());
     }
 
-    /** Ed25519 draws nothing by lot, so that signed replays are equal byte for byte, too. */
+    /** Ed25519 signatures are deterministic, so signed replays are equal byte for byte, too. */
     @Test
     void twoPlaysAreTheSameBytesWithoutTheTimes() {
         assertEquals(duel(KEY).withoutTimes(), duel(KEY).withoutTimes());
         assertNotEquals(duel(KEY).withoutTimes(), duel(null).withoutTimes());
     }
 
-    /** Whoever takes the times out to compare replays can still tell who has signed them. */
+    /** The signature stays valid when the times are removed, as for comparing replays. */
     @Test
     void theSignatureHoldsWithoutTheTimes() {
         Verification seen = Recorded.verify(duel(KEY).withoutTimes());
@@ -86,7 +86,7 @@ class SignedReplayTest {
             seen.warning());
     }
 
-    /** The result and the signature come in one piece: nobody sees the one without the other. */
+    /** The result and the signature come in one piece: no reader sees the one without the other. */
     @Test
     void theSignatureIsWrittenWithTheResult() throws IOException, InterruptedException {
         ByteArrayOutputStream kept = new ByteArrayOutputStream();

@@ -62,7 +62,7 @@ class WriteBehindTest {
         assertTrue(sink.closed);
     }
 
-    /** A line is not kept back until there are more: who kills this JVM finds it in the file. */
+    /** A line is not held back until there are more: it is in the file even if this JVM is killed. */
     @Test
     void aSingleLineComesByItself() throws IOException, InterruptedException {
         for (int repetition = 0; repetition < 3; repetition++) {
@@ -110,7 +110,7 @@ class WriteBehindTest {
         assertEquals("java.lang.IllegalStateException: no such luck", told.getMessage());
     }
 
-    /** Who writes faster than the disk writes itself when there is no more room, and waits for nobody else's disk. */
+    /** A stream whose buffer is full is written by its own thread, and does not wait for the file of another stream. */
     @Test
     void aStuckFileHoldsUpNobodyElse() throws IOException, InterruptedException {
         CountDownLatch letGo = new CountDownLatch(1);

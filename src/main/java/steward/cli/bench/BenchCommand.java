@@ -137,7 +137,7 @@ public final class BenchCommand implements Callable<Integer> {
         }
     }
 
-    /** By Ctrl-C: the thread that measures tells what it knows, unless that takes long. */
+    /** At Ctrl-C: the measuring thread reports its results so far, unless that takes too long. */
     private String stopped(String kept) {
         interrupted = true;
         measuring.interrupt();

@@ -23,12 +23,13 @@ final class CalibrateOptions {
 
     private final CallCheck check = CallCheck.brief();
 
-    @Option(names = "--calibrate", paramLabel = "SCENE", description = "Instead: measure how far off each rung is in "
-        + "this scene and write it to NAME.accuracy.json beside the file (or into --out), where a scene that states "
+    @Option(names = "--calibrate", paramLabel = "SCENE", description = "Instead: measures how far off each rung is in "
+        + "this scene and writes it to NAME.accuracy.json beside the file (or into --out), where a scene that states "
         + "\"accuracy\": {\"maxPositionError\": 0.01, \"share\": 0.999} finds it. Can be repeated.")
     private List<String> scenes = new ArrayList<>();
 
-    @Option(names = "--states", paramLabel = "N", description = "With --calibrate: on so many (default: 100000).")
+    @Option(names = "--states", paramLabel = "N", description = "With --calibrate: measures on this many states "
+        + "(default: 100000).")
     private Integer states;
 
     /** Whether any scene is to be calibrated. */

@@ -3,7 +3,7 @@ package steward.cli.options;
 import java.util.SplittableRandom;
 import picocli.CommandLine.Option;
 
-/** The option that says what a match draws by lot. */
+/** The option for the seed of a match's random draws. */
 public final class SeedOption {
 
     /** Seeds that are drawn stay below this: people can type them again, and some tools keep 31 bits. */
@@ -12,12 +12,12 @@ public final class SeedOption {
     @Option(names = "--seed", paramLabel = "N", description = "What is drawn by lot follows from it (default: drawn).")
     private Long seed;
 
-    /** The seed that was called for, or any. */
+    /** The given seed, or a drawn one. */
     public long orDrawn() {
         return seed == null ? draw() : seed;
     }
 
-    /** For a game that may be any. */
+    /** A drawn seed, for a game that may be any. */
     public static long draw() {
         return new SplittableRandom().nextLong(DRAWN_SEEDS);
     }

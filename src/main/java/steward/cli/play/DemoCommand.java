@@ -87,7 +87,7 @@ public final class DemoCommand implements Callable<Integer> {
     }
 
     /**
-     * A file for the replay where nobody minds one.
+     * A file for the replay: in the build folder of the project, elsewhere in a new temporary folder.
      *
      * @param here the folder in which the program was called
      */

@@ -89,7 +89,7 @@ final class MatchDisplay implements AutoCloseable {
         }
         OutputFiles.check(path, overwrite || typed == null);
         page = path;
-        // What is there stays until there is a new page: that is written beside it, and moved when it is whole.
+        // An older page stays until the new one is complete: that is written beside it and then moved.
         part = Files.exists(path) && !Files.isRegularFile(path) ? path
             : path.resolveSibling("." + path.getFileName() + "." + ProcessHandle.current().pid() + ".part");
         try {

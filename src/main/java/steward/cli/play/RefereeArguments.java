@@ -7,7 +7,10 @@ import picocli.CommandLine.Model.OptionSpec;
 import steward.files.InputException;
 import steward.text.TextFormat;
 
-/** What other referees' callers say: players as {@code -p1} to {@code -p8}, a seed in one of three ways. */
+/**
+ * The arguments that callers of other referees pass: players as {@code -p1} to {@code -p8}, a seed in one of three
+ * ways.
+ */
 final class RefereeArguments {
 
     static final int MOST_PLAYERS = 8;

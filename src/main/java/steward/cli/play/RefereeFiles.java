@@ -12,7 +12,7 @@ import steward.replay.ReplayHeader;
 
 /**
  * Says which files an arena tool's call may replace: empty ones, which tools make beforehand, and those that an earlier
- * call has written, since tools name the same files again. Whatever else stands under the name is somebody's work.
+ * call has written, since tools name the same files again. Any other file of that name is kept.
  */
 final class RefereeFiles {
 

@@ -59,7 +59,7 @@ record RefereeGame(Streams streams, Contest contest, Path log, Path replay, bool
         return ExitStatus.DONE;
     }
 
-    /** At once: whatever becomes of the files, the match has its result. */
+    /** Called as soon as the match has its result, even if a file cannot be written afterwards. */
     private void printScores(MatchResult result, String seed) {
         for (int score : GameResultScores.of(result)) {
             streams.out().println(score);

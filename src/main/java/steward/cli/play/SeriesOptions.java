@@ -6,7 +6,7 @@ import java.util.Optional;
 import picocli.CommandLine.Option;
 import steward.cli.options.CallCheck;
 import steward.cli.shared.Streams;
-import steward.contest.Keep;
+import steward.contest.KeptReplays;
 
 /** The options of many matches. */
 final class SeriesOptions {
@@ -16,7 +16,7 @@ final class SeriesOptions {
 
         @Override
         public Iterator<String> iterator() {
-            return Arrays.stream(Keep.values()).map(Keep::word).iterator();
+            return Arrays.stream(KeptReplays.values()).map(KeptReplays::word).iterator();
         }
     }
 
@@ -54,7 +54,7 @@ final class SeriesOptions {
             "--threads: found '" + threads + "', expected 1 to " + CallCheck.MOST_THREADS + ", or auto");
         check.that(isAny() || threads == null, "--threads is for many games, expected --games or --swap with it");
         check.that(isAny() || keep == null, "--keep is for many games, expected --games or --swap with it");
-        check.that(keep == null || Keep.of(keep).isPresent(),
+        check.that(keep == null || KeptReplays.of(keep).isPresent(),
             "--keep: found '" + keep + "', expected all, lost, failed or none");
         check.that(keep == null || out, "--keep: expected --out with it");
     }
@@ -73,11 +73,11 @@ final class SeriesOptions {
         return swap;
     }
 
-    Keep keep() {
-        return Optional.ofNullable(keep).flatMap(Keep::of).orElse(Keep.ALL);
+    KeptReplays keep() {
+        return Optional.ofNullable(keep).flatMap(KeptReplays::of).orElse(KeptReplays.ALL);
     }
 
-    /** How many games at the same time; says so if these processors will not carry them. */
+    /** How many games at the same time; warns if there are too few processors for them. */
     int threads(Streams streams) {
         int processors = Runtime.getRuntime().availableProcessors();
         int count = threads(processors);
@@ -105,7 +105,7 @@ final class SeriesOptions {
         }
     }
 
-    /** A game keeps one processor busy, since bots are asked in turns; one is left for all else there is to do. */
+    /** A game keeps one processor busy, since bots are asked in turns; one is left for everything else. */
     static int auto(int processors) {
         return Math.max(1, Math.min(processors - 1, CallCheck.MOST_THREADS));
     }

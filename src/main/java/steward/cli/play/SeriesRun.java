@@ -14,20 +14,20 @@ import steward.contest.Standings;
 import steward.text.TextFormat;
 
 /**
- * Plays a series and tells how it went, also when it is interrupted.
+ * Plays a series and reports its result, also when it is interrupted.
  *
  * @param report how much is said
  * @param strict whether a bot that fails makes the exit status 1
  */
 record SeriesRun(Streams streams, Series series, Verbosity report, boolean strict) {
 
-    /** So many games without a result are told one by one. */
+    /** How many games without a result are reported one by one. */
     private static final int PROBLEMS_SHOWN = 10;
 
     private static final int LONGEST_NAME = 12;
 
     /** @return the exit status: not 0 if a game has no result */
-    @SuppressWarnings("try")                           // the interruption is only to be closed
+    @SuppressWarnings("try")                           // only closed, never used
     int play(int threads, boolean overwrite) throws InterruptedException {
         series.prepare(overwrite);
         SeriesPlay play = new SeriesPlay(series, overwrite);
@@ -56,13 +56,13 @@ record SeriesRun(Streams streams, Series series, Verbosity report, boolean stric
         return !whole || strict && faults ? ExitStatus.FAILED : ExitStatus.DONE;
     }
 
-    /** How the first bot stands. */
+    /** The points of the first bot so far. */
     private String standing(Standings standings) {
         String name = TextFormat.shorten(series.contest().entrants().get(0).name(), LONGEST_NAME);
         return name + " " + TextFormat.fixed(standings.points(0), 3);
     }
 
-    /** By Ctrl-C, in another thread than that which plays. */
+    /** Called at Ctrl-C, on another thread than the playing ones. */
     private String interrupted(SeriesPlay play, ProgressLine progress) {
         List<Path> cut = play.breakOff();
         if (progress != null) {

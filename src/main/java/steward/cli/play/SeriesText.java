@@ -6,7 +6,7 @@ import steward.cli.shared.FailureText;
 import steward.contest.AnswerTimes;
 import steward.contest.Contest;
 import steward.contest.FailureKind;
-import steward.contest.Keep;
+import steward.contest.KeptReplays;
 import steward.contest.Series;
 import steward.contest.Standings;
 import steward.contest.Tally;
@@ -16,7 +16,7 @@ import steward.text.TextFormat;
 final class SeriesText {
 
     private static final int KINDS_SHOWN = 10;
-    /** So many games are named in a line. */
+    /** How many games are named in a line. */
     private static final int GAMES_SHOWN = 8;
     private static final double NANOS_PER_MS = 1e6;
     static final double PERCENTILE = 0.99;
@@ -24,7 +24,7 @@ final class SeriesText {
     private SeriesText() {
     }
 
-    /** One line: how many games of what, the points, and who failed how often. */
+    /** One line: how many games of what, the points, and which bots failed how often. */
     static String headline(Series series, Standings standings) {
         StringBuilder line = new StringBuilder(games(series, standings) + ":");
         StringBuilder faults = new StringBuilder();
@@ -163,7 +163,7 @@ final class SeriesText {
             out.println("Replays: none (--keep " + series.keep().word() + ")");
             return;
         }
-        out.println("Replays: " + (series.keep() == Keep.ALL ? "" : kept.size() + " of "
+        out.println("Replays: " + (series.keep() == KeptReplays.ALL ? "" : kept.size() + " of "
             + TextFormat.count(games.size(), "game") + " (--keep " + series.keep().word() + "), ")
             + kept.get(0).replay() + (kept.size() == 1 ? "" : " to " + kept.get(kept.size() - 1).replay()));
     }

@@ -40,7 +40,7 @@ public final class SimulateCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         PodRaceType.PodRaceSetup setup = (PodRaceType.PodRaceSetup) Games.open(SCENE);
-        // Whatever the bytes are, Latin-1 can read them: a strange one is quoted in the error about its line.
+        // Latin-1 can decode any bytes: an unexpected one is quoted in the error about its line.
         BufferedReader in = new BufferedReader(
             new InputStreamReader(streams.in(), StandardCharsets.ISO_8859_1));
         try {

@@ -22,7 +22,7 @@ import steward.match.TeeListener;
 import steward.text.TextFormat;
 
 /**
- * Plays one match and tells how it went.
+ * Plays one match and reports its result.
  *
  * @param report how much is said
  * @param strict whether a bot that fails makes the exit status 1

@@ -167,7 +167,7 @@ public final class FeedCommand implements Callable<Integer> {
         }
     }
 
-    /** A single word is taken apart as 'match' does, unless there is such a file. */
+    /** A single word is split as 'match' does, unless it names a file. */
     private BotCommand bot(Protocol recorded) {
         Protocol usual = protocol == null ? recorded : ProtocolWord.parse(protocol);
         BotCommand.Prefix prefix = usual == Protocol.CODINGAME ? BotCommand.Prefix.CODINGAME : BotCommand.Prefix.JSON;

@@ -47,7 +47,7 @@ final class FeedJson {
     }
 
     /**
-     * The field {@code played}: what came of letting the bot play; null if it did not.
+     * The field {@code played}: the result of letting the bot play; null if it did not.
      *
      * @param turns that the bot has played
      * @param file  of the new replay

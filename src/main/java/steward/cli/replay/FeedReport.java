@@ -15,7 +15,7 @@ import steward.replay.feed.Takeover;
 import steward.replay.verify.Difference;
 import steward.text.TextFormat;
 
-/** Tells, turn by turn, whether a bot does what was recorded, and counts. */
+/** Reports, turn by turn, whether a bot does what was recorded, and counts. */
 final class FeedReport {
 
     /** A turn can differ in every field; more are only counted. */
@@ -77,7 +77,7 @@ final class FeedReport {
     }
 
     /**
-     * The counts of all turns that were compared, and what came of letting the bot play.
+     * The counts of all turns that were compared, and the result of letting the bot play.
      *
      * @param outcome or {@code null} if it did not play
      * @param file    of the new replay as it was typed, or {@code null}

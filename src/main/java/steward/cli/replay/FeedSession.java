@@ -28,7 +28,7 @@ import steward.text.TextFormat;
  *
  * @param bot      as it was called
  * @param words    the program and its arguments
- * @param pause    the turn before which is waited for Enter, or {@code null}
+ * @param pause    the turn before which the session waits for Enter, or {@code null}
  * @param quiet    whether turns that are the same are passed over
  * @param json     whether nothing but one JSON object is printed to the standard output
  * @param piped    whether the standard output is the new replay
@@ -36,16 +36,16 @@ import steward.text.TextFormat;
 record FeedSession(Streams streams, RecordedMatch match, int player, BotCommand bot, Protocol protocol,
                    List<String> words, Integer pause, boolean quiet, boolean json, boolean piped) {
 
-    /** How long the bot may take to end by itself, where nobody is looking into it. */
+    /** How long a bot may take to end by itself, without a debugger or a pause, in milliseconds. */
     private static final long GRACE_MS = 1000;
     private static final long KILL_MS = 500;
 
-    /** What is done with a bot once it runs; gives the exit status. */
+    /** What is done with a bot once it runs; returns the exit status. */
     private interface Work {
         int with(AttendedProcess process, FeedReport report, WaitingNotice waiting) throws InterruptedException;
     }
 
-    /** Where a person reads what happens. */
+    /** Where readable text goes. */
     PrintStream text() {
         return json || piped ? streams.err() : streams.out();
     }
@@ -133,7 +133,7 @@ record FeedSession(Streams streams, RecordedMatch match, int player, BotCommand 
         try {
             Runtime.getRuntime().removeShutdownHook(hook);
         } catch (IllegalStateException shutdown) {
-            // It runs already, or has run.
+            // The hook is already running or has run.
             return;
         }
     }

@@ -3,7 +3,7 @@ package steward.cli.replay;
 import steward.cli.shared.Json;
 import steward.text.TextFormat;
 
-/** Headings for people: a replay has them in radians, any number of whole turns off; these are degrees in [0, 360). */
+/** Headings for people: a replay has them in radians, plus any number of whole turns; these are degrees in [0, 360). */
 final class HeadingText {
 
     private static final String FIELD = "heading";
@@ -17,7 +17,7 @@ final class HeadingText {
         return FIELD.equals(field);
     }
 
-    /** What stands above or before a field: its name, with the unit of a heading. */
+    /** The title of a field: its name, with the unit of a heading. */
     static String title(Object field) {
         return is(field) ? FIELD + "\u00b0" : String.valueOf(field);
     }

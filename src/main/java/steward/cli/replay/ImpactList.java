@@ -41,7 +41,7 @@ final class ImpactList {
         out.println(TextFormat.count(count, "impact"));
     }
 
-    /** What stands above {@link #line}. */
+    /** The header of {@link #line}. */
     static final String HEAD = "    time     a       b      a at x,    y      b at x,    y    impulse       energy";
 
     /** One impact; where b is a wall, its place is the point that was hit. */

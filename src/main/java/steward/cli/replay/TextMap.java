@@ -22,7 +22,7 @@ public final class TextMap {
     private static final double CHARACTER_HEIGHT = 2.1;
     private static final int CIRCLE_STEPS = 240;
     private static final String LETTERS = "abcdefghijklmnopqrstuvwxyz";
-    /** So many places are drawn in all: more hide each other. */
+    /** How many positions are drawn in all: more would hide each other. */
     private static final int PLACES = 160;
 
     private final double left;

@@ -111,7 +111,7 @@ final class TurnDetail {
         });
     }
 
-    /** A value as it would be said: fields with their names, every digit. */
+    /** A value as readable text: fields with their names, every digit. */
     private static String spell(Object value) {
         StringBuilder text = new StringBuilder();
         if (value instanceof Map<?, ?> fields) {

@@ -11,13 +11,13 @@ import steward.replay.verify.Verification;
 import steward.text.TextFormat;
 
 /**
- * Says what came of a verification, and what was compared at all.
+ * Prints the result of a verification, and what it compared.
  *
  * @param out     where to
- * @param partial whether what agrees up to a cut will do
+ * @param partial whether agreement up to a cut suffices
  * @param file    of the key that must have signed, or {@code null}
  * @param key     that key, or {@code null}
- * @param quiet   whether only what does not agree is told
+ * @param quiet   whether only what does not agree is printed
  */
 record VerifyReport(PrintStream out, boolean partial, Path file, SignerKey key, boolean quiet) {
 

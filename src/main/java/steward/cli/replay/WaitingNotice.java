@@ -6,7 +6,7 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
 
-/** Tells a person for whose answer the program waits, once a turn, when it has waited for some time. */
+/** Prints which answer the program is waiting for, once a turn, after it has waited for some time. */
 final class WaitingNotice implements AutoCloseable {
 
     /** Answers come within milliseconds; a person begins to wonder after some seconds. */
@@ -23,7 +23,7 @@ final class WaitingNotice implements AutoCloseable {
     private ScheduledFuture<?> due;
 
     /**
-     * @param terminal where it is told, or {@code null} for nowhere
+     * @param terminal where it is printed, or {@code null} for nowhere
      * @param language what the bot is sent, in words
      */
     WaitingNotice(PrintStream terminal, String language, long afterMs) {

@@ -14,7 +14,7 @@ import steward.bot.process.ProgramTrial;
 import steward.live.Browser;
 import steward.text.TextFormat;
 
-/** Looks at what Steward and bots can use on this machine. */
+/** Checks what Steward and bots can use on this machine. */
 final class Checkup {
 
     /** How long a program may take to tell its version, in milliseconds. */
@@ -26,7 +26,7 @@ final class Checkup {
     private final List<Item> items = new ArrayList<>();
 
     /**
-     * One thing.
+     * One checked item.
      *
      * @param about   a heading that several share
      * @param name    what it is

@@ -72,7 +72,7 @@ public final class NewCommand implements Callable<Integer> {
         return ExitStatus.DONE;
     }
 
-    /** Nothing of anybody's is written over. */
+    /** Refuses to overwrite anything. */
     private static void refuseUnlessEmpty(Path path) {
         if (!Files.exists(path)) {
             return;

@@ -1,5 +1,5 @@
 /**
- * Commands for somebody who begins: {@code new} writes a bot to start from, {@code doctor} says what works on this
+ * Commands for beginners: {@code new} writes a bot to start from, {@code doctor} says what works on this
  * machine.
  */
 @Internal

@@ -23,7 +23,7 @@ public final class MatchText {
             + scene + ", seed " + seed + ")");
     }
 
-    /** The game's words; where two play, there is one other. */
+    /** The ending in the game's words; with two players, "all others" is the other one. */
     private static String ending(MatchResult result) {
         boolean two = result.players().size() == 2;
         return !two ? result.ending() : switch (result.ending()) {
@@ -33,7 +33,7 @@ public final class MatchText {
         };
     }
 
-    /** As {@link #headline(String, long, MatchResult)}, on the same line who failed and the last that it said. */
+    /** As {@link #headline(String, long, MatchResult)}, with the failures of bots on the same line. */
     public static String headline(String scene, long seed, MatchResult result, List<Failure> failures) {
         StringBuilder line = new StringBuilder(headline(scene, seed, result));
         for (Failure failure : failures) {
@@ -48,7 +48,7 @@ public final class MatchText {
         print(out, scene, seed, result, List.of());
     }
 
-    /** Everything about the result, and more about those who failed. */
+    /** Everything about the result, and more about the players that failed. */
     public static void print(PrintStream out, String scene, long seed, MatchResult result, List<Failure> failures) {
         print(out, Colour.NONE, scene, seed, result, failures);
     }

@@ -2,7 +2,7 @@ package steward.cli.shared;
 
 import java.util.Locale;
 
-/** What is said when the memory of the JVM does not suffice: one line with advice, whoever ran out of it. */
+/** The report of a JVM that ran out of memory: one line with advice, from whichever thread. */
 public final class OutOfMemory {
 
     private static final double MEGABYTE = 1 << 20;
@@ -12,7 +12,7 @@ public final class OutOfMemory {
     private OutOfMemory() {
     }
 
-    /** Whether this is what a problem came from. */
+    /** Whether a lack of memory is the problem or one of its causes. */
     public static boolean isBehind(Throwable problem) {
         Throwable cause = problem;
         for (int depth = 0; cause != null && depth < DEEPEST; depth++) {
@@ -31,7 +31,7 @@ public final class OutOfMemory {
         return ExitStatus.FAILED;
     }
 
-    /** For threads that nobody waits for: the program ends in order, and what was recorded is written. */
+    /** For threads that no other waits for: ends the program in order, so that what was recorded is written. */
     public static void endProgram(Streams streams) {
         Thread.UncaughtExceptionHandler usual = Thread.getDefaultUncaughtExceptionHandler();
         Thread.setDefaultUncaughtExceptionHandler((thread, problem) -> {

@@ -16,7 +16,7 @@ public final class ProgressLine implements AutoCloseable {
     private static final int WIDTH = 79;
     private static final int REFRESH_MS = 250;
 
-    /** How long the word on how it stands may be, so that there is room for the bar. */
+    /** How long the text about the standing may be, so that there is room for the bar. */
     private static final int WORD = 24;
 
     private final ProgressBar bar;
@@ -62,7 +62,7 @@ public final class ProgressLine implements AutoCloseable {
         }
     }
 
-    /** One more, with a word on how it stands; by any thread. */
+    /** One more, with a text about the standing; by any thread. */
     public void step(String standing) {
         bar.setExtraMessage(TextFormat.plain(TextFormat.shorten(standing, WORD)));
         bar.step();

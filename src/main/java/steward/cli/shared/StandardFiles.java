@@ -17,12 +17,12 @@ public final class StandardFiles {
     private StandardFiles() {
     }
 
-    /** Whether a file as it was typed is one of the standard streams; nothing is not. */
+    /** Whether a file as it was typed is one of the standard streams; {@code null} is not. */
     public static boolean is(String typed) {
         return DASH.equals(typed);
     }
 
-    /** All of the standard input; by a buffer, since a file's own way to be read whole fails on pipes. */
+    /** All of the standard input; buffered, because {@link java.io.FileInputStream#readAllBytes} fails on pipes. */
     public static byte[] readAll(Streams streams) {
         try {
             return new BufferedInputStream(streams.in()).readAllBytes();

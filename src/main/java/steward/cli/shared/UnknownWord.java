@@ -7,7 +7,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.UnmatchedArgumentException;
 import steward.text.NearestName;
 
-/** What is said about a word of a call that means nothing. */
+/** The error messages for unknown words of a call. */
 public final class UnknownWord {
 
     private UnknownWord() {
@@ -32,7 +32,7 @@ public final class UnknownWord {
         return "unknown command '" + word + "'" + question(word, known);
     }
 
-    /** Somebody may have forgotten the dashes. */
+    /** The dashes of an option may have been forgotten. */
     private static String option(String word, CommandSpec spec) {
         List<String> options = new ArrayList<>(spec.optionsMap().keySet());
         return options.contains("--" + word) ? "; did you mean '--" + word + "'?" : "";

@@ -64,14 +64,14 @@ final class Conversation {
         return dialogue.message(player);
     }
 
-    /** Whether the player is to be asked in the turn that comes. */
+    /** Whether the player is to be asked in the next turn. */
     boolean isIn() {
         return again.game().isIn(player);
     }
 
     /**
-     * Sends the turn that comes and compares the answer with the recorded one. A good answer is the player's command
-     * then, until another is read.
+     * Sends the next turn and compares the answer with the recorded one. A valid answer is then the player's command
+     * until another one is read.
      */
     FedTurn ask(RecordedTurn recorded, boolean replaced) {
         if (!started) {

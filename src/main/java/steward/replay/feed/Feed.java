@@ -20,11 +20,11 @@ import steward.replay.verify.Resimulation;
  */
 public final class Feed {
 
-    /** How feeding came to its end. */
+    /** How feeding ended. */
     public enum Ending {
         /** All turns were sent in which the player was asked, and the end of the match if it has one. */
         WHOLE,
-        /** The turn was reached that should be the last; the bot waits for more. */
+        /** The turn given as the last one was reached; the bot waits for more. */
         STOPPED,
         /** The bot can be asked no more. */
         BOT_GONE
@@ -92,7 +92,7 @@ public final class Feed {
         }
     }
 
-    /** Refuses a turn from which on other lines would be sent than were sent then. */
+    /** Refuses a turn whose state differs when played again: the bot would be sent other lines than in the match. */
     static void checkHash(Game game, RecordedTurn turn) {
         JsonLine outcome = new JsonLine(turn.where(), turn.outcome());
         if (outcome.has("hash") && !outcome.text("hash").equals(StateHash.toHex(game.hash()))) {

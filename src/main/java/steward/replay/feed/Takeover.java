@@ -25,23 +25,23 @@ import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
 
 /**
- * Lets a bot play on in place of one player of a recorded match, against what the others did then, and records that as
- * a match of its own. Up to a turn the bot is sent what was sent then, and what was recorded is played; from that turn
- * on its own commands are.
+ * Lets a bot take over from one player of a recorded match, against the recorded commands of the others, and records
+ * that as a new match. Before the given turn the bot is sent the recorded game and the recorded commands are played;
+ * from that turn on its own commands are played.
  *
  * <p>The others do not see what has changed: their commands are applied as they are. The match ends when the rules say
- * so, or where a player who is still in has neither a command nor a fault recorded; then the new recording has no
+ * so, or where a player that is still in has neither a command nor a fault recorded; then the new recording has no
  * result.
  */
 public final class Takeover {
 
     /**
-     * What came of it.
+     * The result.
      *
      * @param turns  how many the new recording has
      * @param result or {@code null} if there is none
      * @param reason why there is none, or {@code null}
-     * @param ahead  who was ahead at the end, by name, players who tie all of them
+     * @param ahead  names of the players that were ahead at the end, several if they tie
      */
     public record Outcome(int turns, MatchResult result, String reason, List<String> ahead) {
     }
@@ -91,7 +91,7 @@ public final class Takeover {
         return names;
     }
 
-    /** The same match, in which nobody was hurried and another bot plays. */
+    /** The header of the new match: the same, but with another bot, without deadlines and unsigned. */
     private static ReplayHeader header(ReplayHeader recorded, List<String> names, int player, Protocol protocol,
                                        String bot) {
         List<String> bots = new ArrayList<>(recorded.bots());
@@ -137,7 +137,9 @@ public final class Takeover {
         return unfinished("the recording ends");
     }
 
-    /** Who of the others is in, but neither did anything in this turn nor failed; or {@code null}. */
+    /**
+     * Names one of the other players that is in but has neither a command nor a fault in this turn; or {@code null}.
+     */
     private String missing(RecordedTurn recorded) {
         for (int other = 0; other < game.players(); other++) {
             if (other != conversation.player() && game.isIn(other) && !recorded.hasCommand(other)
@@ -172,7 +174,7 @@ public final class Takeover {
                 if (game.isIn(player)) {
                     record(turn, recorded, player);
                     if (turn.fault(player) != null) {
-                        game.eliminate(player, turn.fault(player));      // who failed then fails now
+                        game.eliminate(player, turn.fault(player));      // a recorded fault is repeated
                     }
                 }
             } else if (fed != null && fed.fault() == null) {

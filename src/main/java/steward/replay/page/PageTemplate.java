@@ -21,7 +21,7 @@ final class PageTemplate {
     /** In the order in which they need each other. */
     private static final List<String> SCRIPTS = List.of("match.js", "notes.js", "theme.js", "shapes.js", "stage.js",
         "podrace.js", "playback.js", "timeline.js", "chart.js", "panels.js", "page.js");
-    /** Where the replay goes: all before it is written first. */
+    /** The place of the replay; everything before it is written first. */
     private static final String REPLAY = "{{replay}}";
 
     private final String template = load("page.html");

@@ -93,7 +93,7 @@ public final class ReplayPage {
         }
     }
 
-    /** Without the line that was cut; a last line that only lacks its end is whole, as for the reader. */
+    /** The replay without a line that was cut off; a complete last line without line end is kept, as by the reader. */
     private static byte[] upToCut(byte[] replay) {
         int end = replay.length;
         while (end > 0 && replay[end - 1] != '\n') {

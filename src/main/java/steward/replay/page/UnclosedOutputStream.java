@@ -4,7 +4,7 @@ import java.io.FilterOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 
-/** Lets a writer be closed without closing what it writes to: the end of its part is not the end of the whole. */
+/** Flushes instead of closing the underlying stream, so that a writer can be closed and more can follow. */
 public final class UnclosedOutputStream extends FilterOutputStream {
 
     /** @param out is flushed, not closed */

@@ -6,9 +6,9 @@ import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 
 /**
- * What of a replay is signed: all its lines up to the result, each without its field {@code times}, with its line end.
- * Their SHA-256 is taken as they come, so nothing is kept in memory. The signature is Ed25519 over one line of text,
- * which says what it is, so that it can be taken for nothing else:
+ * The part of a replay that is signed: all its lines up to the result, each without its field {@code times}, with its
+ * line end. Their SHA-256 is computed line by line, so nothing is kept in memory. The signature is Ed25519 over one
+ * line of text that names its purpose, so that it is valid for nothing else (domain separation):
  *
  * <pre>steward replay sha256:0123...64 hexadecimal digits...cdef</pre>
  *
@@ -28,7 +28,7 @@ public final class LinesDigest {
 
     private final MessageDigest sha256 = sha256();
 
-    /** A line, as far as it reaches without {@code times} and the closing brace. */
+    /** Adds a line, without {@code times} and the closing brace. */
     public void add(byte[] line, int length) {
         sha256.update(line, 0, length);
         sha256.update(END, 0, END.length);

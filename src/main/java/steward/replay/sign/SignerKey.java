@@ -10,7 +10,7 @@ import java.util.Arrays;
 import java.util.Base64;
 import steward.files.InputException;
 
-/** The public key of who signs replays: an Ed25519 key of the JDK, in X.509 form. */
+/** The public key of a signer of replays: an Ed25519 key of the JDK, in X.509 form. */
 public final class SignerKey {
 
     static final String ALGORITHM = "Ed25519";
@@ -54,7 +54,7 @@ public final class SignerKey {
                 return key;
             }
         } catch (GeneralSecurityException | IllegalArgumentException problem) {
-            // Said below, as for a text that is no base64.
+            // Reported below, like a text that is not base64.
         }
         throw new IllegalArgumentException("no Ed25519 public key in base64");
     }
@@ -67,12 +67,12 @@ public final class SignerKey {
         return of(key);
     }
 
-    /** The key in one word: X.509 in base64, as between the lines of its file. */
+    /** The key as one word: X.509 in base64, as between the lines of its file. */
     public String text() {
         return Base64.getEncoder().encodeToString(encoded);
     }
 
-    /** What people compare: {@code SHA256:} and the hash of the key in base64. */
+    /** The fingerprint, for people to compare: {@code SHA256:} and the hash of the key in base64. */
     public String fingerprint() {
         return "SHA256:" + Base64.getEncoder().withoutPadding().encodeToString(LinesDigest.sha256().digest(encoded));
     }

@@ -60,9 +60,9 @@ public final class SigningKey {
     }
 
     /*
-     * PKCS#8 holds 32 bytes from which the public key follows, but the JDK offers no way to work it out. It does so
-     * when it makes a pair, whose 32 bytes it takes from the generator of random numbers: here, ours. That it took just
-     * these is checked.
+     * PKCS#8 holds the 32-byte seed from which the public key follows, but the JDK has no call that derives it. It does
+     * derive it when it generates a pair, whose seed it takes from the given generator of random numbers: here, one
+     * that returns these 32 bytes. The check is that the generated private key is the given one.
      */
     private static SignerKey publicKeyOf(PrivateKey key) throws GeneralSecurityException {
         byte[] seed = ((EdECPrivateKey) key).getBytes().orElseThrow(() -> new GeneralSecurityException("no bytes"));
@@ -75,7 +75,7 @@ public final class SigningKey {
         return SignerKey.of(pair.getPublic());
     }
 
-    /** Gives the bytes of a key in place of random ones. */
+    /** Returns the bytes of a key in place of random ones. */
     private static final class Given extends SecureRandom {
 
         private static final long serialVersionUID = 1L;

@@ -91,13 +91,13 @@ public record Difference(int turn, String field, String recorded, String found) 
             }
         }
 
-        /** Another referee may say that there were no impacts, where we say nothing. */
+        /** Another referee may record an empty array of impacts where this program leaves the field out. */
         private boolean isLeftOut(String path, Object recorded, Object found) {
             return observed && found == null && path.equals("impacts") && recorded instanceof List<?> none
                 && none.isEmpty();
         }
 
-        /** Those that both have stand in the same order. */
+        /** Whether the fields that both have are in the same order. */
         private static boolean isInOrder(Set<?> recorded, Set<?> found) {
             List<Object> common = new ArrayList<>(found);
             common.retainAll(recorded);

@@ -11,7 +11,7 @@ interface LineCheck {
     Difference header();
 
     /**
-     * Plays the turn of a line that has nothing unusual in it, which is nearly every one, without taking it apart.
+     * Plays the turn of a line that has nothing unusual in it, as nearly all have, without parsing it.
      *
      * @return whether it agrees in every byte; if not, {@link #turn} is to be asked next
      */

@@ -4,14 +4,14 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
 /**
- * Finds the parts of an ordinary turn by their bytes: nobody failed, said or wrote anything.
+ * Finds the parts of an ordinary turn by their bytes: a turn without faults, messages and stderr.
  *
  * <pre>
  * {"type":"turn","turn":7,"commands":[...],"outcome":{...},"turnHash":"0123456789abcdef",
  *  "times":{"answerNanos":[1,2]}}                                                 (in one line)
  * </pre>
  *
- * <p>Every method answers -1 for what is not there, also for a place of -1.
+ * <p>Every method returns -1 for a part that is not there, also when {@code from} is -1.
  */
 final class LineScanner {
 
@@ -37,12 +37,12 @@ final class LineScanner {
         return skip(line, skipNumber(line, skip(line, 0, BEFORE_NUMBER), number), BEFORE_COMMANDS);
     }
 
-    /** Where the outcome begins, whose name does at {@code from}. */
+    /** Where the outcome begins, if its field name begins at {@code from}. */
     static int outcome(byte[] line, int from) {
         return skip(line, from, BEFORE_OUTCOME);
     }
 
-    /** Where the digits of the hash begin, whose name does at {@code from}. */
+    /** Where the digits of the hash begin, if its field name begins at {@code from}. */
     static int hash(byte[] line, int from) {
         return skip(line, from, BEFORE_HASH);
     }

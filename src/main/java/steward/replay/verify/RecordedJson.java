@@ -34,7 +34,7 @@ final class RecordedJson {
         out.writeRawValue(new String(json, StandardCharsets.UTF_8));
     }
 
-    /** Bytes decide nearly always; only where they differ are both read. */
+    /** Compares the bytes; only where they differ, both are parsed. */
     static Difference compare(int turn, byte[] recorded, byte[] found, boolean observed) {
         if (Arrays.equals(recorded, found)) {
             return null;
@@ -59,7 +59,7 @@ final class RecordedJson {
         return compare(game.turn(), recorded, found, replay.imported());
     }
 
-    /** Nothing before the field was altered, not even what has no effect on the game. */
+    /** Compares the hash of everything before the field, which also covers what has no effect on the game. */
     static Difference compareHash(int turn, String field, JsonLine line, int format) {
         String recorded = line.text(field);
         String found = line.hashBefore(field, format);

@@ -138,7 +138,7 @@ public final class Resimulation {
         return player == game.players();
     }
 
-    /** @return what is wrong with the command of a player who was asked, or {@code null} */
+    /** @return what is wrong with the command of a player that was asked, or {@code null} */
     private String readOne(JsonParser in, JsonToken token, int player, String fault) {
         if (fault == null) {
             return token == JsonToken.VALUE_NULL ? "null" : codec.readCommand(in, player);
@@ -147,7 +147,7 @@ public final class Resimulation {
         return token == JsonToken.VALUE_NULL ? null : codec.readPartialCommand(in, player);
     }
 
-    /** What is wrong with the commands, which are read to be told. */
+    /** What is wrong with the commands; they are read one by one to find it. */
     private Difference readCarefully(RecordedTurn turn) {
         byte[] json = turn.commands();
         int player = 0;

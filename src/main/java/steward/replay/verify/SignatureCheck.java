@@ -3,7 +3,7 @@ package steward.replay.verify;
 import steward.replay.sign.SignerKey;
 
 /**
- * What a replay's signature is worth.
+ * The result of checking a replay's signature.
  *
  * @param verdict what was found
  * @param signer  the key that the header names, or {@code null} if it names none

@@ -4,7 +4,7 @@ import steward.replay.ReplayReader;
 import steward.replay.sign.LinesDigest;
 import steward.replay.sign.SignerKey;
 
-/** Takes the lines of a replay that names its signer, and looks at the signature. */
+/** Digests the lines of a replay that names its signer, and checks the signature. */
 final class SignedLines {
 
     private final ReplayReader replay;
@@ -18,7 +18,7 @@ final class SignedLines {
         digest = key == null ? null : new LinesDigest();
     }
 
-    /** A line, as far as it reaches without {@code times} and the closing brace. */
+    /** Adds a line, without {@code times} and the closing brace. */
     void add(byte[] line, int length) {
         if (digest != null) {
             digest.add(line, length);

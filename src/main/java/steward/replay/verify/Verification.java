@@ -6,7 +6,7 @@ import steward.replay.ReplayException;
 import steward.replay.ReplayReader;
 
 /**
- * What came of playing a recorded match again and comparing every line.
+ * The result of playing a recorded match again and comparing every line.
  *
  * @param turns      how many turns agreed
  * @param states     in how many of these the full state was recorded, and so compared: all, but of an imported match
@@ -19,10 +19,10 @@ import steward.replay.ReplayReader;
 public record Verification(int turns, int states, boolean whole, Difference difference, String warning,
                            ImpactCounts impacts, SignatureCheck signature) {
 
-    /** The first format of which one spelling alone is accepted. */
+    /** The first format in which every line has exactly one accepted form. */
     private static final int SPELLED_SINCE = 3;
 
-    /** Whether all that is there agrees, be it cut off or not; nothing agrees where not even the header is whole. */
+    /** Whether everything recorded agrees, even if the replay was cut off; false if the header is incomplete. */
     public boolean agrees() {
         return difference == null && signature.verdict() != SignatureCheck.Verdict.WRONG;
     }
@@ -47,7 +47,7 @@ public record Verification(int turns, int states, boolean whole, Difference diff
         Resimulation again = new Resimulation(replay.header(), types, replay.source());
         SignedLines signed = new SignedLines(replay);
         LineCheck check = replay.format() < SPELLED_SINCE ? new EarlierLineCheck(replay, again)
-            : new SpelledLineCheck(replay, again, signed);
+            : new ExactLineCheck(replay, again, signed);
         Difference difference = check.header();
         String[] faults = new String[again.game().players()];
         int turns = 0;
@@ -68,7 +68,7 @@ public record Verification(int turns, int states, boolean whole, Difference diff
             whole = turn == null && difference == null;
             if (turn != null && difference == null) {
                 turns++;
-                states += !replay.imported() || Observed.hasState(turn.outcome()) ? 1 : 0;
+                states += !replay.imported() || RecordedObservations.hasState(turn.outcome()) ? 1 : 0;
                 for (int player = 0; player < faults.length; player++) {
                     faults[player] = faults[player] == null ? turn.faults()[player] : faults[player];
                 }

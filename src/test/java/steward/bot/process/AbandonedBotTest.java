@@ -19,8 +19,8 @@ import steward.bot.Answer;
 import steward.bot.Player;
 
 /**
- * A process that has left the bot's group, and whose parents are gone, is not found. It may hold the bot's pipes for
- * as long as it likes: then the asking thread is given up, and another one goes on.
+ * A process that has left the bot's group, and whose parents are gone, is not found. It may hold the bot's pipes
+ * without end: then the asking thread is abandoned, and another one goes on.
  */
 @Tag("process")
 class AbandonedBotTest {
@@ -102,7 +102,7 @@ class AbandonedBotTest {
 
     /**
      * There is no limit that could end this wait. Should the bot have exited before the read began, its output ends
-     * there and then, and nobody has to be abandoned.
+     * there and then, and no thread has to be abandoned.
      */
     @Test
     void theExitOfTheBotIsNoticedAlthoughItsOutputStaysOpen() throws InterruptedException {

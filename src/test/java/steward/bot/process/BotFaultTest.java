@@ -15,7 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import steward.bot.Answer;
 import steward.bot.Player;
 
-/** The ways in which a bot fails, each with its words; nothing is left of it afterwards. */
+/** The ways in which a bot fails, each with its message; no process is left afterwards. */
 @Tag("process")
 class BotFaultTest {
 

@@ -68,7 +68,7 @@ class BotLeakTest {
         }
         // The JDK closes its ends when it has taken note of an exit; class loading may have opened a few files.
         ScriptedBots.await("descriptors are left open", () -> descriptors() <= descriptorsBefore + 5);
-        // A spare thread that is not quite back when the next bot needs one gets a companion; far from one each.
+        // If no spare thread is idle again when the next bot needs one, another is started: far from one per bot.
         ScriptedBots.await("threads are left behind", () -> threads() <= threadsBefore + BOTS / 20);
         Set<String> files = temporaryFiles();
         files.removeAll(filesBefore);

@@ -118,7 +118,9 @@ class BotProcessTest {
         assertTrue(threads.take().isDaemon());
     }
 
-    /** The first of two exits only when the second has heard the end: nobody waits for one before telling the next. */
+    /**
+     * The first of two bots exits only after the second was sent the end: all are sent the end before any is awaited.
+     */
     @Test
     void severalBotsGoAtTheSameTime(@TempDir Path folder) throws IOException {
         ScriptedBots.assumeGroups();

@@ -10,7 +10,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.jupiter.api.Test;
 
-/** Between an answer and its deadline exactly one wins, whatever the moment. */
+/** Of an answer and its deadline exactly one wins, whatever the timing. */
 class DeadlineTest {
 
     private final Semaphore expired = new Semaphore(0);

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
-/** The sentinel kills what it is told to kill, and lives through everything it can live through. */
+/** The sentinel kills its targets, and survives every signal that can be ignored. */
 @Tag("process")
 class SentinelTest {
 

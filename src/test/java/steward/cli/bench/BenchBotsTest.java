@@ -33,7 +33,7 @@ import steward.replay.ReplayHeader;
 import steward.replay.ReplayWriter;
 import steward.scene.Scene;
 
-/** Bots that sit at the game itself: the same matches as by lines, and nothing allocated in a turn. */
+/** Bots that read the game directly: the same matches as by lines, and nothing allocated in a turn. */
 class BenchBotsTest {
 
     private static final MatchListener NO_LISTENER = new MatchListener() { };
@@ -128,7 +128,7 @@ class BenchBotsTest {
             () -> ParallelMatches.play(failing, 30, 2)).getMessage());
     }
 
-    /** Turns of mere flight, each played in several matches: what the JVM once adds is not ours. */
+    /** Turns without impacts, each played in several matches: what the JVM allocates once does not count. */
     @Test
     void aRecordedTurnAllocatesNothing() throws InterruptedException {
         ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();

@@ -18,7 +18,7 @@ import steward.cli.Cli;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** What {@code steward bench} prints, writes and refuses; how fast anything is, no test asks. */
+/** What {@code steward bench} prints, writes and refuses; no test depends on how fast anything is. */
 class BenchCommandTest {
 
     @TempDir
@@ -44,7 +44,10 @@ class BenchCommandTest {
         }
     }
 
-    /** Five ways, a race and a brawl; whoever played another game than the textbook would have ended the part. */
+    /**
+     * Five ways, a race and a brawl; an implementation that played another game than the textbook would have ended the
+     * part.
+     */
     @Test
     @Tag("slow")
     void podTurnsAreMeasuredInEveryWay() throws IOException {

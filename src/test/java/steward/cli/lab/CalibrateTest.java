@@ -29,14 +29,14 @@ import steward.scene.PhysicsFingerprint;
 import steward.scene.SceneFiles;
 import steward.scene.SceneKey;
 
-/** {@code steward tradeoff --calibrate SCENE}, and scenes that state the error they can bear. */
+/** {@code steward tradeoff --calibrate SCENE}, and scenes that state the error they tolerate. */
 @Timeout(60)
 class CalibrateTest {
 
     @TempDir
     private Path folder;
 
-    /** The duel over two laps, which nobody has calibrated. */
+    /** The duel over two laps, which has no stored calibration. */
     private Path scene(String demand) throws IOException {
         return Files.writeString(folder.resolve("mine.json"), SceneFiles.load("duel").text()
             .replace("\"laps\": 1", "\"laps\": 2").replaceFirst("\"accuracy\": \\{[^}]*}", "\"accuracy\": " + demand));
@@ -131,7 +131,7 @@ class CalibrateTest {
         assertEquals(1200, AccuracyFigures.read(Files.readString(file), "d").states());
     }
 
-    /** Fewer states than somebody had the patience for before do not take the place of more. */
+    /** Figures of fewer states do not replace older figures of more states. */
     @Test
     void anInterruptedRunLeavesOlderFiguresWhereTheyAre() throws Exception {
         Path file = Files.writeString(folder.resolve("d.accuracy.json"), "older");
@@ -148,8 +148,8 @@ class CalibrateTest {
     }
 
     /**
-     * What comes with the program is of this very physics and these very states. If it is not: {@code steward tradeoff
-     * --calibrate config/scenes/NAME.json --overwrite}.
+     * The shipped figures are those of the present physics and states. If they are not:
+     * {@code steward tradeoff --calibrate config/scenes/NAME.json --overwrite}.
      */
     @ParameterizedTest
     @ValueSource(strings = {"duel", "mad-pod-racing-silver", "mad-pod-racing", "walled-race"})

@@ -94,7 +94,7 @@ class ExplainCommandTest {
             + ":22:26: race.maps[0].checkpoints[0]: found pod "), refused.err());
     }
 
-    /** Every part has a price, but for the broad phase, which would take work away. */
+    /** Every part has a price except the broad phase, which would save work. */
     @Test
     @Tag("slow")
     void everyPartHasItsPrice() {
@@ -110,7 +110,10 @@ class ExplainCommandTest {
         assertTrue(cli.out().contains("\nA turn takes "), cli.out());
     }
 
-    /** Five rounds are made however slow they are; a clock that stands still has nothing to tell apart. */
+    /**
+     * Five rounds are made however slow they are; with a clock that stands still all prices are below the measurable
+     * difference.
+     */
     @Test
     void onAClockThatStandsStillEverythingIsCheap() {
         ByteArrayOutputStream err = new ByteArrayOutputStream();

@@ -48,7 +48,7 @@ class StabilityCommandTest {
         assertEquals("", cli.err());
     }
 
-    /** A crowd is played for as long as one likes. */
+    /** A crowd is played for the given number of impacts. */
     @Test
     void rungsAndTheImpactsOfCrowdsCanBeChosen() {
         Cli cli = stability("--case", "crowd of 100, 10%", "--rung", "double", "--rung", "exact", "--impacts", "3000");
@@ -60,7 +60,7 @@ class StabilityCommandTest {
         }
     }
 
-    /** Of a row that takes long, an interrupted run tells what there was so far. */
+    /** An interrupted run prints the figures so far of an unfinished row. */
     @Test
     @Tag("process")
     void theUnfinishedRowIsTold() throws IOException, InterruptedException {

@@ -18,7 +18,7 @@ import steward.cli.ShellBots;
 import steward.cli.shared.ExitStatus;
 import tools.jackson.databind.JsonNode;
 
-/** {@code steward match} with real bot processes. Nobody is hurried: the tests are not about time. */
+/** {@code steward match} with real bot processes. Without deadlines: the tests are not about time. */
 @Tag("process")
 @Timeout(60)
 class MatchCommandTest {

@@ -74,7 +74,7 @@ class PlayCommandTest {
         assertTrue(tied.get("test_data").get("seed").isIntegralNumber());
     }
 
-    /** The other bots of a league are to play on, whatever becomes of one of them. */
+    /** The other bots of a league play on, however one of them fails. */
     @ParameterizedTest
     @Tag("process")
     @CsvSource(delimiter = '|', quoteCharacter = '`', value = {

@@ -40,7 +40,7 @@ import tools.jackson.databind.JsonNode;
 @Timeout(60)
 class ProtocolTest {
 
-    /** Two lines a turn are read; in the fourth an answer is said twice; data is reported. */
+    /** Two lines a turn are read; in the fourth an answer is written twice; data is reported. */
     private static final String LINES = """
         #!/bin/sh
         turn=0
@@ -154,7 +154,7 @@ class ProtocolTest {
         assertTrue(cli.err().contains("the known prefixes are builtin: json: codingame:"), cli.err());
     }
 
-    /** A mix with one bot that speaks what the scene does not have is refused before anything starts. */
+    /** A match in which one bot uses a protocol that the scene does not have is refused before anything starts. */
     @Test
     void aSceneWithoutTheProtocolIsRefusedUpFront() {
         GameSetup mute = new WithoutLines(Games.open("duel"));
@@ -171,7 +171,7 @@ class ProtocolTest {
                 new MatchListener() { })).getMessage());
     }
 
-    /** A game of JSON alone. */
+    /** A game that supports JSON only. */
     private record WithoutLines(GameSetup setup) implements GameSetup {
 
         @Override

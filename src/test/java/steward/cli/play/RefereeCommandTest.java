@@ -78,7 +78,7 @@ class RefereeCommandTest {
             Cli.run("replay", replay.toString(), "--verify").out());
     }
 
-    /** As tools call: the same names again and again, or files that they have made. */
+    /** As tools call it: with the same file names again and again, or with files that they have made. */
     @Test
     @Tag("process")
     void filesOfTheirOwnKindAreReplaced() throws IOException {

@@ -130,16 +130,11 @@ class SeriesProcessTest {
     private void assertNoBotIsLeft() throws IOException, InterruptedException {
         long end = System.nanoTime() + PATIENCE_NANOS;
         for (String pid : Files.readAllLines(folder.resolve("pids"))) {
-            while (isRunning(Long.parseLong(pid)) && System.nanoTime() < end) {
+            while (ProcessTest.isRunning(Long.parseLong(pid)) && System.nanoTime() < end) {
                 Thread.sleep(20);
             }
-            assertFalse(isRunning(Long.parseLong(pid)), "a bot is still there");
+            assertFalse(ProcessTest.isRunning(Long.parseLong(pid)), "a bot is still there");
         }
-    }
-
-    /** A process that has ended may stay in the table, without a command line, until its parent asks for it. */
-    private static boolean isRunning(long pid) {
-        return ProcessHandle.of(pid).flatMap(handle -> handle.info().commandLine()).isPresent();
     }
 
     /** Where no file may grow beyond so many blocks of 512 bytes. */

@@ -27,8 +27,8 @@ import steward.cli.ProcessTest;
 import steward.cli.shared.ExitStatus;
 
 /**
- * {@code steward simulate} as a program of its own, spoken to over pipes as the community's script does it: official
- * recordings of 2016 go in, test by test, and the values that come back are counted.
+ * {@code steward simulate} as a process of its own, driven over pipes like the community's script: official recordings
+ * of 2016 go in, test by test, and the values that come back are counted.
  */
 @Timeout(120)
 class SimulateCommandTest {

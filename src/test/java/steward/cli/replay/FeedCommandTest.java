@@ -148,7 +148,7 @@ class FeedCommandTest {
         assertTrue(feedTyped("\n", "--quiet --pause", bot("100")).out().contains("waiting before turn 1: "));
     }
 
-    /** Many bots read in a loop without end; then they would go on answering for ever. */
+    /** Many bots read in an endless loop: they would go on answering for ever. */
     @Test
     void aBotThatDoesNotSeeTheEndIsEnded() throws IOException, InterruptedException {
         Path pid = folder.resolve("pid");

@@ -31,7 +31,7 @@ import steward.scene.SceneReader;
 /** A turn put together part by part; and what a turn without a part is made of. */
 class PartByPartPhysicsTest {
 
-    /** Who looks for impacts, collects them, lets them happen, and says how strong they are. */
+    /** The classes that search for impacts, collect them, apply them and compute their impulses. */
     private static final Set<String> ROLES = Set.of("Scan", "ImpactQueue", "ContactResponse", "Impulse", "Wall");
 
     private static GameSetup open(String scene, String rung) {

@@ -113,7 +113,7 @@ class EngineAgainstOracleTest {
 
     /**
      * A batch of two: when the outer ones meet the heavy one between them, the second is 1.03e-5 u late. The first
-     * push takes 1e-5 u of that, so 3e-7 u are left, and nobody is pushed a second time.
+     * push takes 1e-5 u of that, so 3e-7 u are left, and no body is pushed a second time.
      */
     @ParameterizedTest
     @MethodSource("rungs")

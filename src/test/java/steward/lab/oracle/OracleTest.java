@@ -110,7 +110,9 @@ class OracleTest {
         assertNear("-200", state.get(0).vx);
     }
 
-    /** At rest and overlapping by 10: they react though nobody approaches, f = 0, J = 120; 5 and 1e-5 of push each. */
+    /**
+     * At rest and overlapping by 10: they react although they do not approach, f = 0, J = 120; 5 and 1e-5 of push each.
+     */
     @Test
     void restingPodsThatOverlapReactUnderTheOfficialLawOnly() {
         Bodies bodies = new Bodies(2);

@@ -22,7 +22,7 @@ import steward.physics.Wall;
 import steward.physics.event.EventAdvance;
 import steward.physics.event.StepAdvance;
 
-/** What the oracle says of a turn, and how far a rung is from it; whom the oracle need not look at. */
+/** The true turn of the oracle, the error of a rung against it, and the pairs that the oracle may skip. */
 @Execution(ExecutionMode.CONCURRENT)
 class TurnTruthTest {
 
@@ -161,7 +161,7 @@ class TurnTruthTest {
         assertThrows(IllegalArgumentException.class, () -> TurnTruth.of(headOn(1), deaf));
     }
 
-    /** Whoever meets in time is never spared, by however little; most of those who are far apart are. */
+    /** A pair that meets in time is never skipped, by however little; most pairs that are far apart are. */
     @Test
     void theOracleSparesOnlyWhoCannotMeet() {
         long seed = 11;

@@ -21,7 +21,7 @@ import steward.physics.TurnSink;
 import steward.physics.event.StepAdvance;
 import steward.physics.queue.QueueAdvance;
 
-/** Crowds in a box: nothing is missed, nobody escapes at any coverage; boxes that hold no such crowd are refused. */
+/** Crowds in a box: no impact is missed, no body escapes at any coverage; boxes that hold no such crowd are refused. */
 @Execution(ExecutionMode.CONCURRENT)
 class CrowdCheckTest {
 

@@ -49,7 +49,7 @@ class TakeoverTest {
         return new Recorded(out.toByteArray(), null);
     }
 
-    /** The recordings are the same but for header and times, and the name of who plays now. */
+    /** The recordings are the same but for header and times, and the name of the new bot. */
     private void assertSameMatch(Recorded recorded, int player) {
         List<String> before = recorded.withoutTimes().lines().skip(1).toList();
         List<String> after = written().withoutTimes().lines().skip(1).toList();
@@ -90,7 +90,7 @@ class TakeoverTest {
         assertTrue(!recorded.lines().get(25).equals(written().lines().get(25)));
     }
 
-    /** The other one wins in turn 50 by the recording, but now there is somebody to race against. */
+    /** The other one wins in turn 50 by the recording, but now there is an opponent. */
     @Test
     void aMatchThatGoesOnLongerThanTheRecordingHasNoResult() {
         Bot idle = new FeedTest.Altered(seeded(1), 0, null) {

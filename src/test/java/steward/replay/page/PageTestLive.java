@@ -102,7 +102,7 @@ class PageTestLive {
     @Test
     void showsAGameItKnowsNothingOf() {
         browser.open(new PageTestPages(folder).live("Unknown"), "");
-        browser.complaints();                                // about the feed that nobody serves here
+        browser.complaints();                                // about the feed, which is not served here
         addTurn("""
             {"type":"steward-replay","format":2,"game":"bubbles","seed":"1","timeFactor":null,
              "players":[{"name":"a","bot":"./a"},{"name":"b","bot":"./b"},{"name":"c","bot":"./c"}],

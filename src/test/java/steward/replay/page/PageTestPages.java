@@ -30,7 +30,7 @@ final class PageTestPages {
         return page;
     }
 
-    /** A page that waits for turns, with nobody there to send any. */
+    /** A page that waits for turns, without a server that sends any. */
     Path live(String title) {
         Path page = folder.resolve("page-" + ++written + ".html");
         try (OutputStream html = Files.newOutputStream(page)) {

@@ -21,7 +21,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.bot.Bot;
-import steward.match.SeededBot;
 import steward.match.TestScenes;
 import steward.numerics.SplitMix64;
 import steward.replay.JsonLeaves;
@@ -40,34 +39,15 @@ class EditedReplayTest {
     /** A short walled race of three: player 2 fails in turn 9, the others do in turn 30. */
     @BeforeAll
     static void playMatch() {
-        List<Bot> bots = List.of(new Stopping(30, 1), new Stopping(30, 2), new Stopping(9, 3));
+        List<Bot> bots = List.of(stopping(30, 1), stopping(30, 2), stopping(9, 3));
         match = Recorded.of(TestScenes.changed("walled-race", "\"players\": 2", "\"players\": 3"), 20, bots);
         lines = match.lines();
         assertEquals(Recorded.whole(30), match.verify());
         assertTrue(match.text().contains("\"impacts\""), "the match needs impacts");
     }
 
-    /** A bot that says something unusable in one turn. */
-    private static final class Stopping implements Bot {
-
-        private final SeededBot bot;
-        private final int last;
-        private int turns;
-
-        Stopping(int last, long seed) {
-            this.last = last;
-            bot = new SeededBot(seed, 0.8);
-        }
-
-        @Override
-        public void setup(String line) {
-            bot.setup(line);
-        }
-
-        @Override
-        public String turn(String line) {
-            return ++turns < last ? bot.turn(line) : "stop 1234567890";
-        }
+    private static Bot stopping(int last, long seed) {
+        return new StoppingBot(last, seed, 0.8, "stop 1234567890");
     }
 
     private static Verification verifyWith(int lineNumber, String line) {
@@ -101,7 +81,7 @@ class EditedReplayTest {
         return b >= '0' && b <= '9';
     }
 
-    /** What was measured: nobody can know it. */
+    /** What was measured, and so cannot be verified. */
     private static boolean isFree(String path) {
         return path.startsWith("/times/");
     }
@@ -302,7 +282,7 @@ class EditedReplayTest {
         assertEquals("commands[2]", difference.field());
     }
 
-    /** Line 6 is one of those that are settled by their bytes: nobody failed, said or wrote anything. */
+    /** Line 6 is one of those that are settled by their bytes: it has no faults, messages or stderr. */
     @ParameterizedTest
     @ValueSource(strings = {"}", "]", "x", "0", ",", "{}", "]}}", ",\"turn\":20}"})
     void somethingBehindATurn(String more) {

@@ -22,7 +22,7 @@ import steward.scene.json.SceneException;
 
 /**
  * A small match of four turns with impacts, messages beyond ASCII and a fault: every byte of its replay is altered, one
- * at a time, twice; and some are taken away or doubled. Only what stands within {@code times} may be anything.
+ * at a time, twice; and some are taken away or doubled. Only the bytes within {@code times} are free.
  */
 @Execution(ExecutionMode.CONCURRENT)
 class EveryByteTest {
@@ -127,7 +127,7 @@ class EveryByteTest {
         check(match(SigningKey.generate()), 6);
     }
 
-    /** The exception that proves the rule. */
+    /** Bytes within {@code times} may be altered. */
     @Test
     void withinTimesAnythingMayStand() {
         Recorded match = match(SigningKey.generate());

@@ -23,7 +23,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.bot.Bot;
-import steward.match.SeededBot;
 import steward.match.TestScenes;
 import steward.replay.Forge;
 import steward.replay.Recorded;
@@ -32,9 +31,9 @@ import steward.replay.sign.SigningKey;
 import steward.scene.json.SceneException;
 
 /**
- * What can be done to a replay by who knows the format and makes every hash right again, and what comes of it: once for
- * an unsigned replay, once for a signed one. An unsigned one passes only where nothing of the game is touched, or where
- * it is another game altogether: a replay proves that states follow from commands, not who gave them.
+ * Edits of a replay by a forger that knows the format and computes every hash again, and what verification finds: once
+ * for an unsigned replay, once for a signed one. An unsigned one passes only where nothing of the game is touched, or
+ * where it is another game altogether: a replay proves that states follow from commands, not who gave them.
  */
 @Execution(ExecutionMode.CONCURRENT)
 class ForgeryTest {
@@ -48,9 +47,9 @@ class ForgeryTest {
         CUT,
         /** All agrees but the signature: exit status 1. */
         WRONG_SIGNATURE,
-        /** Verified, but signed by nobody: exit status 1 with {@code --signed-by}. */
+        /** Verified, but not signed: exit status 1 with {@code --signed-by}. */
         UNSIGNED,
-        /** Verified, but signed by somebody else: exit status 1 with {@code --signed-by}. */
+        /** Verified, but signed by another key: exit status 1 with {@code --signed-by}. */
         ANOTHER_SIGNER,
         /** Verified. */
         PASSES
@@ -85,29 +84,11 @@ class ForgeryTest {
 
     private static Recorded play(SigningKey key, long seed) {
         return Recorded.of(TestScenes.changed("walled-race", "\"players\": 2", "\"players\": 3"), seed,
-            List.of(new Stopping(LAST, 1), new Stopping(LAST, 2), new Stopping(5, 3)), key);
+            List.of(stopping(LAST, 1), stopping(LAST, 2), stopping(5, 3)), key);
     }
 
-    private static final class Stopping implements Bot {
-
-        private final SeededBot bot;
-        private final int last;
-        private int turns;
-
-        Stopping(int last, long seed) {
-            this.last = last;
-            bot = new SeededBot(seed, 0.9);
-        }
-
-        @Override
-        public void setup(String line) {
-            bot.setup(line);
-        }
-
-        @Override
-        public String turn(String line) {
-            return ++turns < last ? bot.turn(line) : "stop";
-        }
+    private static Bot stopping(int last, long seed) {
+        return new StoppingBot(last, seed, 0.9, "stop");
     }
 
     private static void put(String name, Verdict unsigned, Verdict signedToo, UnaryOperator<Forge> change) {

@@ -1,4 +1,4 @@
-package steward.game.podrace.simulator;
+package steward.examples;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
-import steward.examples.SimulatorBot;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.Recordings;
 import steward.game.podrace.protocol.PodRaceText;

@@ -1,4 +1,4 @@
-package steward.game.podrace.simulator;
+package steward.game.podrace.protocol;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -9,7 +9,6 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
-import steward.game.podrace.protocol.PodAnswer;
 import steward.numerics.SplitMix64;
 
 /** One reader for all answers of a match says of each what a new reader says, whatever came before. */

@@ -1,4 +1,4 @@
-package steward.contest;
+package steward.cli.play;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;

@@ -5,7 +5,7 @@ import java.util.Locale;
 import java.util.Optional;
 
 /** Which replays of a series are kept. */
-public enum Keep {
+public enum KeptReplays {
 
     /** Every one; also that of a game that was broken off, if it has a turn. */
     ALL,
@@ -22,7 +22,7 @@ public enum Keep {
     }
 
     /** By its {@link #word}. */
-    public static Optional<Keep> of(String word) {
+    public static Optional<KeptReplays> of(String word) {
         return Arrays.stream(values()).filter(each -> each.word().equals(word)).findFirst();
     }
 

@@ -16,7 +16,7 @@ import tools.jackson.core.ObjectReadContext;
  * What an imported replay holds of another referee's observations, to be written again: each value as it is recorded,
  * in the one spelling that is accepted.
  */
-final class Observed implements Observations {
+final class RecordedObservations implements Observations {
 
     private static final int RANK_DIGITS = 9;
 
@@ -24,7 +24,7 @@ final class Observed implements Observations {
     private byte[] outcome;
     private String outcomePlace;
 
-    Observed(ReplayReader replay) {
+    RecordedObservations(ReplayReader replay) {
         this.replay = replay;
     }
 

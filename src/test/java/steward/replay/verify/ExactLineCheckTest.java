@@ -18,7 +18,7 @@ import steward.replay.Recorded;
 import steward.replay.ReplayReader;
 
 /** Ordinary turns are settled by their bytes alone, which is what makes verifying quick; everything else is not. */
-class SpelledLineCheckTest {
+class ExactLineCheckTest {
 
     private final Recorded match = Recorded.of(TestScenes.open("duel"), 4, List.of(new Silent(5), new Silent(6)));
     private final List<String> lines = match.lines();
@@ -47,9 +47,9 @@ class SpelledLineCheckTest {
         return line.getBytes(StandardCharsets.UTF_8);
     }
 
-    private SpelledLineCheck check() {
+    private ExactLineCheck check() {
         ReplayReader reader = Recorded.reader(match.bytes());
-        SpelledLineCheck check = new SpelledLineCheck(reader,
+        ExactLineCheck check = new ExactLineCheck(reader,
             new Resimulation(reader.header(), TestScenes.TYPES, "r.jsonl"), new SignedLines(reader));
         assertNull(check.header());
         return check;
@@ -57,7 +57,7 @@ class SpelledLineCheckTest {
 
     @Test
     void turnsWithNothingUnusualAreSettledByTheirBytes() {
-        SpelledLineCheck check = check();
+        ExactLineCheck check = check();
         assertTrue(lines.size() > 30, "the match is short");
         assertTrue(match.text().contains("\"impacts\""), "the match needs impacts");
         for (String line : lines.subList(1, lines.size() - 1)) {
@@ -77,7 +77,7 @@ class SpelledLineCheckTest {
         assertFalse(check().isSame(bytes(first + "}")));
     }
 
-    /** The same turn, with or without the quick look before: played once, told the same. */
+    /** The same turn, with or without the comparison of bytes before: played once, with the same result. */
     @Test
     void theQuickLookChangesNoVerdict() {
         String first = lines.get(1);
@@ -91,8 +91,8 @@ class SpelledLineCheckTest {
                 first.replaceFirst("(\"turnHash\":\")[0-9a-f]", "$1x"))) {
             ReplayReader reader = Recorded.reader(bytes(lines.get(0) + "\n" + line + "\n"));
             byte[] bytes = reader.nextLine();
-            SpelledLineCheck slow = check();
-            SpelledLineCheck quick = check();
+            ExactLineCheck slow = check();
+            ExactLineCheck quick = check();
             Difference told = slow.turn(bytes, reader.turn(bytes));
             ReplayReader again = Recorded.reader(bytes(lines.get(0) + "\n" + line + "\n"));
             Difference then = quick.isSame(again.nextLine()) ? null : quick.turn(bytes, again.turn(bytes));

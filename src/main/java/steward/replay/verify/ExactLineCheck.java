@@ -23,9 +23,9 @@ import tools.jackson.core.ObjectWriteContext;
 /**
  * Format 3: every line is written again, from what is recorded of the players and what follows from the game, and its
  * bytes up to {@code times} are compared: nothing can be added, left out, doubled, moved or spelled in another way.
- * What differs is then looked for, to be told.
+ * If they differ, the first difference is looked for.
  */
-final class SpelledLineCheck implements LineCheck {
+final class ExactLineCheck implements LineCheck {
 
     private static final int OUTCOME_NAME = ",\"outcome\":".length();
     private static final int SHOWN = 40;
@@ -34,7 +34,7 @@ final class SpelledLineCheck implements LineCheck {
     private final Resimulation again;
     private final Game game;
     private final SignedLines signed;
-    private final Observed observed;
+    private final RecordedObservations observed;
     private final ImpactComparison impacts = new ImpactComparison();
     private final ReplayLines lines;
     /** The turn that {@link #isSame} has played, or {@code null}; and whether its line is written to its end. */
@@ -43,12 +43,12 @@ final class SpelledLineCheck implements LineCheck {
     private int outcomeFrom;
     private int outcomeTo;
 
-    SpelledLineCheck(ReplayReader replay, Resimulation again, SignedLines signed) {
+    ExactLineCheck(ReplayReader replay, Resimulation again, SignedLines signed) {
         this.replay = replay;
         this.again = again;
         this.signed = signed;
         game = again.game();
-        observed = replay.imported() ? new Observed(replay) : null;
+        observed = replay.imported() ? new RecordedObservations(replay) : null;
         ReplayHeader header = replay.header();
         lines = new ReplayLines(new ReplayHeader(header.game(), again.setup().scene().json(), header.seed(),
             header.names(), header.bots(), header.protocols(), header.timeFactor(), header.angles(), header.signer()),
@@ -86,7 +86,7 @@ final class SpelledLineCheck implements LineCheck {
         played = turn;
         finished = LineScanner.hash(line, outcomeTo) >= 0;
         if (!finished) {
-            return false;                                     // what the players said is known when all is read
+            return false;                                     // messages are known only after parsing
         }
         lines.texts(turn);
         boolean same = LineScanner.isTimes(line, lines.line().size()) && agrees(line);
@@ -144,7 +144,7 @@ final class SpelledLineCheck implements LineCheck {
         return difference;
     }
 
-    /** Only who is asked can fail, answer or write. */
+    /** Only a player that is asked can fail, answer or write. */
     private static void fill(Turn turn, RecordedTurn recorded, int player) {
         if (recorded.faults()[player] != null) {
             turn.fail(player, recorded.faults()[player], recorded.stderr()[player], 0);
@@ -153,7 +153,7 @@ final class SpelledLineCheck implements LineCheck {
         }
     }
 
-    /** What came of the turn last played. */
+    /** The outcome of the turn last played. */
     private byte[] outcome() {
         if (observed == null) {
             return Arrays.copyOfRange(lines.line().bytes(), outcomeFrom, outcomeTo);
@@ -216,7 +216,9 @@ final class SpelledLineCheck implements LineCheck {
         return agrees;
     }
 
-    /** Its values agree, but its hash does not; or that was computed anew, and the spelling is another. */
+    /**
+     * The difference of a line whose values agree: its hash is wrong, or was computed for another spelling of the line.
+     */
     private Difference lineDiffers(int turn, String hash, JsonLine line) {
         Difference difference = RecordedJson.compareHash(turn, hash, line, ReplayHeader.FORMAT);
         if (difference != null) {
