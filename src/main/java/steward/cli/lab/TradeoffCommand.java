@@ -71,7 +71,8 @@ public final class TradeoffCommand implements Callable<Integer> {
         boolean all = scenes.isEmpty();
         boolean headings = all || scenes.contains(TradeoffScenes.HEADINGS);
         List<TradeoffScene> chosen = all ? TradeoffScenes.all()
-            : TradeoffScenes.of(scenes.stream().filter(word -> !word.equals(TradeoffScenes.HEADINGS)).toList());
+            : TradeoffScenes.of(scenes.stream().filter(word -> !word.equals(TradeoffScenes.HEADINGS)).toList(),
+                streams::warn);
         if (out == null) {
             measure(chosen, headings, null);
             return ExitStatus.DONE;

@@ -6,6 +6,7 @@ import java.util.Iterator;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.function.Consumer;
 import steward.cli.shared.Games;
 import steward.files.InputException;
 import steward.files.OutputFiles;
@@ -53,7 +54,8 @@ final class TradeoffScenes {
 
     /** All of its own scenes, in the order of the table. */
     static List<TradeoffScene> all() {
-        List<TradeoffScene> scenes = new ArrayList<>(List.of(named(RACE), named(BRAWL), named(WALLED)));
+        List<TradeoffScene> scenes = new ArrayList<>(List.of(named(RACE, odd -> { }), named(BRAWL, odd -> { }),
+            named(WALLED, odd -> { })));
         scenes.addAll(TradeoffWorlds.all());
         return scenes;
     }
@@ -62,14 +64,15 @@ final class TradeoffScenes {
      * The scenes that were asked for.
      *
      * @param words names of its own scenes or of shipped ones, or files
+     * @param odd   receives what is odd about such a scene
      * @throws InputException                if there is no such scene
      * @throws steward.scene.json.SceneException if a file cannot be used
      */
-    static List<TradeoffScene> of(List<String> words) {
-        return new LinkedHashSet<>(words).stream().map(TradeoffScenes::named).toList();
+    static List<TradeoffScene> of(List<String> words, Consumer<String> odd) {
+        return new LinkedHashSet<>(words).stream().map(word -> named(word, odd)).toList();
     }
 
-    private static TradeoffScene named(String word) {
+    private static TradeoffScene named(String word, Consumer<String> odd) {
         if (word.equals(RACE)) {
             return race(RACE, "states of races by the official rules", Games.open(OFFICIAL));
         }
@@ -85,6 +88,7 @@ final class TradeoffScenes {
         }
         checkKnown(word);
         GameSetup setup = Games.open(word);
+        setup.check().forEach(odd);
         return race(setup.scene().name(), "states of games in this scene", setup);
     }
 

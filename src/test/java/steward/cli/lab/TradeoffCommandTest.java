@@ -110,7 +110,7 @@ class TradeoffCommandTest {
     void aBrawlIsACrowd() {
         double[] spread = new double[2];
         for (int k = 0; k < 2; k++) {
-            TradeoffScene scene = TradeoffScenes.of(List.of("official-race", "brawl")).get(k);
+            TradeoffScene scene = TradeoffScenes.of(List.of("official-race", "brawl"), odd -> { }).get(k);
             assertEquals(List.of("official-race", "brawl").get(k), scene.name());
             for (int n = 0; n < 400; n++) {
                 Bodies bodies = scene.source().get();
