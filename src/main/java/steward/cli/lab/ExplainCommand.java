@@ -34,7 +34,7 @@ public final class ExplainCommand implements Callable<Integer> {
     private final Streams streams;
 
     @Parameters(index = "0", paramLabel = "SCENE", completionCandidates = ShippedScenes.class,
-        description = "A file or one of ${COMPLETION-CANDIDATES}.")
+        description = "A file, - for the standard input, or one of ${COMPLETION-CANDIDATES}.")
     private String scene;
 
     @Mixin
@@ -52,7 +52,7 @@ public final class ExplainCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        GameSetup setup = accuracy.open(scene);
+        GameSetup setup = accuracy.open(scene, streams);
         PriceList prices = noPrices ? null : PriceList.measure(streams, setup);
         if (json) {
             ExplainJson.print(streams, setup, prices);

@@ -11,6 +11,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.cli.options.TableFolder;
 import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Games;
 import steward.cli.shared.Interruption;
 import steward.cli.shared.ProgressLine;
 import steward.cli.shared.Streams;
@@ -72,7 +73,7 @@ public final class TradeoffCommand implements Callable<Integer> {
         boolean headings = all || scenes.contains(TradeoffScenes.HEADINGS);
         List<TradeoffScene> chosen = all ? TradeoffScenes.all()
             : TradeoffScenes.of(scenes.stream().filter(word -> !word.equals(TradeoffScenes.HEADINGS)).toList(),
-                streams::warn);
+                word -> Games.warn(Games.open(word, null, streams), streams));
         if (out == null) {
             measure(chosen, headings, null);
             return ExitStatus.DONE;

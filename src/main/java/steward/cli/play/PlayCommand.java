@@ -65,7 +65,7 @@ public final class PlayCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws InterruptedException {
-        GameSetup setup = Games.warn(scene.open(), streams);
+        GameSetup setup = Games.warn(scene.open(streams), streams);
         int players = setup.scene().players();
         if (bots.size() != players) {
             throw new InputException("found " + TextFormat.count(bots.size(), "bot") + ", expected "
