@@ -42,7 +42,7 @@ public final class StabilityCommand implements Callable<Integer> {
     /** From so many seconds on a run says beforehand how long it takes. */
     private static final double ANNOUNCED = 5;
     /** How long the golden hash takes by run length, approximately; measured on a machine with two cores. */
-    private static final int[] GOLDEN_SECONDS = {3, 60, 600};
+    private static final int[] GOLDEN_SECONDS = {3, 30, 300};
 
     private final Streams streams;
     private final CallCheck check = CallCheck.brief();
@@ -57,7 +57,7 @@ public final class StabilityCommand implements Callable<Integer> {
         description = "Only this case; can be repeated.")
     private List<String> names = new ArrayList<>();
 
-    @Option(names = "--rung", paramLabel = "NAME", completionCandidates = Rungs.class,
+    @Option(names = "--rung", paramLabel = "RUNG", completionCandidates = Rungs.class,
         description = "Only on this rung of accuracy; can be repeated.")
     private List<String> rungNames = new ArrayList<>();
 

@@ -28,7 +28,7 @@ final class TradeoffScenes {
 
         @Override
         public Iterator<String> iterator() {
-            List<String> names = new ArrayList<>(all().stream().map(TradeoffScene::name).toList());
+            Set<String> names = new LinkedHashSet<>(all().stream().map(TradeoffScene::name).toList());
             names.add(HEADINGS);
             names.addAll(SceneFiles.shipped());
             return names.iterator();

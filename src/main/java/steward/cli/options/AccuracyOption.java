@@ -23,7 +23,7 @@ public final class AccuracyOption {
 
         @Override
         public Iterator<String> iterator() {
-            return Accuracy.ladder().stream().map(Accuracy::text).iterator();
+            return Accuracy.ladder().stream().map(rung -> rung.text().replaceFirst("^event/", "")).iterator();
         }
     }
 
