@@ -22,7 +22,8 @@ class TerminalOutputStreamTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"0x202E", "0x202A", "0x2066", "0x2069", "0x200E", "0x200F", "0x061C", "0x009B", "0x0085", "0x07", "0x7F",
+    @CsvSource({"0x202E", "0x202A", "0x2066", "0x2069", "0x200E", "0x200F", "0x061C", "0x009B", "0x0085", "0x07",
+        "0x7F",
         "0x00"})
     void whatIsUnsafeArrivesAsAQuestionMark(int character) throws IOException {
         assertEquals("a?b", passed("a" + (char) character + "b"));

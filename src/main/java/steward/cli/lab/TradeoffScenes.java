@@ -98,7 +98,8 @@ final class TradeoffScenes {
         TradeoffWorlds.all().forEach(world -> known.add(world.name()));
         List<String> shipped = SceneFiles.shipped();
         known.addAll(shipped);
-        boolean file = StandardFiles.is(word) || word.endsWith(".json") || word.contains("/") || Files.exists(OutputFiles.path(word));
+        boolean file = StandardFiles.is(word) || word.endsWith(".json") || word.contains("/")
+            || Files.exists(OutputFiles.path(word));
         if (!file && !known.contains(word)) {
             throw new InputException("--scene: found '" + word + "', expected a scene file or one of "
                 + String.join(", ", known) + NearestName.question(word, known, "'"));

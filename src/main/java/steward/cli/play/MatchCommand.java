@@ -115,7 +115,8 @@ public final class MatchCommand implements Callable<Integer> {
             "--view: found -, expected a file: the standard output is for the result");
         String problem = show.problem(many.isAny());
         check.that(problem == null, problem);
-        Contest contest = Contest.of(Games.warn(scene.open(streams), streams), bots, ProtocolWord.parse(protocol), factor);
+        Contest contest = Contest.of(Games.warn(scene.open(streams), streams), bots, ProtocolWord.parse(protocol),
+            factor);
         contest = sign == null ? contest : contest.signedWith(SigningKey.read(OutputFiles.path(sign)));
         long first = seed.orDrawn();
         Path path = out == null || piped ? null : OutputFiles.path(out);

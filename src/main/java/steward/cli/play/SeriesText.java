@@ -137,7 +137,8 @@ final class SeriesText {
             out.println();
             out.println(TextFormat.plain(series.contest().entrants().get(kind.entrant()).name()) + " "
                 + colour.bad("failed") + TextFormat.plain(" in " + TextFormat.count(all.size(), "game")
-                + (all.size() == 1 ? ", game " : ", first in game ") + kind.game().number() + " (seed " + kind.game().seed() + ") in turn " + kind.first().turn() + ": "
+                + (all.size() == 1 ? ", game " : ", first in game ") + kind.game().number() + " (seed "
+                + kind.game().seed() + ") in turn " + kind.first().turn() + ": "
                 + kind.first().reason()));
             FailureText.print(out, kind.first(), "  ");
             if (kind.game().replay() != null) {

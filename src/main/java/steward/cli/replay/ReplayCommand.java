@@ -117,7 +117,8 @@ public final class ReplayCommand implements Callable<Integer> {
         SignerKey key = keyFile == null ? null : SignerKey.read(keyFile);
         try (ReplayReader replay = piped ? StandardFiles.openReplay(streams) : open(OutputFiles.path(file))) {
             if (verify) {
-                return verify(replay, new VerifyReport(streams.out(), streams.outColour(), partial, keyFile, key, quiet));
+                return verify(replay, new VerifyReport(streams.out(), streams.outColour(), partial, keyFile, key,
+                    quiet));
             }
             if (replay.header() == null) {
                 streams.warn(replay.warning());

@@ -5,9 +5,9 @@ import steward.numerics.SplitMix64;
 
 /*
  * The official rule (published referee of the pod race): delta = (atan2(target - position) - heading) mod 2 pi, the
- * shortest such angle; the heading moves by at most pi / 10 towards it; the direction (cos, sin), each correctly rounded
- * and divided by its length, times the thrust is added to the speed; then the position moves by the speed, the speed is cut toward zero
- * after 15% of drag, the position is rounded.
+ * shortest such angle; the heading moves by at most pi / 10 towards it; the direction (cos, sin), each correctly
+ * rounded and divided by its length, times the thrust is added to the speed; then the position moves by the speed, the
+ * speed is cut toward zero after 15% of drag, the position is rounded.
  *
  * Without trigonometry the heading is a unit vector h and the wanted one d = (target - position) / |target - position|.
  * The turn is within pi / 10 when h.d >= cos(pi / 10), and then the heading is d; otherwise h is turned by the constant

@@ -34,7 +34,8 @@ class RunProgressTest {
     @Test
     void theLineIsOfAllParts() {
         ByteArrayOutputStream err = new ByteArrayOutputStream();
-        RunProgress run = new RunProgress(new Streams(new ByteArrayOutputStream(), err, true, true), List.of(10.0, 90.0));
+        RunProgress run = new RunProgress(new Streams(new ByteArrayOutputStream(), err, true, true),
+            List.of(10.0, 90.0));
         assertEquals(100, run.total());
         run.begin("short");
         run.end();

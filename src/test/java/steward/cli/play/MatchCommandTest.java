@@ -66,7 +66,7 @@ class MatchCommandTest {
         Path file = Files.writeString(folder.resolve("piped.jsonl"), cli.out());
         assertEquals("verified: states of 50 of 50 turns and the result\n",
             Cli.run("replay", file.toString(), "--verify").out());
-        duel("--out", "-", "--json").assertRefused("--json is printed to the standard output, expected a file for --out");
+        duel("--out", "-", "--json").assertRefused("--json is printed to the standard output, expected a file");
         duel("--out", "-", "--games", "2").assertRefused("--out: found -, expected a folder");
         duel("--view", "-").assertRefused("--view: found -, expected a file");
     }

@@ -156,7 +156,8 @@ class ReplayCommandTest {
                 assertEquals("not verified: the header is cut off\n", cli.out(), "at " + size);
                 assertEquals(cli, partly);
             } else {
-                boolean start = cli.out().equals("verified up to the cut: only the start, since no turn was recorded\n");
+                boolean start = cli.out().equals("verified up to the cut: only the start, since no turn was "
+                    + "recorded\n");
                 assertTrue(start || cli.out().matches("verified up to the cut: states of ([1-9]\\d*) of \\1 turns?\n"),
                     size + ": " + cli.out());
                 assertEquals(new Cli(ExitStatus.DONE, cli.out(), cli.err()), partly);
