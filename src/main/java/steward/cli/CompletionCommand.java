@@ -1,5 +1,9 @@
 package steward.cli;
 
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.util.concurrent.Callable;
 import picocli.AutoComplete;
 import picocli.CommandLine.Command;
@@ -16,6 +20,12 @@ final class CompletionCommand implements Callable<Integer> {
     /** The name of the command. */
     static final String NAME = "completion";
 
+    /** With this line, picocli has no files completed where a command has options with fixed words. */
+    private static final String NO_FILES = "  type compopt &>/dev/null && compopt +o default\n";
+    private static final String COMPLETE = "complete -F _complete_steward -o default steward steward.sh steward.bash\n";
+    /** What stands in its place. */
+    private static final String WORDS = "/steward/completion.bash";
+
     private final Streams streams;
 
     @Spec
@@ -27,7 +37,23 @@ final class CompletionCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        streams.out().print(AutoComplete.bash("steward", spec.root().commandLine()));
+        String script = AutoComplete.bash("steward", spec.root().commandLine());
+        streams.out().print(replaced(replaced(script, NO_FILES, ""), COMPLETE, words()));
         return ExitStatus.DONE;
+    }
+
+    private static String replaced(String script, String text, String by) {
+        if (!script.contains(text)) {
+            throw new IllegalStateException("the script for completion has no '" + text.strip() + "'");
+        }
+        return script.replace(text, by);
+    }
+
+    private static String words() {
+        try (InputStream in = CompletionCommand.class.getResourceAsStream(WORDS)) {
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+        } catch (IOException problem) {
+            throw new UncheckedIOException(problem);
+        }
     }
 }

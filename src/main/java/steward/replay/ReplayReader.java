@@ -221,7 +221,8 @@ public final class ReplayReader implements AutoCloseable {
         JsonLine line = bytes == null ? null : parse(bytes);
         if (line == null) {
             if (warning == null) {
-                warning = source + ": cut off after turn " + lastTurn + ": there is no result";
+                warning = source + (lastTurn == 0 ? ": cut off before the first turn: there is only the header"
+                    : ": cut off after turn " + lastTurn + ": there is no result");
             }
             return null;
         }
@@ -305,7 +306,8 @@ public final class ReplayReader implements AutoCloseable {
                 throw new ReplayException(where() + column + ": not JSON: " + JsonProblem.message(problem));
             }
             warning = lineNumber == 1 ? source + ": cut off within the header: there is no turn to look at"
-                : source + ": cut off within the line after turn " + lastTurn;
+                : source + (lastTurn == 0 ? ": cut off within the first turn: only the header is whole"
+                : ": cut off within the line after turn " + lastTurn);
             return null;
         }
     }

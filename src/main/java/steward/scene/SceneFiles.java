@@ -62,16 +62,32 @@ public final class SceneFiles {
             + (shipped.isEmpty() ? "" : " or " + Wording.choice(name, shipped)));
     }
 
-    /** Reads at most one byte beyond the limit: the size of a pipe is not known before. */
     private static byte[] bytes(Path path, String source) throws IOException {
         try (InputStream in = Files.newInputStream(path)) {
-            byte[] bytes = in.readNBytes(JsonLimits.BYTES + 1);
-            if (bytes.length > JsonLimits.BYTES) {
-                throw new SceneException(source + ": found a file of more than " + JsonLimits.BYTES
-                    + " bytes, expected a scene of at most " + JsonLimits.BYTES);
-            }
-            return bytes;
+            return bytes(in, source);
         }
+    }
+
+    /** Reads at most one byte beyond the limit: the size of a pipe is not known before. */
+    private static byte[] bytes(InputStream in, String source) throws IOException {
+        byte[] bytes = in.readNBytes(JsonLimits.BYTES + 1);
+        if (bytes.length > JsonLimits.BYTES) {
+            throw new SceneException(source + ": found a file of more than " + JsonLimits.BYTES
+                + " bytes, expected a scene of at most " + JsonLimits.BYTES);
+        }
+        return bytes;
+    }
+
+    /**
+     * A scene that is no file, such as the standard input.
+     *
+     * @param in     is read, and not closed
+     * @param source how errors name it
+     * @throws IOException    if it cannot be read
+     * @throws SceneException if it is too long, or not in UTF-8
+     */
+    public static SceneText read(InputStream in, String source) throws IOException {
+        return new SceneText(decode(bytes(in, source), source), source);
     }
 
     /**

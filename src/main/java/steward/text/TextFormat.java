@@ -8,6 +8,8 @@ public final class TextFormat {
 
     private static final double NANOS_PER_MS = 1e6;
     private static final String DOTS = "...";
+    private static final double MINUTE = 60;
+    private static final int ROUND_SECONDS = 10;
 
     private TextFormat() {
     }
@@ -39,6 +41,16 @@ public final class TextFormat {
     /** {@code 1 turn}, {@code 2 turns}. */
     public static String count(long number, String what) {
         return number + " " + what + (number == 1 ? "" : "s");
+    }
+
+    /** A length of time that is only known roughly: {@code about 40 seconds}, {@code about 3 minutes}. */
+    public static String about(double seconds) {
+        double minutes = seconds / MINUTE;
+        return seconds < MINUTE - ROUND_SECONDS / 2.0
+            ? "about " + count(Math.max(1, Math.round(seconds < ROUND_SECONDS ? seconds
+                : ROUND_SECONDS * Math.rint(seconds / ROUND_SECONDS))), "second")
+            : minutes < MINUTE ? "about " + count(Math.round(minutes), "minute")
+            : "about " + count(Math.round(minutes / MINUTE), "hour");
     }
 
     /** Right-aligned: padded with blanks on the left. */

@@ -1,6 +1,6 @@
 /**
  * Formatting for people: the nearest known word to a misspelt one, columns, counts and units, the same in every locale;
- * rows of tables for spreadsheets. No files, no terminals.
+ * rows of tables for spreadsheets; what may reach a terminal. No files.
  */
 @Internal
 package steward.text;

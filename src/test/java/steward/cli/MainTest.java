@@ -5,8 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -14,6 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import steward.bot.command.BuiltinBots;
 import steward.cli.shared.ExitStatus;
 import steward.scene.SceneFiles;
 
@@ -99,6 +102,36 @@ class MainTest {
             "crowd of 1000, 10%", "crowds", "dense-box", "failed", "python")) {
             assertTrue(cli.out().contains(word), word);
         }
+    }
+
+    /** As bash calls it: the words of the line, which it has parted at colons and equals signs too. */
+    @ParameterizedTest
+    @Tag("process")
+    @CsvSource(delimiter = '|', value = {
+        "steward expl | explain", "steward help ma | match", "steward key n | new", "steward new p | python",
+        "steward match --protocol c | codingame", "steward match --accuracy c | compensated",
+        "steward match --accuracy = off | official", "steward match --bot bui | builtin:contender builtin:racer "
+        + "builtin:regular builtin:veteran", "steward match --bot builtin : ve | veteran",
+        "steward match --bot me = builtin : ra | racer", "steward match --scene w | walled-race",
+        "steward match --keep f | failed", "steward match --threads a | auto", "steward stability --rung e | exact",
+        "steward stability --case ro | rounding", "steward stability --case mi | mirror\\ images",
+        "steward bench --only cr | crowds", "steward tradeoff --scene w | walled-race",
+        "steward tradeoff --scene hea | headings", "steward scene d | duel", "steward explain d | duel",
+        "steward demo --accuracy do | double", "steward play --json-league builtin : v | veteran",
+        "steward referee -p1 builtin : v | veteran", "steward feed x --player 0 -- builtin : v | veteran",
+        "steward feed x --protocol j | json", "steward replay x | "})
+    void everyFixedVocabularyIsCompleted(String line, String words, @TempDir Path folder)
+            throws IOException, InterruptedException {
+        assumeTrue(Files.isExecutable(Path.of("/bin/bash")), "there is no bash");
+        assumeTrue(!BuiltinBots.installed().names().isEmpty(), "the builtin bots are not on the class path");
+        Path script = Files.writeString(folder.resolve("completion"), Cli.run("completion").out());
+        List<String> call = new ArrayList<>(List.of("/bin/bash", "-c", "source \"$0\"; COMP_WORDS=(\"$@\"); "
+            + "COMP_CWORD=$(($# - 1)); _steward_words; echo \"${COMPREPLY[*]}\"", script.toString()));
+        call.addAll(List.of(line.split(" ")));
+        Process process = new ProcessBuilder(call).redirectErrorStream(true).start();
+        String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertEquals((words == null ? "" : words) + "\n", said);
+        assertEquals(0, process.waitFor());
     }
 
     @Test

@@ -73,9 +73,9 @@ class CutReplayTest {
             Recorded.verify(Arrays.copyOf(replay, 1)).warning());
         assertEquals("r.jsonl: cut off within the header: there is no turn to look at",
             Recorded.verify(Arrays.copyOf(replay, header - 1)).warning());
-        assertEquals("r.jsonl: cut off after turn 0: there is no result",
+        assertEquals("r.jsonl: cut off before the first turn: there is only the header",
             Recorded.verify(Arrays.copyOf(replay, header)).warning());
-        assertEquals("r.jsonl: cut off within the line after turn 0",
+        assertEquals("r.jsonl: cut off within the first turn: only the header is whole",
             Recorded.verify(Arrays.copyOf(replay, header + 2)).warning());
         assertEquals("r.jsonl: cut off within the line after turn 7",
             Recorded.verify(Arrays.copyOf(replay, replay.length - 5)).warning());

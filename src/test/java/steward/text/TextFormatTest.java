@@ -8,6 +8,16 @@ import org.junit.jupiter.api.Test;
 class TextFormatTest {
 
     @Test
+    void aRoughTimeHasOneUnit() {
+        assertEquals("about 1 second", TextFormat.about(0.2));
+        assertEquals("about 7 seconds", TextFormat.about(7.4));
+        assertEquals("about 50 seconds", TextFormat.about(54));
+        assertEquals("about 1 minute", TextFormat.about(55));
+        assertEquals("about 10 minutes", TextFormat.about(613));
+        assertEquals("about 2 hours", TextFormat.about(7241));
+    }
+
+    @Test
     void numbersAreRoundedAndLoseTheirZeros() {
         assertEquals("5", TextFormat.number(5.0, 3));
         assertEquals("0", TextFormat.number(-0.0, 3));

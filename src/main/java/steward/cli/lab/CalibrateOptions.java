@@ -8,6 +8,7 @@ import picocli.CommandLine.Option;
 import steward.cli.options.CallCheck;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
+import steward.cli.shared.ProgressLine;
 import steward.cli.shared.Streams;
 import steward.files.InputException;
 import steward.files.OutputFiles;
@@ -15,11 +16,16 @@ import steward.game.GameSetup;
 import steward.lab.calibration.Calibration;
 import steward.scene.AccuracyFigures;
 import steward.scene.SceneFiles;
+import steward.text.TextFormat;
 
 /** The options of {@code steward tradeoff} by which it calibrates scenes instead. */
 final class CalibrateOptions {
 
     private static final int MOST_STATES = 10_000_000;
+    /** How long a state takes, approximately: 2000 of mad-pod-racing 1 s of CPU, on two processors. */
+    private static final double STATE_SECONDS = 3e-4;
+    /** From so many seconds on a run says beforehand how long it takes. */
+    private static final double ANNOUNCED = 5;
 
     private final CallCheck check = CallCheck.brief();
 
@@ -63,6 +69,10 @@ final class CalibrateOptions {
         }
         for (CalibrationRun each : all) {
             each.begin();
+        }
+        double seconds = all.size() * (states == null ? Calibration.STATES : states) * STATE_SECONDS;
+        if (seconds >= ANNOUNCED) {
+            ProgressLine.announce(streams, TextFormat.about(seconds));
         }
         for (CalibrationRun each : all) {
             each.run();

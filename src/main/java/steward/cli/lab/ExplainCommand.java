@@ -6,12 +6,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import steward.cli.options.AccuracyOption;
 import steward.cli.options.ShippedScenes;
+import steward.cli.shared.Colour;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Json;
 import steward.cli.shared.Streams;
@@ -29,11 +29,12 @@ import steward.text.TextFormat;
 public final class ExplainCommand implements Callable<Integer> {
 
     private static final int WIDTH = 100;
+    private static final String WARNING = "Warning:";
 
     private final Streams streams;
 
     @Parameters(index = "0", paramLabel = "SCENE", completionCandidates = ShippedScenes.class,
-        description = "A file or one of ${COMPLETION-CANDIDATES}.")
+        description = "A file, - for the standard input, or one of ${COMPLETION-CANDIDATES}.")
     private String scene;
 
     @Mixin
@@ -51,20 +52,20 @@ public final class ExplainCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        GameSetup setup = accuracy.open(scene);
+        GameSetup setup = accuracy.open(scene, streams);
         PriceList prices = noPrices ? null : PriceList.measure(streams, setup);
         if (json) {
             ExplainJson.print(streams, setup, prices);
             return ExitStatus.DONE;
         }
         PrintStream out = streams.out();
-        warnings(out, setup.check());
+        warnings(out, streams.outColour(), setup.check());
         out.println("Parts of the engine that " + setup.scene().name() + " needs, and those left out:");
         out.println();
-        boolean colours = streams.outTerminal() && Ansi.AUTO.enabled();
+        Colour colour = streams.outColour();
         out.print(PlanTable.of(setup.plan(), part -> noPrices ? "" : prices.of(part), (part, line) -> {
             String wrapped = TextFormat.wrap(line, ", ", WIDTH, " ".repeat(line.length() - part.why().length()));
-            return colours && !part.in() ? Ansi.ON.string("@|faint " + wrapped + "|@") : wrapped;
+            return part.in() ? wrapped : colour.faint(wrapped);
         }));
         out.println();
         if (!noPrices) {
@@ -78,9 +79,10 @@ public final class ExplainCommand implements Callable<Integer> {
         return ExitStatus.DONE;
     }
 
-    private static void warnings(PrintStream out, List<String> warnings) {
+    private static void warnings(PrintStream out, Colour colour, List<String> warnings) {
         for (String warning : warnings) {
-            out.println(TextFormat.wrap("Warning: " + TextFormat.plain(warning), " ", WIDTH, "  "));
+            String wrapped = TextFormat.wrap(WARNING + " " + TextFormat.plain(warning), " ", WIDTH, "  ");
+            out.println(colour.warning(WARNING) + wrapped.substring(WARNING.length()));
         }
         if (!warnings.isEmpty()) {
             out.println();

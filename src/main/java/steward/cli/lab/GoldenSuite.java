@@ -9,6 +9,7 @@ import steward.game.GameSetup;
 import steward.game.podrace.protocol.PodRaceType;
 import steward.lab.stability.GoldenHash;
 import steward.lab.trial.RunLength;
+import steward.lab.trial.Rung;
 import steward.numerics.SplitMix64;
 import steward.physics.Arithmetic;
 import steward.scene.SceneFiles;
@@ -21,16 +22,24 @@ final class GoldenSuite {
     private GoldenSuite() {
     }
 
-    static List<GoldenHash.Part> parts(RunLength size) {
-        List<GoldenHash.Part> parts = new ArrayList<>(GoldenHash.worlds(size));
+    /** How many parts there are. */
+    static int count() {
+        return GoldenHash.WORLDS * Rung.all().size() + SceneFiles.shipped().size() * (Arithmetic.OF_SCENES.size() + 1);
+    }
+
+    /** @param after called after each part */
+    static List<GoldenHash.Part> parts(RunLength size, Runnable after) {
+        List<GoldenHash.Part> parts = new ArrayList<>(GoldenHash.worlds(size, after));
         int turns = size == RunLength.SMALL ? 30 : 500;
         for (String scene : SceneFiles.shipped()) {
             for (Arithmetic arithmetic : Arithmetic.OF_SCENES) {
                 parts.add(play(scene, "\"accuracy\": {\"advance\": \"event\", \"arithmetic\": \"" + arithmetic.text()
                     + "\"}", arithmetic.text(), turns));
+                after.run();
             }
             parts.add(play(scene,
                 "\"accuracy\": {\"advance\": \"step\", \"steps\": 16, \"arithmetic\": \"double\"}", "step/16", turns));
+            after.run();
         }
         return parts;
     }

@@ -19,10 +19,12 @@ import steward.lab.stability.GoldenHash;
 import steward.lab.stability.StabilityCases;
 import steward.lab.stability.StabilityFiles;
 import steward.lab.stability.StabilityRow;
+import steward.lab.stability.StabilitySeconds;
 import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
 import steward.lab.trial.StabilityCase;
 import steward.numerics.StateHash;
+import steward.text.TextFormat;
 
 /** {@code steward stability}: the physics at the numerical extremes, compared with what is demanded. */
 @Command(name = "stability", description = "Tries the physics at the numerical extremes, on every rung of accuracy, "
@@ -37,6 +39,10 @@ import steward.numerics.StateHash;
 public final class StabilityCommand implements Callable<Integer> {
 
     private static final long MOST_IMPACTS = 1_000_000_000_000L;
+    /** From so many seconds on a run says beforehand how long it takes. */
+    private static final double ANNOUNCED = 5;
+    /** How long the golden hash takes by run length, approximately; measured on a machine with two cores. */
+    private static final int[] GOLDEN_SECONDS = {3, 30, 300};
 
     private final Streams streams;
     private final CallCheck check = CallCheck.brief();
@@ -51,7 +57,7 @@ public final class StabilityCommand implements Callable<Integer> {
         description = "Only this case; can be repeated.")
     private List<String> names = new ArrayList<>();
 
-    @Option(names = "--rung", paramLabel = "NAME", completionCandidates = Rungs.class,
+    @Option(names = "--rung", paramLabel = "RUNG", completionCandidates = Rungs.class,
         description = "Only on this rung of accuracy; can be repeated.")
     private List<String> rungNames = new ArrayList<>();
 
@@ -106,10 +112,11 @@ public final class StabilityCommand implements Callable<Integer> {
         List<StabilityCase> cases = check.chosen("--case", names, StabilityCases.all(impacts == null ? 0 : impacts),
             StabilityCase::name, "; ");
         List<Rung> rungs = check.chosen("--rung", rungNames, Rung.all(), Rung::name, "; ");
-        if (names.isEmpty() && rungNames.isEmpty() && impacts == null) {
-            ProgressLine.announce(streams, full ? "hours" : quick ? "about a minute" : "some minutes");
+        RunProgress progress = new RunProgress(streams, seconds(cases, rungs, size));
+        if (progress.total() >= ANNOUNCED) {
+            ProgressLine.announce(streams, TextFormat.about(progress.total()));
         }
-        StabilityTable table = new StabilityTable(streams, cases.size() * rungs.size());
+        StabilityTable table = new StabilityTable(streams, progress);
         if (out == null) {
             return table(cases, rungs, size, table, null, "the rows so far are above");
         }
@@ -120,8 +127,24 @@ public final class StabilityCommand implements Callable<Integer> {
         }
     }
 
+    private List<Double> seconds(List<StabilityCase> cases, List<Rung> rungs, RunLength size) {
+        StabilitySeconds table = StabilitySeconds.read();
+        List<Double> seconds = new ArrayList<>();
+        for (StabilityCase each : cases) {
+            for (Rung rung : rungs) {
+                seconds.add(table.of(each.name(), rung.name(), size, impacts == null ? 0 : impacts));
+            }
+        }
+        return seconds;
+    }
+
     private int golden(RunLength size) {
-        List<GoldenHash.Part> parts = GoldenSuite.parts(size);
+        ProgressLine.announce(streams, TextFormat.about(size.pick(GOLDEN_SECONDS[0], GOLDEN_SECONDS[1],
+            GOLDEN_SECONDS[2])), "prints nothing");
+        List<GoldenHash.Part> parts;
+        try (ProgressLine progress = ProgressLine.watched(streams, "golden", GoldenSuite.count())) {
+            parts = GoldenSuite.parts(size, () -> ProgressLine.step(progress));
+        }
         for (GoldenHash.Part part : parts) {
             streams.out().println(StateHash.toHex(part.hash()) + "  " + part.name());
         }

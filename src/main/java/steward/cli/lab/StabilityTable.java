@@ -2,7 +2,8 @@ package steward.cli.lab;
 
 import java.util.Locale;
 import java.util.function.Supplier;
-import steward.cli.shared.ProgressLine;
+import java.util.function.UnaryOperator;
+import steward.cli.shared.Colour;
 import steward.cli.shared.Streams;
 import steward.lab.stability.StabilityRow;
 import steward.lab.trial.Finding;
@@ -15,32 +16,30 @@ final class StabilityTable {
     private static final long PAUSE_NANOS = 250_000_000;
     private static final int RUNG = 13;
     private static final int VERDICT = 10;
-    private static final int STEPS = 1000;
     /** How long the name of a case may be, so that there is room for the bar. */
     private static final int NAME = 24;
 
     private final Streams streams;
-    private final int rows;
+    private final Colour colour;
+    private final RunProgress progress;
     private String lastCase = "";
     private String present = "";
     private volatile String unfinished = "";
     private long saidNanos = System.nanoTime();
-    private ProgressLine progress;
-    private int begun;
     private int held;
     private int failed;
 
-    StabilityTable(Streams streams, int rows) {
+    /** @param progress of all rows */
+    StabilityTable(Streams streams, RunProgress progress) {
         this.streams = streams;
-        this.rows = rows;
+        colour = streams.outColour();
+        this.progress = progress;
     }
 
     /** Shows on a terminal what is being run. */
     void about(String name, String rung) {
-        begun++;
         present = name + ", " + rung;
-        progress = ProgressLine.watched(streams, begun + " of " + rows + ": " + TextFormat.shorten(name, NAME) + ", "
-            + rung, STEPS);
+        progress.begin(TextFormat.shorten(name, NAME) + ", " + rung);
     }
 
     /** Shows the progress of the current run. */
@@ -50,9 +49,7 @@ final class StabilityTable {
             saidNanos = now;
             String percent = String.format(Locale.ROOT, ", %.1f%%", 100 * share);
             unfinished = present + percent + ": " + soFar.get();
-            if (progress != null) {
-                progress.reach((int) (STEPS * share));
-            }
+            progress.reach(share);
         }
     }
 
@@ -62,39 +59,38 @@ final class StabilityTable {
     }
 
     void add(StabilityRow row) {
-        clear();
+        progress.end();
         unfinished = "";
         if (!row.name().equals(lastCase)) {
-            streams.out().println((lastCase.isEmpty() ? "" : "\n") + row.name());
-            line("demanded", "", row.demand());
+            streams.out().println((lastCase.isEmpty() ? "" : "\n") + colour.strong(row.name()));
+            line("demanded", "", row.demand(), UnaryOperator.identity());
             lastCase = row.name();
         }
         Finding seen = row.seen();
         held += seen.verdict() == Finding.Verdict.HOLDS ? 1 : 0;
         failed += row.failed() ? 1 : 0;
-        line(row.rung(), seen.verdict().name().toLowerCase(Locale.ROOT), seen.text());
+        line(row.rung(), seen.verdict().name().toLowerCase(Locale.ROOT), seen.text(), switch (seen.verdict()) {
+            case HOLDS -> colour::good;
+            case FAILS -> colour::bad;
+            default -> UnaryOperator.identity();
+        });
         streams.out().flush();
     }
 
-    private void line(String rung, String verdict, String text) {
-        String start = "  " + TextFormat.left(rung, RUNG) + TextFormat.left(verdict, VERDICT);
-        String next = "\n" + " ".repeat(start.length());
-        String lines = TextFormat.wrap(TextFormat.plain(text), " ", WIDTH - start.length(), "");
-        streams.out().println(start + lines.replace("\n", next));
-    }
-
-    private void clear() {
-        if (progress != null) {
-            progress.close();
-            progress = null;
-        }
+    private void line(String rung, String verdict, String text, UnaryOperator<String> painted) {
+        int width = 2 + RUNG + VERDICT;
+        String next = "\n" + " ".repeat(width);
+        String lines = TextFormat.wrap(TextFormat.plain(text), " ", WIDTH - width, "");
+        streams.out().println("  " + TextFormat.left(rung, RUNG) + painted.apply(TextFormat.left(verdict, VERDICT))
+            + lines.replace("\n", next));
     }
 
     /** @return whether no demand has failed */
     boolean end() {
         streams.out().println();
-        streams.out().println(TextFormat.count(held, "demand") + (held == 1 ? " is" : " are") + " met, " + failed
-            + (failed == 1 ? " is" : " are") + " not");
+        String not = failed + (failed == 1 ? " is" : " are") + " not";
+        streams.out().println(TextFormat.count(held, "demand") + (held == 1 ? " is" : " are") + " met, "
+            + (failed == 0 ? not : colour.bad(not)));
         return failed == 0;
     }
 }

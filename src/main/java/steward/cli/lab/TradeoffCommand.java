@@ -11,6 +11,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.cli.options.TableFolder;
 import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Games;
 import steward.cli.shared.Interruption;
 import steward.cli.shared.ProgressLine;
 import steward.cli.shared.Streams;
@@ -23,6 +24,7 @@ import steward.lab.tradeoff.TradeoffMeasurement;
 import steward.lab.tradeoff.TradeoffRow;
 import steward.lab.tradeoff.TradeoffScene;
 import steward.lab.tradeoff.report.TradeoffReport;
+import steward.text.TextFormat;
 
 /** {@code steward tradeoff}: the cost and the error of each rung of accuracy. */
 @Command(name = "tradeoff", description = "Measures, scene by scene, what each rung of accuracy costs and how far "
@@ -33,6 +35,10 @@ import steward.lab.tradeoff.report.TradeoffReport;
         "", "Exit status: 0 done; 2 the call or a scene cannot be used; 130 Ctrl-C: what was",
         "measured is kept."})
 public final class TradeoffCommand implements Callable<Integer> {
+
+    /** How long a scene takes, approximately: all 8 parts took 288 s, with --quick 53 s, on two busy processors. */
+    private static final double SECONDS = 288 / 8.0;
+    private static final double QUICK_SECONDS = 53 / 8.0;
 
     private final Streams streams;
 
@@ -71,7 +77,8 @@ public final class TradeoffCommand implements Callable<Integer> {
         boolean all = scenes.isEmpty();
         boolean headings = all || scenes.contains(TradeoffScenes.HEADINGS);
         List<TradeoffScene> chosen = all ? TradeoffScenes.all()
-            : TradeoffScenes.of(scenes.stream().filter(word -> !word.equals(TradeoffScenes.HEADINGS)).toList());
+            : TradeoffScenes.of(scenes.stream().filter(word -> !word.equals(TradeoffScenes.HEADINGS)).toList(),
+                word -> Games.warn(Games.open(word, null, streams), streams));
         if (out == null) {
             measure(chosen, headings, null);
             return ExitStatus.DONE;
@@ -97,10 +104,8 @@ public final class TradeoffCommand implements Callable<Integer> {
     private void measure(List<TradeoffScene> chosen, boolean headings, TradeoffReport files) {
         TradeoffEffort effort = quick ? TradeoffEffort.QUICK : TradeoffEffort.NORMAL;
         TradeoffTable table = new TradeoffTable(streams);
-        if (scenes.isEmpty()) {
-            ProgressLine.announce(streams, quick ? "about a minute" : "some minutes");
-        }
         int parts = chosen.size() + (headings ? 1 : 0);
+        ProgressLine.announce(streams, TextFormat.about(parts * (quick ? QUICK_SECONDS : SECONDS)));
         int part = 1;
         for (TradeoffScene scene : chosen) {
             TradeoffMeasurement measurement = new TradeoffMeasurement(scene, effort);

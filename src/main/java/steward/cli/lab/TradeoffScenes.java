@@ -6,7 +6,9 @@ import java.util.Iterator;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.function.Function;
 import steward.cli.shared.Games;
+import steward.cli.shared.StandardFiles;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.game.GameSetup;
@@ -26,7 +28,7 @@ final class TradeoffScenes {
 
         @Override
         public Iterator<String> iterator() {
-            List<String> names = new ArrayList<>(all().stream().map(TradeoffScene::name).toList());
+            Set<String> names = new LinkedHashSet<>(all().stream().map(TradeoffScene::name).toList());
             names.add(HEADINGS);
             names.addAll(SceneFiles.shipped());
             return names.iterator();
@@ -53,7 +55,8 @@ final class TradeoffScenes {
 
     /** All of its own scenes, in the order of the table. */
     static List<TradeoffScene> all() {
-        List<TradeoffScene> scenes = new ArrayList<>(List.of(named(RACE), named(BRAWL), named(WALLED)));
+        List<TradeoffScene> scenes = new ArrayList<>(List.of(named(RACE, Games::open), named(BRAWL, Games::open),
+            named(WALLED, Games::open)));
         scenes.addAll(TradeoffWorlds.all());
         return scenes;
     }
@@ -61,15 +64,16 @@ final class TradeoffScenes {
     /**
      * The scenes that were asked for.
      *
-     * @param words names of its own scenes or of shipped ones, or files
+     * @param words  names of its own scenes or of shipped ones, or files
+     * @param opener opens those that are not its own
      * @throws InputException                if there is no such scene
      * @throws steward.scene.json.SceneException if a file cannot be used
      */
-    static List<TradeoffScene> of(List<String> words) {
-        return new LinkedHashSet<>(words).stream().map(TradeoffScenes::named).toList();
+    static List<TradeoffScene> of(List<String> words, Function<String, GameSetup> opener) {
+        return new LinkedHashSet<>(words).stream().map(word -> named(word, opener)).toList();
     }
 
-    private static TradeoffScene named(String word) {
+    private static TradeoffScene named(String word, Function<String, GameSetup> opener) {
         if (word.equals(RACE)) {
             return race(RACE, "states of races by the official rules", Games.open(OFFICIAL));
         }
@@ -84,7 +88,7 @@ final class TradeoffScenes {
             }
         }
         checkKnown(word);
-        GameSetup setup = Games.open(word);
+        GameSetup setup = opener.apply(word);
         return race(setup.scene().name(), "states of games in this scene", setup);
     }
 
@@ -94,7 +98,8 @@ final class TradeoffScenes {
         TradeoffWorlds.all().forEach(world -> known.add(world.name()));
         List<String> shipped = SceneFiles.shipped();
         known.addAll(shipped);
-        boolean file = word.endsWith(".json") || word.contains("/") || Files.exists(OutputFiles.path(word));
+        boolean file = StandardFiles.is(word) || word.endsWith(".json") || word.contains("/")
+            || Files.exists(OutputFiles.path(word));
         if (!file && !known.contains(word)) {
             throw new InputException("--scene: found '" + word + "', expected a scene file or one of "
                 + String.join(", ", known) + NearestName.question(word, known, "'"));

@@ -5,6 +5,7 @@ import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.TypeConversionException;
 import steward.cli.shared.Games;
+import steward.cli.shared.Streams;
 import steward.game.GameSetup;
 import steward.scene.Accuracy;
 
@@ -22,13 +23,16 @@ public final class AccuracyOption {
 
         @Override
         public Iterator<String> iterator() {
-            return Accuracy.ladder().stream().map(Accuracy::text).iterator();
+            return Accuracy.ladder().stream().map(rung -> rung.text().replaceFirst("^event/", "")).iterator();
         }
     }
 
-    /** Opens a scene by its path or shipped name, on this rung if one is called for. */
-    public GameSetup open(String scene) {
-        return Games.open(scene, accuracy);
+    /**
+     * Opens a scene by its path or shipped name, {@code -} from the standard input, on this rung if one is called
+     * for.
+     */
+    public GameSetup open(String scene, Streams streams) {
+        return Games.open(scene, accuracy, streams);
     }
 
     /** As it would be typed, with a blank before it; nothing where there is no such option. */

@@ -2,6 +2,7 @@ package steward.cli.options;
 
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
+import steward.cli.shared.Streams;
 import steward.game.GameSetup;
 
 /** The options that say which scene is played, and on which rung of accuracy. */
@@ -11,7 +12,8 @@ public final class SceneOptions {
     public static final String USUAL = "mad-pod-racing";
     /** What {@code --scene} takes. */
     public static final String DESCRIPTION
-        = "The scene: a file or one of ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}).";
+        = "The scene: a file, - for the standard input, or one of ${COMPLETION-CANDIDATES} (default: "
+        + "${DEFAULT-VALUE}).";
 
     @Option(names = "--scene", paramLabel = "FILE|NAME", defaultValue = USUAL,
         completionCandidates = ShippedScenes.class, description = DESCRIPTION)
@@ -21,7 +23,7 @@ public final class SceneOptions {
     private final AccuracyOption accuracy = new AccuracyOption();
 
     /** Opens the scene on the rung. */
-    public GameSetup open() {
-        return accuracy.open(scene);
+    public GameSetup open(Streams streams) {
+        return accuracy.open(scene, streams);
     }
 }

@@ -14,6 +14,7 @@ import steward.cli.replay.ReplayCommand;
 import steward.cli.replay.TextMap;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
+import steward.cli.shared.StandardFiles;
 import steward.cli.shared.Streams;
 import steward.cli.shared.Verbosity;
 import steward.contest.Contest;
@@ -56,8 +57,11 @@ public final class DemoCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws InterruptedException {
+        if (StandardFiles.is(out)) {
+            throw new InputException("--out: found -, expected a file: the replay is read again");
+        }
         Path file = OutputFiles.path(out != null ? out : usualFile(Path.of("")));
-        Contest contest = Contest.of(accuracy.open(SCENE), BOTS, Protocol.JSON, TIME_FACTOR);
+        Contest contest = Contest.of(accuracy.open(SCENE, streams), BOTS, Protocol.JSON, TIME_FACTOR);
         makeFolder(file);
         streams.out().println("steward match --scene " + SCENE + " --bot " + BOTS.get(0) + " --bot " + BOTS.get(1)
             + " --seed " + seed + accuracy.words() + " \\");
@@ -66,7 +70,7 @@ public final class DemoCommand implements Callable<Integer> {
             + " --overwrite");
         streams.out().println();
         streams.out().flush();
-        new SingleMatch(streams, contest, Verbosity.FULL, false).play(seed, file, true);
+        new SingleMatch(streams, contest, Verbosity.FULL, false, false).play(seed, file, true);
         streams.out().println();
         try (ReplayReader replay = ReplayCommand.open(file)) {
             Verification verification = Verification.of(replay, Games.types());

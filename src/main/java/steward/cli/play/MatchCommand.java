@@ -14,6 +14,7 @@ import steward.cli.options.SceneOptions;
 import steward.cli.options.SeedOption;
 import steward.cli.options.TimeLimitOptions;
 import steward.cli.shared.Games;
+import steward.cli.shared.StandardFiles;
 import steward.cli.shared.Streams;
 import steward.cli.shared.Verbosity;
 import steward.contest.Contest;
@@ -66,7 +67,8 @@ public final class MatchCommand implements Callable<Integer> {
     private final SeedOption seed = new SeedOption();
 
     @Option(names = "--out", paramLabel = "FILE",
-        description = "Writes the replay to this file; with --games or --swap, one for each game into this folder.")
+        description = "Writes the replay to this file, - for the standard output; with --games or --swap, one for each "
+            + "game into this folder.")
     private String out;
 
     @Option(names = "--sign", paramLabel = "KEY",
@@ -106,18 +108,24 @@ public final class MatchCommand implements Callable<Integer> {
         check.that(!overwrite || out != null || show.view() != null,
             "--overwrite: expected --out or --view with it");
         check.that(sign == null || out != null || show.isAny(), "--sign: expected --out with it");
+        boolean piped = StandardFiles.is(out);
+        check.that(!piped || !many.isAny(), "--out: found -, expected a folder with --games or --swap");
+        check.that(!piped || !json, "--json is printed to the standard output, expected a file for --out");
+        check.that(!StandardFiles.is(show.view()),
+            "--view: found -, expected a file: the standard output is for the result");
         String problem = show.problem(many.isAny());
         check.that(problem == null, problem);
-        Contest contest = Contest.of(Games.warn(scene.open(), streams), bots, ProtocolWord.parse(protocol), factor);
+        Contest contest = Contest.of(Games.warn(scene.open(streams), streams), bots, ProtocolWord.parse(protocol),
+            factor);
         contest = sign == null ? contest : contest.signedWith(SigningKey.read(OutputFiles.path(sign)));
         long first = seed.orDrawn();
-        Path path = out == null ? null : OutputFiles.path(out);
+        Path path = out == null || piped ? null : OutputFiles.path(out);
         Verbosity report = json ? Verbosity.JSON : quiet ? Verbosity.LINE : Verbosity.FULL;
         if (many.isAny()) {
             Series series = new Series(contest, first, many.games(), many.swap(), path, many.keep());
             return new SeriesRun(streams, series, report, strict).play(many.threads(streams), overwrite);
         }
-        SingleMatch game = new SingleMatch(streams, contest, report, strict);
+        SingleMatch game = new SingleMatch(streams, contest, report, strict, piped);
         return show.isAny() ? game.play(first, path, overwrite, show) : game.play(first, path, overwrite);
     }
 }

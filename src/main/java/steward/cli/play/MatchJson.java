@@ -36,6 +36,7 @@ final class MatchJson {
             } else {
                 out.writeNull();
             }
+            out.writeBooleanProperty("allFailed", result.allFailed());
             out.writeArrayPropertyStart("players");
             for (int k = 0; k < result.players().size(); k++) {
                 out.writeStartObject();

@@ -7,6 +7,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import steward.cli.options.BuiltinBotWords;
 import steward.cli.options.SceneOptions;
 import steward.cli.options.SeedOption;
 import steward.cli.options.TimeLimitOptions;
@@ -47,7 +48,8 @@ public final class PlayCommand implements Callable<Integer> {
     @Option(names = "--json-league", required = true, description = "Prints the result in this form, the only one.")
     private boolean league;
 
-    @Parameters(paramLabel = "BOT", description = "The bots, one for each player of the scene; see below.")
+    @Parameters(paramLabel = "BOT", completionCandidates = BuiltinBotWords.class,
+        description = "The bots, one for each player of the scene; see below.")
     private List<String> bots = new ArrayList<>();
 
     @Mixin
@@ -65,7 +67,7 @@ public final class PlayCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws InterruptedException {
-        GameSetup setup = Games.warn(scene.open(), streams);
+        GameSetup setup = Games.warn(scene.open(streams), streams);
         int players = setup.scene().players();
         if (bots.size() != players) {
             throw new InputException("found " + TextFormat.count(bots.size(), "bot") + ", expected "

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
+import steward.cli.options.BuiltinBotWords;
 import steward.files.InputException;
 import steward.text.TextFormat;
 
@@ -29,6 +30,7 @@ final class RefereeArguments {
         for (int player = 1; player <= MOST_PLAYERS; player++) {
             boolean shown = player <= 2;
             spec.addOption(OptionSpec.builder(bot(player)).type(String.class).paramLabel("BOT").hidden(!shown)
+                .completionCandidates(new BuiltinBotWords())
                 .description(shown ? "Player " + player + ": a bot, see below; there is -p1 to -p8." : "").build());
             spec.addOption(OptionSpec.builder(name(player)).type(String.class).paramLabel("NAME").hidden(player > 1)
                 .description(player == 1 ? "What player 1 is called; likewise -p2name, ..." : "").build());

@@ -111,7 +111,7 @@ public final class RefereeCommand implements Callable<Integer> {
                 "--old: expected no -p1, -l, -r or -s with it: the tool has the bots");
             return playOld(factor, wanted);
         }
-        GameSetup setup = Games.warn(accuracy.open(scene), streams);
+        GameSetup setup = Games.warn(accuracy.open(scene, streams), streams);
         List<String> bots = arguments.bots(setup.scene().players(), setup.scene().name());
         Contest contest = named(Contest.withFailing(setup, bots, Protocol.CODINGAME, factor), arguments);
         check.that(log == null || !log.isBlank(), "-l: found no name of a file");
@@ -132,7 +132,7 @@ public final class RefereeCommand implements Callable<Integer> {
     }
 
     private Integer playOld(double factor, Long wanted) throws InterruptedException {
-        GameSetup setup = Games.warn(accuracy.open(scene), streams);
+        GameSetup setup = Games.warn(accuracy.open(scene, streams), streams);
         OldReferee referee = new OldReferee(setup, new FileInputStream(FileDescriptor.in), streams.out());
         try {
             TimeControl time = factor == Double.POSITIVE_INFINITY ? TimeControl.UNLIMITED

@@ -2,6 +2,7 @@ package steward.cli.play;
 
 import java.util.Arrays;
 import java.util.Iterator;
+import java.util.List;
 import java.util.Optional;
 import picocli.CommandLine.Option;
 import steward.cli.options.CallCheck;
@@ -33,7 +34,7 @@ final class SeriesOptions {
             + "2 N games in all.")
     private boolean swap;
 
-    @Option(names = "--threads", paramLabel = "T|auto",
+    @Option(names = "--threads", paramLabel = "T|auto", completionCandidates = Auto.class,
         description = "Plays so many games at the same time (default: 1); auto: as many as there are processors, less "
             + "one. The games do not depend on it, but bots that share processors take longer to answer.")
     private String threads;
@@ -42,6 +43,15 @@ final class SeriesOptions {
         description = "Keeps, of the replays in --out, all (the default), those of games that the first bot lost "
             + "(lost), in which a bot failed or that have no result (failed), or none.")
     private String keep;
+
+    /** The word that {@code --threads} takes beside numbers. */
+    static final class Auto implements Iterable<String> {
+
+        @Override
+        public Iterator<String> iterator() {
+            return List.of(AUTO).iterator();
+        }
+    }
 
     /**
      * Refuses options that are out of range or do not go together.

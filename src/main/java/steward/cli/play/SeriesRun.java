@@ -82,7 +82,7 @@ record SeriesRun(Streams streams, Series series, Verbosity report, boolean stric
         switch (report) {
             case JSON -> SeriesJson.print(streams, series, play);
             case LINE -> streams.out().println(SeriesText.headline(series, play.standings()));
-            default -> SeriesText.print(streams.out(), series, play.standings());
+            default -> SeriesText.print(streams.out(), streams.outColour(), series, play.standings());
         }
     }
 

@@ -2,6 +2,7 @@ package steward.cli.play;
 
 import java.io.PrintStream;
 import java.util.List;
+import steward.cli.shared.Colour;
 import steward.cli.shared.FailureText;
 import steward.contest.AnswerTimes;
 import steward.contest.Contest;
@@ -51,16 +52,16 @@ final class SeriesText {
     }
 
     /** Everything. */
-    static void print(PrintStream out, Series series, Standings standings) {
+    static void print(PrintStream out, Colour colour, Series series, Standings standings) {
         long last = series.first() + series.seeds() - 1;
-        out.println(games(series, standings) + ", "
+        int without = standings.games().size() - standings.results();
+        out.println(colour.strong(TextFormat.plain(games(series, standings))) + ", "
             + (series.seeds() == 1 ? "seed " + series.first() : "seeds " + series.first() + " to " + last)
             + (series.swap() ? ", each with every order of sides" : "")
-            + (standings.results() < standings.games().size()
-                ? ", " + (standings.games().size() - standings.results()) + " without a result" : "")
+            + (without > 0 ? ", " + colour.bad(without + " without a result") : "")
             + "; " + TextFormat.fixed(standings.meanTurns(), 1) + " turns on average");
         out.println();
-        points(out, series, standings);
+        points(out, colour, series, standings);
         out.println();
         times(out, series, standings);
         out.println();
@@ -68,8 +69,8 @@ final class SeriesText {
             + (series.contest().entrants().size() > 2 ? " against each other bot, divided by their number" : "")
             + "; Wilson's 95% interval.");
         out.println("Times without first answers, which include the start of the program; p99 is at most 1.6% high.");
-        allFailed(out, series, standings.allFailed());
-        failures(out, series, standings.failures());
+        allFailed(out, colour, series, standings.allFailed());
+        failures(out, colour, series, standings.failures());
         replays(out, series, standings.games());
     }
 
@@ -82,18 +83,19 @@ final class SeriesText {
         return TextFormat.left(TextFormat.plain(TextFormat.shorten(entrant.name(), width)), width);
     }
 
-    private static void points(PrintStream out, Series series, Standings standings) {
+    private static void points(PrintStream out, Colour colour, Series series, Standings standings) {
         int names = nameWidth(series);
         out.println(TextFormat.left("bot", names)
             + "    wins   draws  losses  faults  points   95% interval    mean score");
         for (int k = 0; k < series.contest().entrants().size(); k++) {
             Tally tally = standings.tally(k);
+            String faults = TextFormat.right(Integer.toString(tally.faults()), 8);
             out.println(name(series.contest().entrants().get(k), names)
                 + TextFormat.right(Integer.toString(tally.wins()), 8)
                 + TextFormat.right(Integer.toString(tally.draws()), 8)
                 + TextFormat.right(Integer.toString(tally.losses()), 8)
-                + TextFormat.right(Integer.toString(tally.faults()), 8)
-                + TextFormat.right(TextFormat.fixed(tally.points(), 3), 8)
+                + (tally.faults() > 0 ? colour.bad(faults) : faults)
+                + colour.strong(TextFormat.right(TextFormat.fixed(tally.points(), 3), 8))
                 + "   " + TextFormat.left(TextFormat.fixed(tally.low(), 3) + " to "
                     + TextFormat.fixed(tally.high(), 3), 14)
                 + TextFormat.right(TextFormat.fixed(tally.score(), 2), 12));
@@ -116,12 +118,12 @@ final class SeriesText {
         }
     }
 
-    private static void allFailed(PrintStream out, Series series, List<Series.Played> games) {
+    private static void allFailed(PrintStream out, Colour colour, Series series, List<Series.Played> games) {
         if (!games.isEmpty()) {
             List<String> numbers = games.stream().limit(GAMES_SHOWN).map(game -> "game " + game.number()).toList();
-            out.println((series.contest().entrants().size() == 2 ? "Both" : "All") + " bots failed in the same turn in "
-                + TextFormat.count(games.size(), "game") + " (" + more(numbers, games.size())
-                + "): no draws of merit, and not counted as such; points as for a draw.");
+            String bots = (series.contest().entrants().size() == 2 ? "Both" : "All") + " bots failed";
+            out.println(colour.warning(bots) + " in the same turn in " + TextFormat.count(games.size(), "game") + " ("
+                + more(numbers, games.size()) + "): no draws of merit, and not counted as such; points as for a draw.");
         }
     }
 
@@ -129,17 +131,18 @@ final class SeriesText {
         return String.join("; ", shown) + (all > shown.size() ? "; and " + (all - shown.size()) + " more" : "");
     }
 
-    private static void failures(PrintStream out, Series series, List<FailureKind> kinds) {
+    private static void failures(PrintStream out, Colour colour, Series series, List<FailureKind> kinds) {
         for (FailureKind kind : kinds.subList(0, Math.min(KINDS_SHOWN, kinds.size()))) {
             List<FailureKind.Occurrence> all = kind.occurrences();
             out.println();
-            out.println(TextFormat.plain(series.contest().entrants().get(kind.entrant()).name() + " failed in "
-                + TextFormat.count(all.size(), "game") + (all.size() == 1 ? ", game " : ", first in game ")
-                + kind.game().number() + " (seed " + kind.game().seed() + ") in turn " + kind.first().turn() + ": "
+            out.println(TextFormat.plain(series.contest().entrants().get(kind.entrant()).name()) + " "
+                + colour.bad("failed") + TextFormat.plain(" in " + TextFormat.count(all.size(), "game")
+                + (all.size() == 1 ? ", game " : ", first in game ") + kind.game().number() + " (seed "
+                + kind.game().seed() + ") in turn " + kind.first().turn() + ": "
                 + kind.first().reason()));
             FailureText.print(out, kind.first(), "  ");
             if (kind.game().replay() != null) {
-                out.println("  replay: " + kind.game().replay());
+                out.println(TextFormat.plain("  replay: " + kind.game().replay()));
             }
             if (all.size() > 1) {
                 out.println("  also in " + more(all.stream().skip(1).limit(GAMES_SHOWN).map(
@@ -165,6 +168,7 @@ final class SeriesText {
         }
         out.println("Replays: " + (series.keep() == KeptReplays.ALL ? "" : kept.size() + " of "
             + TextFormat.count(games.size(), "game") + " (--keep " + series.keep().word() + "), ")
-            + kept.get(0).replay() + (kept.size() == 1 ? "" : " to " + kept.get(kept.size() - 1).replay()));
+            + TextFormat.plain(kept.get(0).replay()
+                + (kept.size() == 1 ? "" : " to " + kept.get(kept.size() - 1).replay())));
     }
 }

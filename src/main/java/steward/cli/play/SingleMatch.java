@@ -19,6 +19,7 @@ import steward.contest.ReplayFile;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
 import steward.match.TeeListener;
+import steward.replay.page.UnclosedOutputStream;
 import steward.text.TextFormat;
 
 /**
@@ -26,8 +27,9 @@ import steward.text.TextFormat;
  *
  * @param report how much is said
  * @param strict whether a bot that fails makes the exit status 1
+ * @param piped  whether the standard output is the replay; then all else is said on the standard error
  */
-record SingleMatch(Streams streams, Contest contest, Verbosity report, boolean strict) {
+record SingleMatch(Streams streams, Contest contest, Verbosity report, boolean strict, boolean piped) {
 
     private static final MatchListener NOBODY = new MatchListener() { };
 
@@ -46,7 +48,7 @@ record SingleMatch(Streams streams, Contest contest, Verbosity report, boolean s
 
     /** As {@link #play(long, Path, boolean)}; the match is shown as the options say. */
     int play(long seed, Path file, boolean overwrite, DisplayOptions options) throws InterruptedException {
-        PrintStream said = report == Verbosity.FULL ? streams.out() : streams.err();
+        PrintStream said = report == Verbosity.FULL ? text() : streams.err();
         try (MatchDisplay show = MatchDisplay.prepare(streams, said, options, Pages.title(names()), file, overwrite)) {
             GameLog log = new GameLog(contest, 0);
             MatchResult result = result(seed, file, overwrite, show, log);
@@ -57,16 +59,17 @@ record SingleMatch(Streams streams, Contest contest, Verbosity report, boolean s
         }
     }
 
-    private MatchResult result(long seed, Path file, boolean overwrite, MatchDisplay show, GameLog log)
+    private MatchResult result(long seed, Path path, boolean overwrite, MatchDisplay show, GameLog log)
             throws InterruptedException {
         MatchResult result;
-        ReplayFile recording = file == null ? null : new ReplayFile(file, overwrite);
+        ReplayFile recording = path == null ? null : new ReplayFile(path, overwrite);
         try (recording) {
             if (show != null) {
                 show.awaitViewer();
             }
-            try (Interruption hint = new Interruption(streams, file)) {
-                OutputStream written = show == null ? recording : show.with(recording);
+            try (Interruption hint = new Interruption(streams, path)) {
+                OutputStream file = piped ? new UnclosedOutputStream(streams.out()) : recording;
+                OutputStream written = show == null ? file : show.with(file);
                 result = contest.play(seed, 0, written, new TeeListener(log, follower(seed)));
                 hint.over();
             }
@@ -90,14 +93,19 @@ record SingleMatch(Streams streams, Contest contest, Verbosity report, boolean s
     private void tell(long seed, MatchResult result, List<Failure> failures, Path file) {
         switch (report) {
             case JSON -> MatchJson.print(streams, contest, seed, result, failures, file);
-            case LINE -> streams.out().println(MatchText.headline(contest.sceneName(), seed, result, failures));
+            case LINE -> text().println(MatchText.headline(contest.sceneName(), seed, result, failures));
             default -> {
-                MatchText.print(streams.out(), streams.outColour(), contest.sceneName(), seed, result, failures);
+                MatchText.print(text(), piped ? streams.errColour() : streams.outColour(), contest.sceneName(), seed,
+                    result, failures);
                 if (file != null) {
-                    MatchText.printReplay(streams.out(), file);
+                    MatchText.printReplay(text(), file);
                 }
             }
         }
+    }
+
+    private PrintStream text() {
+        return piped ? streams.err() : streams.out();
     }
 
     private int status(MatchResult result) {
@@ -109,7 +117,7 @@ record SingleMatch(Streams streams, Contest contest, Verbosity report, boolean s
     }
 
     private MatchListener follower(long seed) {
-        if (report != Verbosity.FULL || !streams.outTerminal()) {
+        if (report != Verbosity.FULL || piped || !streams.outTerminal()) {
             return NOBODY;
         }
         List<String> names = names();

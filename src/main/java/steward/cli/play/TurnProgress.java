@@ -1,6 +1,8 @@
 package steward.cli.play;
 
 import java.util.List;
+import java.util.function.UnaryOperator;
+import steward.cli.shared.Colour;
 import steward.cli.shared.Streams;
 import steward.game.FrameCodec;
 import steward.game.Game;
@@ -15,6 +17,7 @@ final class TurnProgress implements MatchListener {
     private static final int NOBODY = -1;
 
     private final Streams streams;
+    private final Colour colour;
     private final List<String> names;
     private Game game;
     private int leader = NOBODY;
@@ -22,6 +25,7 @@ final class TurnProgress implements MatchListener {
     /** @param names of the players, in order */
     TurnProgress(Streams streams, List<String> names) {
         this.streams = streams;
+        colour = streams.outColour();
         this.names = names;
     }
 
@@ -34,17 +38,17 @@ final class TurnProgress implements MatchListener {
     public void played(Turn turn) {
         for (int player = 0; player < turn.players(); player++) {
             if (turn.fault(player) != null) {
-                say(turn, names.get(player) + " is out: " + turn.fault(player));
+                say(turn, names.get(player) + " is out: " + turn.fault(player), colour::bad);
             }
         }
         for (TurnEvent event : game.events()) {
             if (event.headline()) {
-                say(turn, event.text());
+                say(turn, event.text(), UnaryOperator.identity());
             }
         }
         int now = leader();
         if (now != NOBODY && now != leader) {
-            say(turn, names.get(now) + " leads");
+            say(turn, names.get(now) + " leads", colour::strong);
             leader = now;
         }
     }
@@ -61,9 +65,9 @@ final class TurnProgress implements MatchListener {
         return best;
     }
 
-    private void say(Turn turn, String what) {
+    private void say(Turn turn, String what, UnaryOperator<String> painted) {
         streams.out().println("turn " + TextFormat.right(Integer.toString(turn.number()), 3) + "  "
-            + TextFormat.plain(TextFormat.shorten(what, 90)));
+            + painted.apply(TextFormat.plain(TextFormat.shorten(what, 90))));
         streams.out().flush();
     }
 }

@@ -10,6 +10,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import steward.bot.command.BotCommand;
 import steward.bot.process.Debugger;
+import steward.cli.options.BuiltinBotWords;
 import steward.cli.options.CallCheck;
 import steward.cli.options.ProtocolWord;
 import steward.cli.shared.Games;
@@ -69,7 +70,7 @@ public final class FeedCommand implements Callable<Integer> {
         description = "The recorded match; - is the standard input.")
     private String file;
 
-    @Parameters(index = "1..*", arity = "0..*", paramLabel = "COMMAND",
+    @Parameters(index = "1..*", arity = "0..*", paramLabel = "COMMAND", completionCandidates = BuiltinBotWords.class,
         description = "The bot and its arguments, after --.")
     private List<String> command = new ArrayList<>();
 

@@ -4,6 +4,7 @@ import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import steward.cli.shared.Colour;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Json;
 import steward.cli.shared.MatchText;
@@ -21,11 +22,14 @@ final class FeedReport {
     /** A turn can differ in every field; more are only counted. */
     private static final int MOST_FIELDS = 6;
     private static final int MOST_TURNS = 10;
+    private static final String SAME = "same";
+    private static final String DIFFERS = "differs:";
     private static final int WIDTH = 100;
     private static final String INDENT = " ".repeat(11);
 
     private final FeedSession session;
     private final PrintStream text;
+    private final Colour colour;
     private final List<FedTurn> differing = new ArrayList<>();
     private int compared;
     private int played;
@@ -34,11 +38,12 @@ final class FeedReport {
     FeedReport(FeedSession session) {
         this.session = session;
         text = session.text();
+        colour = session.colour();
     }
 
     /** A turn has been answered. */
     void add(FedTurn turn) {
-        String what = turn.same() ? "same" : "differs: " + differences(turn);
+        String what = turn.same() ? SAME : DIFFERS + " " + differences(turn);
         if (turn.replaced()) {
             played++;
             what = diverged ? "played" + (turn.fault() == null ? "" : ": " + turn.fault()) : "played, " + what;
@@ -51,9 +56,13 @@ final class FeedReport {
         }
         if (!session.json() && (!session.quiet() || !turn.same() && !turn.replaced())) {
             text.println("turn " + TextFormat.right(Integer.toString(turn.number()), 4) + "  "
-                + TextFormat.wrap(TextFormat.plain(what), "; ", WIDTH - INDENT.length(), INDENT));
+                + painted(TextFormat.wrap(TextFormat.plain(what), "; ", WIDTH - INDENT.length(), INDENT)));
             text.flush();
         }
+    }
+
+    private String painted(String what) {
+        return what.equals(SAME) ? colour.good(what) : what.replaceFirst(DIFFERS, colour.bad(DIFFERS));
     }
 
     private static String differences(FedTurn turn) {
@@ -98,8 +107,10 @@ final class FeedReport {
             where += (k > 0 ? ", " : differing.size() > 1 ? " (turns " : " (turn ") + differing.get(k).number();
         }
         where += differing.isEmpty() ? "" : differing.size() > MOST_TURNS ? ", ...)" : ")";
-        text.println(TextFormat.count(compared, "turn") + " compared: " + (compared - differing.size())
-            + " the same, " + differing.size() + " different" + where);
+        String different = differing.size() + " different" + where;
+        text.println(colour.strong(TextFormat.count(compared, "turn") + " compared:") + " "
+            + (compared - differing.size()) + " the same, "
+            + (differing.isEmpty() ? different : colour.bad(different)));
         if (outcome != null) {
             printOutcome(outcome, file);
         }
@@ -111,7 +122,7 @@ final class FeedReport {
         ReplayHeader header = session.match().header();
         String scene = Json.word(Json.object(header.scene()).get("name"), 0);
         if (result != null) {
-            text.println(MatchText.headline(scene, header.seed(), result));
+            text.println(colour.strong(MatchText.headline(scene, header.seed(), result)));
         } else {
             text.println(TextFormat.plain("no result after " + TextFormat.count(outcome.turns(), "turn") + ": "
                 + outcome.reason() + "; ahead then: " + String.join(", ", outcome.ahead())));

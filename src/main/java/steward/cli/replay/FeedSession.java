@@ -10,6 +10,7 @@ import steward.bot.command.BotCommand;
 import steward.bot.command.CommandLine;
 import steward.bot.process.AttendedProcess;
 import steward.bot.process.Debugger;
+import steward.cli.shared.Colour;
 import steward.cli.shared.EnterKey;
 import steward.cli.shared.FailedException;
 import steward.cli.shared.Games;
@@ -48,6 +49,11 @@ record FeedSession(Streams streams, RecordedMatch match, int player, BotCommand 
     /** Where readable text goes. */
     PrintStream text() {
         return json || piped ? streams.err() : streams.out();
+    }
+
+    /** The colours of {@link #text}. */
+    Colour colour() {
+        return json || piped ? streams.errColour() : streams.outColour();
     }
 
     /** As it was called, since a bundled bot's words are a long line of a JVM. */

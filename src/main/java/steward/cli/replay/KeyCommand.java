@@ -1,6 +1,8 @@
 package steward.cli.replay;
 
 import java.nio.file.Path;
+import java.util.Iterator;
+import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -35,11 +37,20 @@ public final class KeyCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
-    @Parameters(index = "0", paramLabel = "new|show", description = "What to do.")
+    @Parameters(index = "0", paramLabel = "new|show", completionCandidates = Actions.class, description = "What to do.")
     private String what;
 
     @Parameters(index = "1", paramLabel = "FILE", description = "The file of the key.")
     private String file;
+
+    /** What can be done. */
+    static final class Actions implements Iterable<String> {
+
+        @Override
+        public Iterator<String> iterator() {
+            return List.of("new", "show").iterator();
+        }
+    }
 
     public KeyCommand(Streams streams) {
         this.streams = streams;

@@ -85,7 +85,8 @@ public final class ReplayCommand implements Callable<Integer> {
     private String player;
 
     @Option(names = "--view", paramLabel = "HTML",
-        description = "Writes a page that shows the match to this file: everything in it, opens from disk.")
+        description = "Writes a page that shows the match to this file, - for the standard output: everything in it, "
+            + "opens from disk.")
     private String view;
 
     @Option(names = "--open", description = "Opens the page of --view, or one without a name, in the browser.")
@@ -110,14 +111,14 @@ public final class ReplayCommand implements Callable<Integer> {
         checkCall();
         boolean piped = StandardFiles.is(file);
         if (view != null || open) {
-            check.that(!piped, "--view and --open read the replay twice, expected a file, found -");
-            return view(OutputFiles.path(file));
+            return view(piped ? null : OutputFiles.path(file), piped ? StandardFiles.readAll(streams) : null);
         }
         Path keyFile = signedBy == null ? null : OutputFiles.path(signedBy);
         SignerKey key = keyFile == null ? null : SignerKey.read(keyFile);
         try (ReplayReader replay = piped ? StandardFiles.openReplay(streams) : open(OutputFiles.path(file))) {
             if (verify) {
-                return verify(replay, new VerifyReport(streams.out(), partial, keyFile, key, quiet));
+                return verify(replay, new VerifyReport(streams.out(), streams.outColour(), partial, keyFile, key,
+                    quiet));
             }
             if (replay.header() == null) {
                 streams.warn(replay.warning());
@@ -166,6 +167,7 @@ public final class ReplayCommand implements Callable<Integer> {
         check.that(view == null && !open || !verify && !frames && !impacts && !range && turn == null,
             "--view and --open take the whole match, expected no --verify, --frames, --impacts, --turn, --from or --to "
             + "with them");
+        check.that(!open || !StandardFiles.is(view), "--open: found --view - with it, expected a file for the page");
         check.that(!overwrite || view != null, "--overwrite: expected --view with it");
         check.that(!quiet || !frames && !impacts && turn == null, "--quiet is for the summary and --verify");
         check.that(!json || !frames && !quiet && !open && view == null && (impacts || from == null && to == null),
@@ -182,17 +184,28 @@ public final class ReplayCommand implements Callable<Integer> {
         }
     }
 
-    private int view(Path replay) throws InterruptedException {
-        String title = replay.getFileName() == null ? replay.toString() : replay.getFileName().toString();
+    /**
+     * @param replay or {@code null} if it has been read
+     * @param bytes  of it, or {@code null} if there is a file
+     */
+    private int view(Path replay, byte[] bytes) throws InterruptedException {
+        String title = replay == null || replay.getFileName() == null ? file : replay.getFileName().toString();
         String warning;
-        try (ReplayReader reader = open(replay)) {
+        try (ReplayReader reader = replay == null ? StandardFiles.openReplay(bytes) : open(replay)) {
             title = reader.header() == null ? title : Pages.title(reader.header().names());
             while (reader.next() != null) {
                 continue;
             }
             warning = reader.warning();
         }
-        byte[] html = Pages.of(replay, title);
+        byte[] html = replay == null ? Pages.of(bytes, title) : Pages.of(replay, title);
+        if (warning != null) {
+            streams.warn(warning);
+        }
+        if (StandardFiles.is(view)) {
+            streams.out().writeBytes(html);
+            return ExitStatus.DONE;
+        }
         Path page = view == null ? Pages.unnamed() : OutputFiles.path(view);
         if (OutputFiles.isSame(page, replay)) {
             throw new InputException("--view: found the replay itself, expected another file");
@@ -201,9 +214,6 @@ public final class ReplayCommand implements Callable<Integer> {
             Pages.write(out, html, page);
         } catch (IOException problem) {
             throw new FailedException(page + ": cannot be closed: " + problem.getMessage());
-        }
-        if (warning != null) {
-            streams.warn(warning);
         }
         if (!quiet) {
             streams.out().println("Page: " + page);

@@ -79,7 +79,8 @@ final class TurnTable {
         }
         opened = true;
         ReplayHeader header = replay.header();
-        out.println(scene() + " (" + header.game() + "), seed " + header.seed() + timeFactor(header.timeFactor()));
+        out.println(TextFormat.plain(scene() + " (" + header.game() + "), seed ") + header.seed()
+            + timeFactor(header.timeFactor()));
         for (int player = 0; player < header.names().size(); player++) {
             out.println("player " + player + "  " + TextFormat.plain(header.names().get(player) + "  "
                 + header.bots().get(player)));
@@ -148,7 +149,7 @@ final class TurnTable {
         }
         Json.objects(outcome.get("events")).forEach(event -> notes.add(TurnDetail.event(event)));
         if (!notes.isEmpty()) {
-            out.println("      " + String.join("; ", notes));
+            out.println(TextFormat.plain("      " + String.join("; ", notes)));
         }
         for (int player = 0; player < turn.faults().length; player++) {
             if (turn.faults()[player] != null) {
@@ -168,7 +169,7 @@ final class TurnTable {
         }
         MatchResult result = RecordedResult.of(replay);
         if (result == null) {
-            out.println("no result after " + TextFormat.count(turns, "turn"));
+            out.println(turns == 0 ? "no turn was recorded" : "no result after " + TextFormat.count(turns, "turn"));
         } else {
             MatchText.print(out, streams.outColour(), scene(), replay.header().seed(), result, List.of());
         }

@@ -2,6 +2,7 @@ package steward.cli.replay;
 
 import java.io.PrintStream;
 import java.nio.file.Path;
+import steward.cli.shared.Colour;
 import steward.cli.shared.ExitStatus;
 import steward.replay.ReplayReader;
 import steward.replay.sign.SignerKey;
@@ -14,23 +15,26 @@ import steward.text.TextFormat;
  * Prints the result of a verification, and what it compared.
  *
  * @param out     where to
+ * @param colour  of it
  * @param partial whether agreement up to a cut suffices
  * @param file    of the key that must have signed, or {@code null}
  * @param key     that key, or {@code null}
  * @param quiet   whether only what does not agree is printed
  */
-record VerifyReport(PrintStream out, boolean partial, Path file, SignerKey key, boolean quiet) {
+record VerifyReport(PrintStream out, Colour colour, boolean partial, Path file, SignerKey key, boolean quiet) {
 
     /** @return the exit status */
     int print(ReplayReader replay, Verification verification) {
         String wrong = wrong(replay, verification);
         if (wrong != null) {
-            out.println(TextFormat.plain(wrong));
+            out.println(TextFormat.plain(wrong).replaceFirst("^differs:|^not verified:", colour.bad("$0")));
             return ExitStatus.FAILED;
         }
         boolean verified = verification.verified();
         if (!quiet || !verified && !partial) {
-            out.println((verified ? "verified: " : "verified up to the cut: ") + compared(replay, verification)
+            boolean start = !verification.whole() && verification.turns() == 0;
+            out.println((verified ? colour.good("verified:") : colour.warning("verified up to the cut:")) + " "
+                + (start ? "only the start, since no turn was recorded" : compared(replay, verification))
                 + (verification.whole() ? " and the result" : ""));
             if (replay.imported()) {
                 out.println(impacts(verification.impacts()));

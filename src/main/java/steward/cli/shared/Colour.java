@@ -11,6 +11,7 @@ public final class Colour {
     public static final Colour NONE = new Colour(false);
 
     private static final String BOLD = "1";
+    private static final String FAINT = "2";
     private static final String RED = "31";
     private static final String GREEN = "32";
     private static final String YELLOW = "33";
@@ -37,6 +38,11 @@ public final class Colour {
     /** What matters most: the winner. */
     public String strong(String text) {
         return in(BOLD, text);
+    }
+
+    /** What matters least: what is left out. */
+    public String faint(String text) {
+        return in(FAINT, text);
     }
 
     /** What is as it should be. */

@@ -7,6 +7,7 @@ import steward.game.podrace.protocol.PodRaceType;
 import steward.scene.Accuracy;
 import steward.scene.SceneFiles;
 import steward.scene.SceneReader;
+import steward.scene.SceneText;
 
 /** The games that the program knows, and their scenes. */
 public final class Games {
@@ -26,7 +27,16 @@ public final class Games {
 
     /** @param accuracy the rung to use, or {@code null} for the scene's own */
     public static GameSetup open(String scene, Accuracy accuracy) {
-        GameSetup setup = types().open(SceneReader.read(SceneFiles.load(scene), accuracy));
+        return open(SceneFiles.load(scene), accuracy);
+    }
+
+    /** As {@link #open(String, Accuracy)}; {@code -} is the scene on the standard input. */
+    public static GameSetup open(String scene, Accuracy accuracy, Streams streams) {
+        return open(StandardFiles.is(scene) ? StandardFiles.readScene(streams) : SceneFiles.load(scene), accuracy);
+    }
+
+    private static GameSetup open(SceneText scene, Accuracy accuracy) {
+        GameSetup setup = types().open(SceneReader.read(scene, accuracy));
         setup.check();
         return setup;
     }

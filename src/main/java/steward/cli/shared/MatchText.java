@@ -18,7 +18,8 @@ public final class MatchText {
     /** One line: the winner, the ending, the turn. */
     public static String headline(String scene, long seed, MatchResult result) {
         int winner = result.winner();
-        String who = winner >= 0 ? result.players().get(winner).name() + " wins" : "a draw";
+        String who = winner >= 0 ? result.players().get(winner).name() + " wins"
+            : result.allFailed() ? "no winner and no draw of merit" : "a draw";
         return TextFormat.plain(who + ": " + ending(result) + ", " + TextFormat.count(result.turns(), "turn") + " ("
             + scene + ", seed " + seed + ")");
     }
@@ -28,7 +29,7 @@ public final class MatchText {
         boolean two = result.players().size() == 2;
         return !two ? result.ending() : switch (result.ending()) {
             case "all others are out" -> "the other player is out";
-            case "all are out" -> "both players are out";
+            case "all are out" -> result.allFailed() ? "both bots failed" : "both players are out";
             default -> result.ending();
         };
     }
@@ -70,9 +71,9 @@ public final class MatchText {
     public static void printReplay(PrintStream out, Path file) {
         String command = "  steward replay " + CommandLine.quote(List.of(file.toString()));
         out.println();
-        out.println("Replay: " + file);
-        out.println(command + "            turn by turn");
-        out.println(command + " --verify   plays it again and compares every turn");
+        out.println(TextFormat.plain("Replay: " + file));
+        out.println(TextFormat.plain(command) + "            turn by turn");
+        out.println(TextFormat.plain(command) + " --verify   plays it again and compares every turn");
     }
 
     private static void table(PrintStream out, List<PlayerResult> players) {

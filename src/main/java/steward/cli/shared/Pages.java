@@ -1,5 +1,6 @@
 package steward.cli.shared;
 
+import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -46,6 +47,17 @@ public final class Pages {
             ReplayPage.write(replay, html, title);
         } catch (IOException problem) {
             throw new UncheckedIOException(replay + ": cannot be read: " + problem.getMessage(), problem);
+        }
+        return html.toByteArray();
+    }
+
+    /** The page of a match whose replay came on the standard input. */
+    public static byte[] of(byte[] replay, String title) {
+        ByteArrayOutputStream html = new ByteArrayOutputStream();
+        try {
+            ReplayPage.write(new ByteArrayInputStream(replay), StandardFiles.INPUT, html, title);
+        } catch (IOException inMemory) {
+            throw new UncheckedIOException(inMemory);
         }
         return html.toByteArray();
     }

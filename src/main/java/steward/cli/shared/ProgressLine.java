@@ -1,6 +1,9 @@
 package steward.cli.shared;
 
 import java.io.PrintStream;
+import java.time.Duration;
+import java.util.Optional;
+import java.util.function.DoubleSupplier;
 import me.tongfei.progressbar.ConsoleProgressBarConsumer;
 import me.tongfei.progressbar.ProgressBar;
 import me.tongfei.progressbar.ProgressBarBuilder;
@@ -28,7 +31,11 @@ public final class ProgressLine implements AutoCloseable {
 
     /** @param task what is being done */
     public ProgressLine(PrintStream terminal, String task, int steps) {
-        bar = new ProgressBarBuilder().setTaskName(task).setInitialMax(steps).setStyle(ProgressBarStyle.ASCII)
+        this(terminal, task, steps, new ProgressBarBuilder());
+    }
+
+    private ProgressLine(PrintStream terminal, String task, int steps, ProgressBarBuilder builder) {
+        bar = builder.setTaskName(task).setInitialMax(steps).setStyle(ProgressBarStyle.ASCII)
             .setUpdateIntervalMillis(REFRESH_MS).clearDisplayOnFinish()
             .setConsumer(new ConsoleProgressBarConsumer(terminal, WIDTH)).build();
     }
@@ -38,10 +45,29 @@ public final class ProgressLine implements AutoCloseable {
         return streams.errTerminal() ? new ProgressLine(streams.err(), task, steps) : null;
     }
 
+    /**
+     * As {@link #watched(Streams, String, int)}, for work that goes on.
+     *
+     * @param done    of the steps
+     * @param elapsed since the work began
+     * @param left    seconds that the rest will take; asked for now and then by another thread
+     */
+    public static ProgressLine watched(Streams streams, String task, int steps, int done, Duration elapsed,
+                                       DoubleSupplier left) {
+        return !streams.errTerminal() ? null : new ProgressLine(streams.err(), task, steps, new ProgressBarBuilder()
+            .startsFrom(done, elapsed)
+            .setEtaFunction(state -> Optional.of(Duration.ofSeconds(Math.round(left.getAsDouble())))));
+    }
+
     /** Says on a terminal how long the command will take, and that it may be broken off. */
     public static void announce(Streams streams, String duration) {
+        announce(streams, duration, "keeps what is complete");
+    }
+
+    /** @param then what Ctrl-C does besides, as a verb */
+    public static void announce(Streams streams, String duration, String then) {
         if (streams.errTerminal()) {
-            streams.err().println("This takes " + duration + "; Ctrl-C ends it and keeps what is complete.");
+            streams.err().println("This takes " + duration + "; Ctrl-C ends it and " + then + ".");
         }
     }
 

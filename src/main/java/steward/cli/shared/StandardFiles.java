@@ -5,6 +5,8 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import steward.files.InputException;
 import steward.replay.ReplayReader;
+import steward.scene.SceneFiles;
+import steward.scene.SceneText;
 
 /** The word {@code -} where a file is expected: the standard input, or the standard output. */
 public final class StandardFiles {
@@ -33,7 +35,21 @@ public final class StandardFiles {
 
     /** A replay that comes on the standard input. */
     public static ReplayReader openReplay(Streams streams) {
-        return new ReplayReader(new ByteArrayInputStream(readAll(streams)), INPUT);
+        return openReplay(readAll(streams));
+    }
+
+    /** A replay that came on the standard input. */
+    public static ReplayReader openReplay(byte[] replay) {
+        return new ReplayReader(new ByteArrayInputStream(replay), INPUT);
+    }
+
+    /** A scene that comes on the standard input. */
+    static SceneText readScene(Streams streams) {
+        try {
+            return SceneFiles.read(new BufferedInputStream(streams.in()), INPUT);
+        } catch (IOException problem) {
+            throw unreadable(problem);
+        }
     }
 
     /** The refusal of a standard input that cannot be read, such as a folder. */

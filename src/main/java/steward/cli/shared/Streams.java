@@ -13,6 +13,7 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import steward.text.TerminalOutputStream;
 import steward.text.TextFormat;
 
 /**
@@ -45,9 +46,9 @@ public final class Streams {
             boolean errTerminal) {
         this.in = in;
         this.inTerminal = inTerminal;
-        watched = new Watched(out);
+        watched = new Watched(outTerminal ? new TerminalOutputStream(out) : out);
         this.out = new PrintStream(new BufferedOutputStream(watched, 1 << 13), false, StandardCharsets.UTF_8);
-        this.err = new PrintStream(err, true, StandardCharsets.UTF_8);
+        this.err = new PrintStream(errTerminal ? new TerminalOutputStream(err) : err, true, StandardCharsets.UTF_8);
         this.outTerminal = outTerminal;
         this.errTerminal = errTerminal;
     }

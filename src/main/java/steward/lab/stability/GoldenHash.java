@@ -29,6 +29,9 @@ public final class GoldenHash {
     private static final long SEED = 4;
     private static final ImpactLaw SOFT = ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM);
 
+    /** How many worlds there are, each on every rung. */
+    public static final int WORLDS = 4;
+
     private GoldenHash() {
     }
 
@@ -58,18 +61,24 @@ public final class GoldenHash {
 
     /**
      * Worlds without a game on every rung: a gas among all kinds of walls, a crowd, heaps of pods, pairs of all sizes.
+     *
+     * @param after called after each part
      */
-    public static List<Part> worlds(RunLength size) {
+    public static List<Part> worlds(RunLength size, Runnable after) {
         List<Part> parts = new ArrayList<>();
         for (Rung rung : Rung.all()) {
             int turns = size.pick(3, 40, 400);
             Wall[] walls = {new Arena(0, 0, 900, 0.9), new Segment(-300, -100, 250, 120, 1)};
             parts.add(new Part("gas, " + rung.name(), gas(rung.advance(SOFT, walls), turns)));
+            after.run();
             parts.add(new Part("crowd, " + rung.name(), crowd(rung, size.pick(1, 20, 200))));
+            after.run();
             parts.add(new Part("heaps, " + rung.name(),
                 heaps(rung.advance(ImpactLaw.OFFICIAL_POD_RACE), size.pick(100, 3000, 30_000))));
+            after.run();
             parts.add(new Part("pairs, " + rung.name(),
                 pairs(rung.advance(ImpactLaw.PHYSICS), size.pick(200, 20_000, 200_000))));
+            after.run();
         }
         return parts;
     }

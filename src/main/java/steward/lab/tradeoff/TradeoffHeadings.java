@@ -1,12 +1,13 @@
 package steward.lab.tradeoff;
 
+import steward.numerics.SineCosine;
 import steward.numerics.SplitMix64;
 
 /*
  * The official rule (published referee of the pod race): delta = (atan2(target - position) - heading) mod 2 pi, the
- * shortest such angle; the heading moves by at most pi / 10 towards it; the direction (cos, sin), divided by its
- * length, times the thrust is added to the speed; then the position moves by the speed, the speed is cut toward zero
- * after 15% of drag, the position is rounded.
+ * shortest such angle; the heading moves by at most pi / 10 towards it; the direction (cos, sin), each correctly
+ * rounded and divided by its length, times the thrust is added to the speed; then the position moves by the speed, the
+ * speed is cut toward zero after 15% of drag, the position is rounded.
  *
  * Without trigonometry the heading is a unit vector h and the wanted one d = (target - position) / |target - position|.
  * The turn is within pi / 10 when h.d >= cos(pi / 10), and then the heading is d; otherwise h is turned by the constant
@@ -20,7 +21,7 @@ import steward.numerics.SplitMix64;
  * @param headings    which headings: random, or along the axes
  * @param podTurns    how many
  * @param differing   how many end with different integers (position or speed)
- * @param nanosAngles CPU of a pod's turn with StrictMath's atan2, cos and sin, in ns
+ * @param nanosAngles CPU of a pod's turn with StrictMath's atan2 and correctly rounded cos and sin, in ns
  * @param nanosVector CPU of a pod's turn with unit vectors, in ns
  */
 public record TradeoffHeadings(String headings, long podTurns, long differing, double nanosAngles,
@@ -119,6 +120,7 @@ public record TradeoffHeadings(String headings, long podTurns, long differing, d
     }
 
     private static void withAngles(Block block) {
+        SineCosine direction = new SineCosine();
         for (int pod = 0; pod < BLOCK; pod++) {
             int x = 2 * pod;
             int y = x + 1;
@@ -127,8 +129,9 @@ public record TradeoffHeadings(String headings, long podTurns, long differing, d
             double delta = (wanted - heading) % FULL;
             double shortest = 2 * delta % FULL - delta;
             heading = Math.abs(shortest) < MOST ? wanted : heading + (shortest > 0 ? MOST : -MOST);
-            double cos = StrictMath.cos(heading);
-            double sin = StrictMath.sin(heading);
+            direction.turn(heading);
+            double cos = direction.cos();
+            double sin = direction.sin();
             double length = Math.sqrt(cos * cos + sin * sin);
             fly(block, pod, cos / length, sin / length, block.byAngles);
         }

@@ -86,6 +86,9 @@ class ExplainCommandTest {
         assertTrue(match.err().startsWith("steward: warning: " + warning + "\n"), match.err());
         assertEquals(match.err().indexOf("warning"), match.err().lastIndexOf("warning"));
 
+        Cli tradeoff = Cli.run("tradeoff", "--quick", "--scene", odd.toString(), "--scene", "nowhere.json");
+        assertTrue(tradeoff.err().startsWith("steward: warning: " + warning + "\n"), tradeoff.err());
+
         Path impossible = Files.writeString(folder.resolve("impossible.json"),
             walled.replace("\"perPlayer\": 2", "\"perPlayer\": 8"));
         Cli refused = Cli.run("explain", impossible.toString());

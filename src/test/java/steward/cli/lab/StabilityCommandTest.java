@@ -86,6 +86,15 @@ class StabilityCommandTest {
         assertTrue(cli.err().contains("1 of " + Rung.all().size() + ": rounding, "), cli.err());
     }
 
+    /** A table of a second is not announced. */
+    @Test
+    void aLongRunSaysBeforehandHowLongItTakes() {
+        assertFalse(Cli.run(true, "stability", "--quick", "--case", "rounding").err().contains("This takes"));
+        Cli golden = Cli.run(true, "stability", "--golden", "--quick");
+        assertTrue(golden.err().startsWith("This takes about "), golden.err());
+        assertTrue(golden.err().contains("golden"), golden.err());
+    }
+
     @Test
     void theFilesHoldTheTable() throws IOException {
         Path out = folder.resolve("results");

@@ -15,6 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import steward.cli.Cli;
 import steward.cli.Main;
 import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Games;
 import steward.lab.tradeoff.TradeoffScene;
 import steward.lab.tradeoff.report.TradeoffReport;
 import steward.physics.Bodies;
@@ -110,7 +111,7 @@ class TradeoffCommandTest {
     void aBrawlIsACrowd() {
         double[] spread = new double[2];
         for (int k = 0; k < 2; k++) {
-            TradeoffScene scene = TradeoffScenes.of(List.of("official-race", "brawl")).get(k);
+            TradeoffScene scene = TradeoffScenes.of(List.of("official-race", "brawl"), Games::open).get(k);
             assertEquals(List.of("official-race", "brawl").get(k), scene.name());
             for (int n = 0; n < 400; n++) {
                 Bodies bodies = scene.source().get();

@@ -64,6 +64,16 @@ class FailureReportTest {
             """), out);
     }
 
+    /** As in a series: that both fail in one turn says nothing about who plays better. */
+    @Test
+    void twoCrashedBotsAreNoDrawOfMerit() {
+        String[] call = {"match", "--scene", "duel", "--seed", "7", "--bot", "false", "--bot", "b=false"};
+        String headline = "no winner and no draw of merit: both bots failed, 1 turn (duel, seed 7)";
+        assertEquals(headline, Cli.run(call).out().lines().findFirst().orElse(""));
+        JsonNode json = Cli.run(Stream.concat(Stream.of(call), Stream.of("--json")).toArray(String[]::new)).json();
+        assertTrue(json.get("winner").isNull() && json.get("allFailed").booleanValue(), json.toString());
+    }
+
     @Test
     void quietSaysItOnTheOneLine() throws IOException {
         assertEquals("other wins: the other player is out, 1 turn (duel, seed 7); me failed in turn 1: exited with "

@@ -60,10 +60,22 @@ class MatchCommandTest {
     }
 
     @Test
+    void theReplayGoesToTheStandardOutput() throws IOException {
+        Cli cli = duel("--seed", "7", "--out", "-");
+        assertTrue(cli.err().startsWith("near wins: the other player is out, 50 turns (duel, seed 7)\n"), cli.err());
+        Path file = Files.writeString(folder.resolve("piped.jsonl"), cli.out());
+        assertEquals("verified: states of 50 of 50 turns and the result\n",
+            Cli.run("replay", file.toString(), "--verify").out());
+        duel("--out", "-", "--json").assertRefused("--json is printed to the standard output, expected a file");
+        duel("--out", "-", "--games", "2").assertRefused("--out: found -, expected a folder");
+        duel("--view", "-").assertRefused("--view: found -, expected a file");
+    }
+
+    @Test
     void onATerminalLeadChangesAreToldWhileItRuns() {
         Cli cli = duel(true, bots.driver("near", ShellBots.CHECKPOINT), bots.driver("far", ShellBots.NOWHERE));
         assertTrue(cli.out().startsWith("duel, seed "), cli.out());
-        assertTrue(cli.out().contains("near leads\n"), cli.out());
+        assertTrue(cli.out().contains("near leads"), cli.out());
         assertTrue(cli.out().indexOf("near leads") < cli.out().indexOf("near wins"), cli.out());
     }
 

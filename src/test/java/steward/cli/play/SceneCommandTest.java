@@ -3,13 +3,18 @@ package steward.cli.play;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import steward.cli.Cli;
+import steward.cli.Main;
 import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Streams;
 import steward.scene.SceneFiles;
 
 /** {@code steward scene}: shipped scenes and the JSON Schema, as they are in the program. */
@@ -35,6 +40,23 @@ class SceneCommandTest {
             assertEquals(ExitStatus.DONE, cli.status(), cli.err());
             assertEquals(Files.readString(Path.of("config/scenes", name + ".json")), cli.out());
         }
+    }
+
+    /** {@code steward scene duel | steward explain -}. */
+    @Test
+    void aSceneIsTakenFromTheStandardInput() {
+        String duel = Cli.run("scene", "duel").out();
+        assertEquals(Cli.run("explain", "duel", "--no-prices").out(), explained(duel, ExitStatus.DONE));
+        String refusal = explained("{ }}", ExitStatus.UNUSABLE);
+        assertTrue(refusal.startsWith("steward: standard input:1:"), refusal);
+    }
+
+    private static String explained(String scene, int status) {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        Streams streams = new Streams(new ByteArrayInputStream(scene.getBytes(StandardCharsets.UTF_8)), false, out, out,
+            false, false);
+        assertEquals(status, Main.run(streams, "explain", "-", "--no-prices"));
+        return out.toString(StandardCharsets.UTF_8);
     }
 
     @Test

@@ -19,6 +19,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.cli.Cli;
 import steward.cli.ShellBots;
+import steward.cli.shared.Colour;
 import steward.cli.shared.ExitStatus;
 import tools.jackson.databind.JsonNode;
 
@@ -114,6 +115,25 @@ class SeriesReportTest {
         String out = series("false", "false", "--games", "2").out();
         assertTrue(out.contains("Both bots failed in the same turn in 2 games (game 1; game 2): no draws of merit, and "
             + "not counted as such; points as for a draw.\n"), out);
+    }
+
+    /** Where there is no terminal, no test of this class sees a colour. */
+    @Test
+    void aTerminalSeesFaultsInColour() {
+        Colour colour = Colour.of(true);
+        String out = Cli.run(true, "match", "--scene", "duel", "--bot", "me=false", "--bot", "b=false", "--games",
+            "2").out();
+        assertTrue(out.startsWith(colour.strong("2 games of duel") + ", seeds "), out);
+        assertTrue(out.contains(colour.bad("       2") + colour.strong("   0.500")), out);
+        assertTrue(out.contains("\nme " + colour.bad("failed") + " in 2 games, first in game 1 "), out);
+        assertTrue(out.contains("\n" + colour.warning("Both bots failed") + " in the same turn"), out);
+    }
+
+    @Test
+    void aTerminalSeesThePlayInColour() {
+        String out = Cli.run(true, "match", "--scene", "duel", "--bot", "me=false", "--bot", "b=false").out();
+        assertTrue(out.contains("turn   1  " + Colour.of(true).bad("me is out: exited with status 1 before answering")),
+            out);
     }
 
     @Test

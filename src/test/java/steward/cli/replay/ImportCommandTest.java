@@ -166,8 +166,12 @@ class ImportCommandTest {
         assertEquals(verified(), verified.toString(StandardCharsets.UTF_8));
         ByteArrayOutputStream nothing = new ByteArrayOutputStream();
         assertEquals(ExitStatus.UNUSABLE, piped(new byte[0], nothing, "import", "-", "--out", "-"));
-        assertEquals(ExitStatus.UNUSABLE, piped(piped.toByteArray(), nothing, "replay", "-", "--view", "x.html"));
+        assertEquals(ExitStatus.UNUSABLE, piped(piped.toByteArray(), nothing, "replay", "-", "--view", "-", "--open"));
         assertEquals("", nothing.toString(StandardCharsets.UTF_8));
+        ByteArrayOutputStream page = new ByteArrayOutputStream();
+        assertEquals(ExitStatus.DONE, piped(piped.toByteArray(), page, "replay", "-", "--view", "-"));
+        assertTrue(page.toString(StandardCharsets.UTF_8).startsWith("<!DOCTYPE html>")
+            || page.toString(StandardCharsets.UTF_8).startsWith("<!doctype html>"));
     }
 
     /** Between programs, where the input is a pipe and not a file. */

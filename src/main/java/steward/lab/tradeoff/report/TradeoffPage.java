@@ -181,8 +181,9 @@ public final class TradeoffPage {
         if (result.headings().isEmpty()) {
             return;
         }
-        out.append("\n### Headings\n\nA free turn of a pod under the official rule, with StrictMath's atan2, cos and "
-            + "sin, and with unit vectors.\n\n| headings | pod-turns | other whole numbers | angles | unit vectors |\n"
+        out.append("\n### Headings\n\nA free turn of a pod under the official rule, with StrictMath's atan2 and "
+            + "correctly rounded cos and sin, and with unit vectors.\n\n"
+            + "| headings | pod-turns | other whole numbers | angles | unit vectors |\n"
             + "|---|---:|---:|---:|---:|\n");
         for (TradeoffHeadings each : result.headings()) {
             out.append(String.format(Locale.ROOT, "| %s | %,d | %,d | %s | %s |%n", each.headings(), each.podTurns(),

@@ -1,0 +1,85 @@
+package steward.cli.lab;
+
+import java.time.Duration;
+import java.util.List;
+import steward.cli.shared.ProgressLine;
+import steward.cli.shared.Streams;
+
+/**
+ * How far a run of many parts is and how long all the rest will take, on one line of a terminal. Parts differ in length
+ * by factors of thousands, so each counts by the time that it is expected to take; how much slower or faster this
+ * machine is shows as the run goes on.
+ */
+final class RunProgress {
+
+    private static final int STEPS = 1000;
+    private static final double NANOS = 1e9;
+    /** The expectation weighs as much as this many seconds of the run itself. */
+    private static final double TRUST = 10;
+
+    private final Streams streams;
+    private final List<Double> expected;
+    private final double total;
+    private final long startNanos = System.nanoTime();
+    private ProgressLine line;
+    private int begun;
+    private volatile double before;
+    private volatile double done;
+
+    /** @param expected seconds of each part, in order */
+    RunProgress(Streams streams, List<Double> expected) {
+        this.streams = streams;
+        this.expected = List.copyOf(expected);
+        total = expected.stream().mapToDouble(Double::doubleValue).sum();
+    }
+
+    /** How long all parts together are expected to take, in seconds. */
+    double total() {
+        return total;
+    }
+
+    /** The next part begins. */
+    void begin(String what) {
+        begun++;
+        done = before;
+        line = ProgressLine.watched(streams, begun + " of " + expected.size() + ": " + what, STEPS, steps(),
+            Duration.ofNanos(System.nanoTime() - startNanos), () -> left(elapsed(), done, total));
+    }
+
+    /** @param share of the part, 0..1 */
+    void reach(double share) {
+        done = before + share * expected.get(begun - 1);
+        if (line != null) {
+            line.reach(steps());
+        }
+    }
+
+    /** The part is over, and the line erased. */
+    void end() {
+        before += expected.get(begun - 1);
+        done = before;
+        if (line != null) {
+            line.close();
+            line = null;
+        }
+    }
+
+    private int steps() {
+        return (int) (STEPS * Math.min(1, done / total));
+    }
+
+    private double elapsed() {
+        return (System.nanoTime() - startNanos) / NANOS;
+    }
+
+    /**
+     * How long the rest will take, in seconds.
+     *
+     * @param elapsed seconds of the run so far
+     * @param done    expected seconds of what is done
+     * @param total   expected seconds of all
+     */
+    static double left(double elapsed, double done, double total) {
+        return (elapsed + TRUST) / (done + TRUST) * Math.max(0, total - done);
+    }
+}
