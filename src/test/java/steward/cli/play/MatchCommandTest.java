@@ -140,8 +140,8 @@ class MatchCommandTest {
     @Test
     void linesBeyondAnAnswerAreAWarning() {
         String twice = "sh -c 'while read -r line; do case $line in *turnsLeft*) "
-            + "echo \"{\\\"pods\\\":[{\\\"x\\\":1,\\\"y\\\":1,\\\"thrust\\\":0}]}\"; "
-            + "echo \"{\\\"pods\\\":[{\\\"x\\\":1,\\\"y\\\":1,\\\"thrust\\\":0}]}\";; esac; done'";
+            + "a=\"{\\\"pods\\\":[{\\\"x\\\":1,\\\"y\\\":1,\\\"thrust\\\":0}]}\"; "
+            + "echo \"$a\n$a\";; esac; done'";              // one write: the second line is there with the first
         Cli cli = duel(false, bots.driver("good", ShellBots.CHECKPOINT), "twice=" + twice);
         assertEquals(ExitStatus.DONE, cli.status(), cli.err());
         assertTrue(cli.out().contains("warning: twice wrote "), cli.out());
