@@ -29,7 +29,7 @@ import steward.text.TextFormat;
  */
 record SingleMatch(Streams streams, Contest contest, Verbosity report, boolean strict) {
 
-    private static final MatchListener NO_LISTENER = new MatchListener() { };
+    private static final MatchListener NOBODY = new MatchListener() { };
 
     /**
      * A match that is not shown.
@@ -110,7 +110,7 @@ record SingleMatch(Streams streams, Contest contest, Verbosity report, boolean s
 
     private MatchListener follower(long seed) {
         if (report != Verbosity.FULL || !streams.outTerminal()) {
-            return NO_LISTENER;
+            return NOBODY;
         }
         List<String> names = names();
         streams.out().println(contest.sceneName() + ", seed " + seed + ": "

@@ -12,12 +12,12 @@ import steward.text.TextFormat;
 /** Prints to a terminal what happens while a match is played: a line per headline, lead change and fault. */
 final class TurnProgress implements MatchListener {
 
-    private static final int NO_PLAYER = -1;
+    private static final int NOBODY = -1;
 
     private final Streams streams;
     private final List<String> names;
     private Game game;
-    private int leader = NO_PLAYER;
+    private int leader = NOBODY;
 
     /** @param names of the players, in order */
     TurnProgress(Streams streams, List<String> names) {
@@ -43,7 +43,7 @@ final class TurnProgress implements MatchListener {
             }
         }
         int now = leader();
-        if (now != NO_PLAYER && now != leader) {
+        if (now != NOBODY && now != leader) {
             say(turn, names.get(now) + " leads");
             leader = now;
         }
@@ -51,10 +51,10 @@ final class TurnProgress implements MatchListener {
 
     private int leader() {
         int[] ranks = game.ranks();
-        int best = NO_PLAYER;
+        int best = NOBODY;
         for (int player = 0; player < ranks.length; player++) {
-            if (ranks[player] == 0 && best != NO_PLAYER) {
-                return NO_PLAYER;
+            if (ranks[player] == 0 && best != NOBODY) {
+                return NOBODY;
             }
             best = ranks[player] == 0 ? player : best;
         }
