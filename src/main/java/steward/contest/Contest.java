@@ -3,6 +3,7 @@ package steward.contest;
 import java.io.OutputStream;
 import java.util.ArrayList;
 import java.util.List;
+import steward.Internal;
 import steward.bot.Player;
 import steward.bot.UnstartablePlayer;
 import steward.bot.command.BotCommand;
@@ -30,7 +31,13 @@ import steward.text.TextFormat;
  * @param timeFactor by which the scene's limits are multiplied; {@code POSITIVE_INFINITY} for no deadlines
  * @param key        what replays are signed with, or {@code null}
  */
-public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double timeFactor, SigningKey key) {
+public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double timeFactor,
+                      @Internal SigningKey key) {
+
+    /** A contest whose replays are signed with {@code key}, if there is one. */
+    @Internal
+    public Contest {
+    }
 
     /** A contest whose replays are not signed. */
     public Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double timeFactor) {
@@ -38,6 +45,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
     }
 
     /** The same, its replays signed. */
+    @Internal
     public Contest signedWith(SigningKey other) {
         return new Contest(setup, entrants, time, timeFactor, other);
     }

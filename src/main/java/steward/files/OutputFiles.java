@@ -11,8 +11,10 @@ import java.nio.file.OpenOption;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
+import steward.Internal;
 
 /** Opens the files that replays and pages are written to, before the match is played. */
+@Internal
 public final class OutputFiles {
 
     private OutputFiles() {

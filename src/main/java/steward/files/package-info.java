@@ -2,7 +2,4 @@
  * Files that the user named: paths as typed, output that replaces nothing unless told to, and the exception for
  * unusable input.
  */
-@Internal
 package steward.files;
-
-import steward.Internal;

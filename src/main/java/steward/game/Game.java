@@ -1,6 +1,7 @@
 package steward.game;
 
 import java.util.List;
+import steward.Internal;
 import steward.physics.Bodies;
 import steward.physics.TurnLog;
 
@@ -64,6 +65,7 @@ public interface Game {
      *
      * @return {@code null} where no turn depends on a sine or cosine
      */
+    @Internal
     default AngleVariants angleVariants() {
         return null;
     }

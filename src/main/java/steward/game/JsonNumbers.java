@@ -1,6 +1,5 @@
 package steward.game;
 
-import steward.Internal;
 import steward.numerics.ShortestDecimal;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.SerializableString;
@@ -12,7 +11,6 @@ import tools.jackson.core.json.JsonFactory;
  * fraction. The text must not depend on the JDK (whose own conversion changed in 19): it is written by Jackson or,
  * without allocating, by {@link ShortestDecimal}, whose text is the same.
  */
-@Internal
 public final class JsonNumbers {
 
     /** Doubles up to this are exact integers, and so is their conversion to long: 2^53. */

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
 import steward.text.NearestName;
+import steward.text.TextFormat;
 
 /**
  * The fields that lines of replays have, in their order, by format. Every reader refuses a field that is unknown,
@@ -34,6 +35,9 @@ enum LineFields {
     /** The first format that names its angles, and has the hash of all lines last. */
     static final int ANGLES_SINCE = 3;
 
+    /** How much of an unknown name an error quotes, in characters. */
+    private static final int SHOWN = 40;
+
     private final List<String> names;
     private final Set<String> later;
 
@@ -51,8 +55,8 @@ enum LineFields {
         for (String name : line.names()) {
             int place = known.indexOf(name);
             if (place < 0) {
-                throw new ReplayException(line.where() + ": " + shorten(name) + ": unknown field, expected one of "
-                    + known.stream().collect(Collectors.joining(", "))
+                throw new ReplayException(line.where() + ": " + TextFormat.beginning(name, SHOWN)
+                    + ": unknown field, expected one of " + known.stream().collect(Collectors.joining(", "))
                     + NearestName.of(name, known).map(near -> "; did you mean " + near + "?").orElse(""));
             }
             if (place < last) {
@@ -64,9 +68,5 @@ enum LineFields {
         if (line.has(TIMES)) {
             new JsonLine(line.where() + ": " + TIMES, line.object(TIMES));          // nothing in it twice
         }
-    }
-
-    private static String shorten(String name) {
-        return name.length() <= 40 ? name : name.substring(0, 40) + "...";
     }
 }

@@ -2,6 +2,7 @@ package steward.replay;
 
 import java.util.Collections;
 import java.util.List;
+import steward.Internal;
 import steward.match.Protocol;
 import steward.numerics.Angles;
 
@@ -20,7 +21,8 @@ import steward.numerics.Angles;
  *                   {@code null}
  */
 public record ReplayHeader(String game, String scene, long seed, List<String> names, List<String> bots,
-                           List<Protocol> protocols, double timeFactor, Angles angles, String signer) {
+                           List<Protocol> protocols, double timeFactor, @Internal Angles angles,
+                           String signer) {
 
     /** The version of the format that is written, and the newest that is read. */
     public static final int FORMAT = 3;
@@ -30,6 +32,7 @@ public record ReplayHeader(String game, String scene, long seed, List<String> na
     public static final String SIGNATURE = "{\"type\":\"" + TYPE + "\",\"format\":";
 
     /** Copies the lists. */
+    @Internal
     public ReplayHeader {
         names = List.copyOf(names);
         bots = List.copyOf(bots);

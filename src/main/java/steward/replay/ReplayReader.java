@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import steward.Internal;
 import steward.match.Protocol;
 import steward.numerics.Angles;
 import steward.replay.sign.SignerKey;
@@ -187,6 +188,7 @@ public final class ReplayReader implements AutoCloseable {
     }
 
     /** The line of the header; only with a header. */
+    @Internal
     public JsonLine headerLine() {
         return headerLine;
     }
@@ -277,6 +279,7 @@ public final class ReplayReader implements AutoCloseable {
     }
 
     /** The result line, or {@code null} if the replay has none; known once {@link #next} has returned null. */
+    @Internal
     public JsonLine result() {
         return result;
     }

@@ -5,6 +5,7 @@ import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.function.ToLongFunction;
+import steward.Internal;
 import steward.bot.LineBuffer;
 import steward.game.FrameCodec;
 import steward.game.Game;
@@ -42,11 +43,13 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
     }
 
     /** For a match that another referee has played: what was observed is kept in place of the computed outcomes. */
+    @Internal
     public ReplayWriter(OutputStream file, ReplayHeader header, Observations observations) {
         this(file, header, observations, null);
     }
 
     /** @param key to sign with, or {@code null} */
+    @Internal
     public ReplayWriter(OutputStream file, ReplayHeader header, SigningKey key) {
         this(file, header, null, key);
     }

@@ -1,6 +1,5 @@
 package steward.scene;
 
-import steward.Internal;
 
 /**
  * The rung that a scene is computed on, and how it was chosen.
@@ -9,7 +8,6 @@ import steward.Internal;
  * @param stated whether the scene file itself names it
  * @param why    for people, a clause that follows the rung's name
  */
-@Internal
 public record AccuracyChoice(Accuracy rung, boolean stated, String why) {
 
     /** The rung stated by the scene file. */

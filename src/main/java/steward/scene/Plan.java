@@ -150,7 +150,7 @@ public final class Plan {
     private Part pushOut() {
         double pushOut = scene.law().pushOut();
         boolean in = !Double.isNaN(pushOut);
-        return new Part(Part.PUSH_OUT, in, in ? "pushOut " + Wording.number(pushOut) : "nobody is pushed");
+        return new Part(Part.PUSH_OUT, in, in ? "pushOut " + Wording.number(pushOut) : "no body is moved apart");
     }
 
     private Part infiniteMasses(int bumpers) {

@@ -1,6 +1,7 @@
 package steward.scene;
 
 import java.util.Optional;
+import steward.Internal;
 import steward.numerics.Angles;
 import steward.physics.ImpactLaw;
 import steward.scene.json.Block;
@@ -18,14 +19,20 @@ import steward.scene.json.Block;
  * @param roundPosition    whether positions are rounded at the end of a turn
  * @param time             time limits of the players
  * @param choice           the rung it is computed on, and how it was chosen
- * @param angles           where sines and cosines come from; not part of the file, but of who plays or plays again
+ * @param angles           where sines and cosines come from: not part of the file, but chosen when a match is played or
+ *                         played again
  * @param observer         observes the advances that games of this scene take from their plan
  * @param root             the whole file, from which the game reads its own blocks; the game calls {@link Block#done()}
  *                         at the end
  */
 public record Scene(String name, String gameId, int players, Optional<Field> field, ImpactLaw law, double drag,
                     boolean truncateVelocity, boolean roundPosition, Time time, AccuracyChoice choice,
-                    Angles angles, PhysicsObserver observer, Block root) {
+                    @Internal Angles angles, @Internal PhysicsObserver observer, Block root) {
+
+    /** Made by {@link SceneReader}. */
+    @Internal
+    public Scene {
+    }
 
     /** The rung that it is computed on. */
     public Accuracy accuracy() {
@@ -33,12 +40,14 @@ public record Scene(String name, String gameId, int players, Optional<Field> fie
     }
 
     /** The same scene with another observer, for measurements inside turns. */
+    @Internal
     public Scene withObserver(PhysicsObserver other) {
         return new Scene(name, gameId, players, field, law, drag, truncateVelocity, roundPosition, time, choice,
             angles, other, root);
     }
 
     /** The same scene with other sines and cosines: for playing again what was played with them. */
+    @Internal
     public Scene withAngles(Angles other) {
         return new Scene(name, gameId, players, field, law, drag, truncateVelocity, roundPosition, time, choice, other,
             observer, root);

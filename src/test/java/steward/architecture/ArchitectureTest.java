@@ -34,10 +34,11 @@ class ArchitectureTest {
     /** Every rule, and the planted classes that it must find: all of them and no others. */
     enum Rule {
         ARROWS(House::arrows, "KnowsBots", "KnowsPods", "Keeps", "Forgotten", "Borrows"),
-        PARTICULAR_GAMES(House::hardlyAnybodyKnowsParticularGames, "KnowsPods", "DrawsPods"),
+        PARTICULAR_GAMES(House::fewRoomsKnowParticularGames, "KnowsPods", "DrawsPods"),
         OTHER_GAMES(House::gamesDoNotKnowEachOther, "Borrows"),
         CONTESTS(House::contestsKnowNoTerminal, "Prints"),
         BOTS(House::botsKnowNoRules, "Rules"),
+        LABS(House::labsKnowNoBots, "Asks"),
         MATCHES(House::matchesKnowNoReplays, "Keeps"),
         PROCESSES(House::onlyBotsAreProcesses, "Starts"),
         PHYSICS(House::physicsKnowsNoFilesAndNoJson, "Reads", "Parses"),

@@ -82,7 +82,7 @@ final class House {
     }
 
     /** The command line lists the games; CodinGame's own file formats are those of particular games. */
-    ArchRule hardlyAnybodyKnowsParticularGames() {
+    ArchRule fewRoomsKnowParticularGames() {
         return noClasses().that().resideOutsideOfPackages(in("cli"), in("codingame"), in("game.*"))
             .should().dependOnClassesThat().resideInAPackage(in("game.*"));
     }
@@ -120,6 +120,12 @@ final class House {
     ArchRule botsKnowNoRules() {
         return noClasses().that().resideInAPackage(in("bot"))
             .should().dependOnClassesThat(resideInAnyPackage(in("game"), in("scene"), in("physics")));
+    }
+
+    /** What measures the physics plays no matches. */
+    ArchRule labsKnowNoBots() {
+        return noClasses().that().resideInAPackage(in("lab"))
+            .should().dependOnClassesThat(resideInAnyPackage(in("bot"), in("match")));
     }
 
     ArchRule matchesKnowNoReplays() {

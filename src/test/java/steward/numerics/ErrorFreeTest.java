@@ -21,9 +21,9 @@ class ErrorFreeTest {
             double s = a + b;
             double error = ErrorFree.sumError(a, b, s);
             assertEquals(0, Numbers.of(a).add(Numbers.of(b)).compareTo(Numbers.of(s).add(Numbers.of(error))),
-                a + " + " + b);
+                () -> a + " + " + b);
             if (Math.abs(a) >= Math.abs(b)) {
-                assertEquals(error, ErrorFree.fastSumError(a, b, s), a + " + " + b);
+                assertEquals(error, ErrorFree.fastSumError(a, b, s), () -> a + " + " + b);
             }
         }
     }
@@ -39,7 +39,7 @@ class ErrorFreeTest {
             if (Math.abs(p) >= 0x1p-968 && Double.isFinite(p)) {
                 double error = ErrorFree.productError(a, b, p);
                 assertEquals(0, Numbers.of(a).multiply(Numbers.of(b)).compareTo(Numbers.of(p).add(Numbers.of(error))),
-                    a + " * " + b);
+                    () -> a + " * " + b);
                 checked++;
             }
         }
@@ -61,7 +61,7 @@ class ErrorFreeTest {
             double p = a * b;
             if (Double.isFinite(p)) {
                 assertEquals(Double.doubleToLongBits(Math.fma(a, b, -p)),
-                    Double.doubleToLongBits(ErrorFree.productErrorBySplit(a, b, p)), a + " * " + b);
+                    Double.doubleToLongBits(ErrorFree.productErrorBySplit(a, b, p)), () -> a + " * " + b);
                 small += Math.abs(p) < 0x1p-968 ? 1 : 0;
             }
         }

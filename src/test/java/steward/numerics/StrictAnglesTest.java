@@ -14,7 +14,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 @Execution(ExecutionMode.CONCURRENT)
 class StrictAnglesTest {
 
-    private static final long COUNT = Long.getLong("steward.angles", 1_000_000);
+    private static final long COUNT = Long.getLong("steward.angles", 500_000);
     private static final long SEED = Long.getLong("steward.seed", 3);
     private static final double[] RATIOS = {0.4375, 0.6875, 1.1875, 2.4375, 0x1p-28, 0x1p58, 0x1p-60, 0x1p61};
     private static final double[] ANGLES = {0x1.33333p-2, 0x1.90001p-1, Math.PI / 4, 0x1.921fcp-1, 0x1.921fbp-1,

@@ -29,7 +29,7 @@ class PlanTest {
             out  walls              no field
             out  restitution        everything has restitution 1
             out  minimum impulse    no minimumImpulse
-            out  push-out           nobody is pushed
+            out  push-out           no body is moved apart
             out  batch window       only approach reacts, one impact at a time
             out  infinite masses    every mass is finite
             out  drag               no drag
@@ -80,7 +80,7 @@ class PlanTest {
     }
 
     @Test
-    void wallsThatNobodyMeetsAreLeftOutWithTheirRestitution() {
+    void wallsThatNoBodyMeetsAreLeftOutWithTheirRestitution() {
         Scene scene = scene(", \"field\": { \"width\": 9, \"height\": 9, "
             + "\"walls\": { \"type\": \"box\", \"restitution\": 0.5 } }");
         Plan ghosts = Plan.of(scene, new Contacts(1).setWall(0, Meaning.NONE), 1, false, List.of());

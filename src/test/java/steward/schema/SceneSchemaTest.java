@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -104,6 +105,7 @@ class SceneSchemaTest {
     }
 
     @Test
+    @Tag("slow")
     void spoiltScenesAreRefusedByBothOrNeither() {
         List<JsonNode> scenes = new ArrayList<>();
         scenes.add(JsonMapper.shared().readTree(ALL));

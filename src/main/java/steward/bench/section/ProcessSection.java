@@ -197,7 +197,7 @@ final class ProcessSection implements Section {
         double[] bare = new double[rounds];
         double[] match = new double[rounds];
         byte[] line = {'\n'};
-        MatchListener nobody = new MatchListener() { };
+        MatchListener noListener = new MatchListener() { };
         for (int round = -rounds / 2; round < rounds; round++) {
             about.accept("starts");
             long start = System.nanoTime();
@@ -208,7 +208,7 @@ final class ProcessSection implements Section {
                 }
             }
             long between = System.nanoTime();
-            play(oneTurn, shell, nobody);
+            play(oneTurn, shell, noListener);
             if (round >= 0) {
                 bare[round] = between - start;
                 match[round] = System.nanoTime() - between;

@@ -29,7 +29,7 @@ import tools.jackson.core.JacksonException;
  */
 record RefereeGame(Streams streams, Contest contest, Path log, Path replay, boolean page) {
 
-    private static final MatchListener NOBODY = new MatchListener() { };
+    private static final MatchListener NO_LISTENER = new MatchListener() { };
 
     /**
      * @param wanted the seed, or {@code null} for any
@@ -42,7 +42,7 @@ record RefereeGame(Streams streams, Contest contest, Path log, Path replay, bool
         try (OutputStream logStream = log == null ? null : OutputFiles.open(log, true);
              OutputStream replayStream = recording == null ? null : OutputFiles.open(recording, true)) {
             GameResultLog gameResult = logStream == null ? null : new GameResultLog();
-            result = contest.play(seed, 0, replayStream, gameResult == null ? NOBODY : gameResult);
+            result = contest.play(seed, 0, replayStream, gameResult == null ? NO_LISTENER : gameResult);
             printScores(result, wanted == null ? "seed=" + seed : null);
             if (gameResult != null) {
                 gameResult.write(new BufferedOutputStream(logStream), contest.sceneName(), seed, result);

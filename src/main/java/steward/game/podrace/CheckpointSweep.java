@@ -1,11 +1,13 @@
 package steward.game.podrace;
 
+import steward.Internal;
 import steward.physics.TurnLog;
 
 /**
  * Whether a pod's path inside a turn, a polyline, comes near enough to a checkpoint. The path has one corner per
  * impact, the place after positional correction; a later impact at the same time replaces it. Allocates nothing.
  */
+@Internal
 public final class CheckpointSweep {
 
     private CheckpointSweep() {

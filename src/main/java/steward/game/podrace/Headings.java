@@ -1,5 +1,6 @@
 package steward.game.podrace;
 
+import steward.Internal;
 import steward.numerics.SineCosine;
 import steward.numerics.StrictAngles;
 
@@ -12,6 +13,7 @@ import steward.numerics.StrictAngles;
  *
  * <p>The headings themselves are in an array of the caller, {@link #NUMBERS} numbers per pod from an offset on.
  */
+@Internal
 public final class Headings {
 
     /** The greatest change of a heading in a turn, in radians: 18 degrees. */

@@ -3,12 +3,14 @@ package steward.game.podrace;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import steward.Internal;
 import steward.scene.Field;
 import steward.scene.Scene;
 import steward.scene.json.Block;
 import steward.scene.json.SceneException;
 
 /** Looks at pods, walls, bumpers and checkpoints of a race against each other; errors are located in the file. */
+@Internal
 public final class PlaceCheck {
 
     /** Rounding of two start places brings them nearer by at most sqrt(2). */

@@ -3,6 +3,7 @@ package steward.game.podrace;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import steward.Internal;
 import steward.game.AngleVariants;
 import steward.game.Game;
 import steward.game.TurnEvent;
@@ -28,8 +29,7 @@ import steward.scene.Scene;
  * <p>The pods of an eliminated player stay on the field: they get no commands, drift, and can be hit; a pod whose
  * shield was raised stays heavy. Commands that stand in a faulty answer before the fault take effect in that turn.
  *
- * <p>Over 450 lines, because the steps of a turn belong together and half of the class are accessors for
- * codecs.
+ * <p>Over 450 lines, because the steps of a turn belong together and half of the class are accessors for codecs.
  */
 public final class PodRace implements Game {
 
@@ -73,16 +73,19 @@ public final class PodRace implements Game {
      * A race before its first turn. Draws, in this order: the map, 0..maps-1; if the scene shifts, the first
      * checkpoint, 0..n-1; if it jitters, for each checkpoint in the shifted order x, then y, -jitter..jitter.
      */
+    @Internal
     public PodRace(PodRaceSettings settings, Scene scene, Plan plan, long seed) {
         this(settings, scene, plan, settings.drawMap(new SplitMix64(seed)));
     }
 
     /** A race on a given map, {@code [n][x, y]}. */
+    @Internal
     public PodRace(PodRaceSettings settings, Scene scene, Plan plan, double[][] checkpoints) {
         this(settings, scene, plan, checkpoints, plan.advance(null));
     }
 
     /** The same with a given advance. */
+    @Internal
     public PodRace(PodRaceSettings settings, Scene scene, Plan plan, double[][] checkpoints, Advance advance) {
         this.settings = settings;
         this.checkpoints = checkpoints;
@@ -328,6 +331,7 @@ public final class PodRace implements Game {
     }
 
     @Override
+    @Internal
     public AngleVariants angleVariants() {
         return new PodAngleVariants(new PodRace(this, advance));
     }
@@ -372,6 +376,7 @@ public final class PodRace implements Game {
     }
 
     /** The settings from the scene. */
+    @Internal
     public PodRaceSettings settings() {
         return settings;
     }

@@ -3,6 +3,7 @@ package steward.game.podrace;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import steward.Internal;
 import steward.numerics.SplitMix64;
 import steward.scene.Scene;
 import steward.scene.json.Block;
@@ -24,6 +25,7 @@ import steward.scene.json.Block;
  * @param turnsWithoutCheckpoint a player none of whose pods passes a checkpoint for this many turns is eliminated
  * @param maximumTurns           the race ends after this many turns
  */
+@Internal
 public record PodRaceSettings(int players, int podsPerPlayer, double radius, double mass, double restitution,
                               int maximumThrust, int laps, double checkpointRadius, List<double[][]> maps,
                               boolean shift, int jitter, int turnsWithoutCheckpoint, int maximumTurns) {

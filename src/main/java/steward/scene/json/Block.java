@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import steward.Internal;
 import steward.scene.json.JsonValue.Entry;
 import steward.scene.json.JsonValue.JsonArray;
 import steward.scene.json.JsonValue.JsonLiteral;
@@ -37,6 +38,7 @@ public final class Block {
     private final Set<String> asked = new LinkedHashSet<>();
     private final Map<String, Block> children = new LinkedHashMap<>();
 
+    @Internal
     public Block(String source, String path, JsonObject object) {
         this.source = source;
         this.path = path;
@@ -262,11 +264,13 @@ public final class Block {
     }
 
     /** The fields as they were read. */
+    @Internal
     public Map<String, Entry> entries() {
         return object.entries();
     }
 
     /** A copy with another object in a field that has been read completely; fields that were read stay so. */
+    @Internal
     public Block with(String name, JsonObject value) {
         Map<String, Entry> entries = new LinkedHashMap<>(object.entries());
         entries.put(name, new Entry(entries.get(name).place(), value));

@@ -7,7 +7,7 @@ import steward.Internal;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonToken;
 
-/** Messages about malformed JSON for people who write JSON: the parser's own are for those who program with it. */
+/** Messages about malformed JSON for the author of the file: the parser's own messages are for programmers. */
 @Internal
 public final class JsonProblem {
 

@@ -148,21 +148,34 @@ class CalibrateTest {
     }
 
     /**
-     * The shipped figures are those of the present physics and states. If they are not:
+     * The shipped figures are those of the present physics and scenes. If they are not:
      * {@code steward tradeoff --calibrate config/scenes/NAME.json --overwrite}.
      */
     @ParameterizedTest
     @ValueSource(strings = {"duel", "mad-pod-racing-silver", "mad-pod-racing", "walled-race"})
     void theFiguresOfAShippedSceneHold(String name) throws Exception {
         GameSetup setup = Games.open(name, Calibration.PLAYED_ON);
-        String source = AccuracyFigures.resource(name);
-        AccuracyFigures figures = AccuracyFigures.read(
-            new String(SceneFiles.class.getResourceAsStream(source).readAllBytes(), StandardCharsets.UTF_8), source);
+        AccuracyFigures figures = shipped(name);
         assertEquals(Calibration.STATES, figures.states());
         assertEquals(SceneKey.of(setup.scene()), figures.key());
         assertEquals(PhysicsFingerprint.text(), figures.physics());
+    }
+
+    /** The first states of them, played and measured again. */
+    @ParameterizedTest
+    @Tag("slow")
+    @ValueSource(strings = {"duel", "mad-pod-racing-silver", "mad-pod-racing", "walled-race"})
+    void aSampleOfTheFiguresIsMeasuredAnew(String name) throws Exception {
+        GameSetup setup = Games.open(name, Calibration.PLAYED_ON);
+        AccuracyFigures figures = shipped(name);
         Calibration sample = new Calibration(setup, seed -> SeededPilots.race(setup, seed), Calibration.BLOCK);
         sample.run(2, () -> { });
         assertEquals(sample.figures().sample(), figures.sample());
+    }
+
+    private static AccuracyFigures shipped(String name) throws IOException {
+        String source = AccuracyFigures.resource(name);
+        return AccuracyFigures.read(
+            new String(SceneFiles.class.getResourceAsStream(source).readAllBytes(), StandardCharsets.UTF_8), source);
     }
 }

@@ -117,6 +117,7 @@ class ReplayCommandTest {
     }
 
     @Test
+    @Tag("slow")
     void oneChangedDigitIsFoundInItsTurn() throws IOException {
         String[] lines = new String(duel.bytes(), StandardCharsets.UTF_8).split("\n");
         for (String field : new String[] {"\"vx\":", "\"impulse\":", "\"hash\":\"", "\"commands\":[[{\"x\":"}) {

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -43,6 +44,7 @@ class CalibrationTest {
     }
 
     @Test
+    @Tag("slow")
     void theFiguresDoNotDependOnTheThreads() throws InterruptedException {
         List<String> texts = new ArrayList<>();
         for (int threads : new int[] {1, 3}) {

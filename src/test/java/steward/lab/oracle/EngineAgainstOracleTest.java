@@ -69,6 +69,7 @@ class EngineAgainstOracleTest {
     }
 
     @ParameterizedTest
+    @Tag("slow")
     @MethodSource("rungs")
     void physicsAmongWalls(Rung rung) {
         Wall[] box = Wall.box(320, 240, 0.9);

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -42,6 +43,9 @@ import steward.physics.queue.QueueAdvance;
 @Execution(ExecutionMode.CONCURRENT)
 class StabilityTest {
 
+    private static final Set<String> LONG = Set.of("dense packing", "inelastic collapse", "long run of 10",
+        "long run of 100", "lattice of pairs", "gaps, distances");
+
     static Stream<Arguments> quickRows() {
         return rows(each -> !takesLong(each));
     }
@@ -51,7 +55,7 @@ class StabilityTest {
     }
 
     private static boolean takesLong(StabilityCase each) {
-        return isCampaign(each) || each.name().matches("dense packing|inelastic collapse");
+        return isCampaign(each) || LONG.contains(each.name());
     }
 
     private static Stream<Arguments> rows(Predicate<StabilityCase> which) {
@@ -97,6 +101,7 @@ class StabilityTest {
     void namesAreUniqueAndDemandsAreSaid() {
         List<StabilityCase> all = StabilityCases.all();
         assertEquals(all.size(), new TreeSet<>(all.stream().map(StabilityCase::name).toList()).size());
+        assertTrue(all.stream().map(StabilityCase::name).toList().containsAll(LONG));
         assertTrue(all.stream().noneMatch(each -> each.demand().isBlank()));
     }
 

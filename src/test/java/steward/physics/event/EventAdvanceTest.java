@@ -225,10 +225,10 @@ class EventAdvanceTest {
             double last = 0;
             for (int k = 0; k < log.impacts(); k++) {
                 Impact i = log.impact(k);
-                String what = "seed " + seed + " impact " + k + " " + i;
+                String what = "seed " + seed + " impact " + k;
                 double distance = Math.hypot(i.bx() - i.ax(), i.by() - i.ay());
-                assertEquals(i.isWall() ? 100 : 200, distance, 1e-9, what);
-                assertTrue(i.impulse() > 0 && i.time() >= last && i.time() <= 1, what);
+                assertEquals(i.isWall() ? 100 : 200, distance, 1e-9, () -> what + " " + i);
+                assertTrue(i.impulse() > 0 && i.time() >= last && i.time() <= 1, () -> what + " " + i);
                 last = i.time();
             }
             assertTrue(log.impacts() > 20, "seed " + seed);

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.math.BigDecimal;
+import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -40,11 +41,12 @@ class ArenaTimesTest {
             BigDecimal exact = Exact.crossings(dx, dy, vx, vy, Exact.of(room))[1];
             double miss = Exact.root(Exact.nearestSquared(dx, dy, vx, vy).max(BigDecimal.ZERO)).doubleValue() / room;
             double cosSquared = (1 - miss) * (1 + miss);
-            String what = "seed " + seed + " found " + found + " exact " + exact.doubleValue();
+            String number = "seed " + seed;
+            Supplier<String> what = () -> number + " found " + found + " exact " + exact.doubleValue();
             assertTrue(found >= 0 && found < NEVER, what);
             if (cosSquared > 256 * Exact.ULP) {
                 double bound = 32 * Exact.ULP * room / Math.sqrt(cosSquared) / speed;
-                assertTrue(Exact.error(found, exact) <= bound, what + " bound " + bound);
+                assertTrue(Exact.error(found, exact) <= bound, () -> what.get() + " bound " + bound);
             }
         }
     }
@@ -59,8 +61,9 @@ class ArenaTimesTest {
             double lean = 1e-15 * (2 * random.nextDouble() - 1);
             double found = TimeOfImpact.arena(1000 * depth * Math.cos(place), 1000 * depth * Math.sin(place),
                 -77 * Math.sin(place + lean), 77 * Math.cos(place + lean), 1000);
-            assertTrue(found >= 0, "seed " + seed + " found " + found);
-            assertTrue(found <= 1e-3, "seed " + seed + ": the rim is at most sqrt(4e-16) * 1000 / 77 turns away");
+            String number = "seed " + seed;
+            assertTrue(found >= 0, () -> number + " found " + found);
+            assertTrue(found <= 1e-3, () -> number + ": the rim is at most sqrt(4e-16) * 1000 / 77 turns away");
         }
     }
 

@@ -72,7 +72,8 @@ class CirclesTest {
                 undecided++;
                 continue;
             }
-            assertEquals(hit, found < NEVER, "seed " + seed + " " + c + " found " + found);
+            String what = "seed " + seed;
+            assertEquals(hit, found < NEVER, () -> what + " " + c + " found " + found);
             if (hit) {
                 hits++;
                 checkTime(c, found, exact[0], seed);
@@ -90,7 +91,7 @@ class CirclesTest {
         if (cosSquared > 64 * Exact.ULP * c.distance() / c.s) {
             double bound = 16 * Exact.ULP * c.distance() / Math.sqrt(cosSquared) / Math.hypot(c.vx, c.vy);
             double error = Exact.error(found, exact);
-            assertTrue(error <= bound, "seed " + seed + " " + c + ": error " + error + ", bound " + bound);
+            assertTrue(error <= bound, () -> "seed " + seed + " " + c + ": error " + error + ", bound " + bound);
         }
     }
 

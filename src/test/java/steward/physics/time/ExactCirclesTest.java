@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
+import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -68,18 +69,18 @@ class ExactCirclesTest {
         boolean hit = pairs.exactTime(bodies, 0, 1, time);
         double bound = pairs.until(bodies, 0, 1);
         if (exact == null || exact.compareTo(Exact.of(Double.MAX_VALUE)) > 0) {
-            assertEquals(false, hit, what + ": found " + time.high());
-            assertTrue(bound == NEVER || bound > 2, what + ": bound " + bound);
+            assertEquals(false, hit, () -> what + ": found " + time.high());
+            assertTrue(bound == NEVER || bound > 2, () -> what + ": bound " + bound);
             misses++;
         } else {
-            assertTrue(hit, what + ": not found " + exact.doubleValue());
+            assertTrue(hit, () -> what + ": not found " + exact.doubleValue());
             boolean below = bound == NEVER
                 ? exact.compareTo(BigDecimal.ONE) > 0 : Exact.of(bound).compareTo(exact) <= 0;
-            assertTrue(bound >= 0 && below, what + ": bound " + bound + " of " + exact);
+            assertTrue(bound >= 0 && below, () -> what + ": bound " + bound + " of " + exact);
             double ulp = Math.ulp(exact.doubleValue());
             double error = Exact.of(time.high()).subtract(exact).abs().divide(Exact.of(ulp), DIGITS).doubleValue();
             worst = Math.max(worst, error);
-            assertTrue(error <= 0.51, what + ": " + error + " ulp of " + exact);
+            assertTrue(error <= 0.51, () -> what + ": " + error + " ulp of " + exact);
             hits++;
         }
         count(bodies, exact != null);
@@ -253,7 +254,7 @@ class ExactCirclesTest {
                 continue;
             }
             BigDecimal exact = touch(bodies);
-            String what = "off " + off + ", gap " + along + ", angle " + angle;
+            Supplier<String> what = () -> "off " + off + ", gap " + along + ", angle " + angle;
             assertEquals(exact != null, found == FastCircles.IMPACT, what);
             answers++;
             if (exact != null) {

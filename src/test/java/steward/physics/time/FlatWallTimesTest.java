@@ -168,7 +168,8 @@ class FlatWallTimesTest {
             if (!certain) {
                 continue;
             }
-            assertEquals(hit, found < NEVER, "seed " + seed + " " + f + " found " + found);
+            String what = "seed " + seed;
+            assertEquals(hit, found < NEVER, () -> what + " " + f + " found " + found);
             if (!hit) {
                 misses++;
                 continue;
@@ -178,7 +179,7 @@ class FlatWallTimesTest {
             if (share * share > 256 * Exact.ULP * f.lengths() / f.radius) {
                 double bound = slack / closing;
                 double error = Exact.error(found, exact);
-                assertTrue(error <= bound, "seed " + seed + " " + f + ": error " + error + ", bound " + bound);
+                assertTrue(error <= bound, () -> what + " " + f + ": error " + error + ", bound " + bound);
                 BigDecimal foot = f.foot(exact);
                 touched[foot.signum() < 0 ? 0
                     : foot.compareTo(Exact.dot(f.bx - f.ax, f.by - f.ay, f.bx - f.ax, f.by - f.ay)) > 0 ? 2 : 1]++;

@@ -14,6 +14,7 @@ import java.util.TreeMap;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -141,6 +142,7 @@ class EditedReplayTest {
 
     /** The last digits of a long number, where several texts mean the same double. */
     @Test
+    @Tag("slow")
     void everyDigitOfEveryHeadingOfATurn() {
         for (Leaf leaf : JsonLeaves.of(lines.get(5))) {
             if (leaf.path().endsWith("/heading")) {

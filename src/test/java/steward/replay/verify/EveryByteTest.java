@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -118,6 +119,7 @@ class EveryByteTest {
     }
 
     @Test
+    @Tag("slow")
     void ofAnUnsignedReplay() {
         check(match(null), 1);
     }

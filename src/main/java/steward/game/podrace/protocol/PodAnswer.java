@@ -3,6 +3,7 @@ package steward.game.podrace.protocol;
 import java.util.Arrays;
 import java.util.Set;
 import java.util.TreeSet;
+import steward.Internal;
 import steward.game.JsonNumbers;
 import steward.game.LineParser;
 import steward.game.LineScan;
@@ -21,6 +22,7 @@ import tools.jackson.core.ObjectReadContext;
  * <pre>{"pods":[{"x":1,"y":2.5,"thrust":100},{"x":1,"y":2,"shield":true}],"message":"optional"}</pre>
  * token by token. An error is returned as a sentence, because a wrong answer is frequent and not an exception.
  */
+@Internal
 public final class PodAnswer {
 
     private static final Set<String> POD_FIELDS = new TreeSet<>(Set.of("x", "y", "thrust", "shield", "boost"));

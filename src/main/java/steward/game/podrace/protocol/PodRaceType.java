@@ -2,6 +2,7 @@ package steward.game.podrace.protocol;
 
 import java.util.List;
 import java.util.Optional;
+import steward.Internal;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
@@ -58,7 +59,12 @@ public final class PodRaceType implements GameType {
      * @param settings its blocks {@code pods} and {@code race}
      * @param plan     the parts that the scene requires
      */
-    public record PodRaceSetup(Scene scene, PodRaceSettings settings, Plan plan) implements GameSetup {
+    public record PodRaceSetup(Scene scene, @Internal PodRaceSettings settings, Plan plan) implements GameSetup {
+
+        /** Made by {@link PodRaceType#open}. */
+        @Internal
+        public PodRaceSetup {
+        }
 
         @Override
         public List<String> check() {

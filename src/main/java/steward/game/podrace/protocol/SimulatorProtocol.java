@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.math.BigDecimal;
 import java.util.Locale;
+import steward.Internal;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodRaceSettings;
 import steward.game.podrace.PodState;
@@ -24,6 +25,7 @@ import steward.text.TextFormat;
  * a shield was raised and counts down; {@code boosted} is 1 once the boost is used up. Every state is complete:
  * headings are set. Blank lines are skipped.
  */
+@Internal
 public final class SimulatorProtocol {
 
     private static final int PODS = 4;

@@ -19,8 +19,9 @@ import steward.physics.event.OfficialAdvance;
  * the four bounds on position and speed; iterating over the set bits of the pods that glide; writing the base of a
  * heading to one of two places instead of taking one of two values (slower: later loads wait for the address); steering
  * and gliding in one loop. A more precise filter of pairs would gain nothing: the pairs that it keeps nearly always
- * meet. One file of about 480 lines, because all of it works on the same
- * arrays.
+ * meet.
+ *
+ * <p>One file of about 480 lines, because all of it works on the same arrays.
  */
 final class PodTurn {
 

@@ -42,8 +42,8 @@ public final class CrowdCase implements StabilityCase {
 
     @Override
     public String demand() {
-        return "cells and an event queue over many impacts: no two overlap and nobody is outside the box at the end of "
-            + "any turn, no impact without a touch, by more than rounding explains; on every event rung";
+        return "cells and an event queue over many impacts: no two overlap and no body is outside the box at the end "
+            + "of any turn, no impact without a touch, by more than rounding explains; on every event rung";
     }
 
     @Override

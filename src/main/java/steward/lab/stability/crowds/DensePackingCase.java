@@ -51,7 +51,7 @@ public final class DensePackingCase implements StabilityCase {
 
     @Override
     public String demand() {
-        return String.format(Locale.ROOT, "coverage 0.84 to %.4f: no overlap grows above %.0f ulp of the box, nobody "
+        return String.format(Locale.ROOT, "coverage 0.84 to %.4f: no overlap grows above %.0f ulp of the box, no body "
             + "leaves it, energy within %.0e, every turn ends or is named, the first %d impacts are those of exact "
             + "for gaps from %.0e of a radius; on every event rung", DENSEST, OVERLAP_ULPS, ENERGY, COMPARED,
             CLEAR_GAP);

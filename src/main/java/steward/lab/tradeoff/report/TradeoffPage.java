@@ -24,7 +24,7 @@ public final class TradeoffPage {
 
         Cost is CPU time of one thread, the median of interleaved rounds in one JVM; compare ratios rather than
         nanoseconds. Errors are against the oracle (64 decimal digits) after one turn from the same states that were
-        timed: the farthest that any body's centre is off. An impact is missed or invented by who meets whom. "Free
+        timed: the farthest that any body's centre is off. An impact is missed or invented if other pairs meet. "Free
         run": after how many turns without commands a body is off by 1 u, the median of some runs. "Ends": how many
         bodies end their turn with other whole numbers than in truth. A rung with a star is on the Pareto front: none
         is both cheaper and nearer to the truth.

@@ -72,7 +72,7 @@ class RepeatedAnswersTest {
     void plainLinesAreReadAsByTheParser() {
         SplitMix64 random = new SplitMix64(6);
         int good = 0;
-        for (int k = 0; k < 200_000; k++) {
+        for (int k = 0; k < 60_000; k++) {
             String pods = "{\"pods\":[" + pod(random) + "," + pod(random) + "]";
             String damaged = k % 2 == 0 ? pods : damaged(pods, random);
             String plain = said(new PodAnswer(2, 200), damaged + "}");
@@ -85,7 +85,7 @@ class RepeatedAnswersTest {
                 assertEquals(false, parsed.startsWith("x ["), "seed 6, line " + k + ": " + damaged);
             }
         }
-        assertTrue(good > 50_000, "good lines: " + good);
+        assertTrue(good > 15_000, "good lines: " + good);
     }
 
     private static String pod(SplitMix64 random) {

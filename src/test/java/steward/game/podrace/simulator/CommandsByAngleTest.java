@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
+import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.function.Executable;
 import steward.bench.textbook.TextbookPodRace;
@@ -69,7 +70,9 @@ class CommandsByAngleTest {
                     TextbookPodRace.Pod expected = textbook.pod(pod);
                     // A heading that is not read stays deferred, so that chains grow.
                     double angle = (game + turn) % 3 == 0 ? fast.heading(pod) : expected.heading;
-                    String where = "game " + game + " turn " + turn + " from " + turns.text();
+                    int number = game;
+                    int count = turn;
+                    Supplier<String> where = () -> "game " + number + " turn " + count + " from " + turns.text();
                     assertEquals(new PodState(expected.x, expected.y, expected.vx, expected.vy, expected.heading,
                         expected.shieldTimer, expected.boostLeft, expected.passed), state(fast, pod, angle), where);
                     assertEquals(state(fast, pod, angle), state(ofBatch, pod, angle), where);
@@ -106,8 +109,10 @@ class CommandsByAngleTest {
                 race.play();
                 for (int pod = 0; pod < 4; pod++) {
                     double angle = turn % 50 == 49 ? fast.heading(pod) : race.heading(pod);
-                    assertEquals(race.pod(pod), state(fast, pod, angle), "game " + game + " turn " + turn + " from "
-                        + turns.text());
+                    int number = game;
+                    int count = turn;
+                    assertEquals(race.pod(pod), state(fast, pod, angle), () -> "game " + number + " turn " + count
+                        + " from " + turns.text());
                 }
             }
         }

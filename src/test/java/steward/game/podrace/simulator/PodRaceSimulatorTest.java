@@ -25,7 +25,7 @@ import steward.physics.event.EventAdvance;
 @Execution(ExecutionMode.CONCURRENT)
 class PodRaceSimulatorTest {
 
-    private static final long TURNS = Long.getLong("steward.turns", 100_000);
+    private static final long TURNS = Long.getLong("steward.turns", 60_000);
     private static final long SEED = Long.getLong("steward.seed", 5);
 
     private final PodRaceType.PodRaceSetup setup = Recordings.official();

@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.api.parallel.Execution;
@@ -57,6 +58,7 @@ class PodRaceVectorsTest {
     }
 
     @Test
+    @Tag("slow")
     void theSimulatorPlaysTheSameTurns(TestReporter report) throws IOException {
         List<String> differences = new ArrayList<>();
         long values = 0;
