@@ -91,6 +91,7 @@ public final class Referee {
             int number = player;
             answers[player] = new Answer();
             watches[player] = new Stopwatch();
+            players.get(player).limitBy(time.basis());
             players.get(player).onAbandoned(answer -> goOnAfter(number, answer));
         }
     }

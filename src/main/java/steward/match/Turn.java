@@ -1,6 +1,7 @@
 package steward.match;
 
 import steward.bot.Answer;
+import steward.bot.TimeSpent;
 
 /**
  * What the players did in one turn; the referee reuses it from turn to turn. Arrays are indexed by player.
@@ -94,6 +95,11 @@ public final class Turn {
     /** How the player failed in this turn, or {@code null}. */
     public String fault(int player) {
         return faults[player];
+    }
+
+    /** Where the time of a late answer went; {@code null} if it was not late, or the player is no process. */
+    public TimeSpent timeSpent(int player) {
+        return answers[player] == null ? null : answers[player].timeSpent();
     }
 
     /** The message that came with the answer, or {@code null}. */

@@ -1,0 +1,243 @@
+package steward.bot.process;
+
+import java.util.function.LongFunction;
+import java.util.function.Supplier;
+import steward.bot.TimeBasis;
+import steward.bot.TimeSpent;
+import steward.bot.accounting.OwnThread;
+import steward.bot.accounting.ProcessTree;
+import steward.bot.accounting.TimeLedger;
+import steward.bot.accounting.TreeSample;
+
+/**
+ * The clock of a player's current question. The asking thread starts it; the watchdog looks at it for the first time
+ * after a quarter of the limit, then every eighth, and decides when the time is up. Times are passed in, on the clock of
+ * {@link Watchdog#now}.
+ *
+ * <p>Time in which the referee itself did not run is not charged: what the watchdog slept longer than it was to, by
+ * {@value #PAUSE} ns or more. That covers a stopped or suspended referee, a collection of garbage, and a processor that
+ * was not free. When the time is up, the watchdog looks once more whether the asking thread still sleeps in its read.
+ * If it does not, something has come, and it first gets the processor to see what. So an answer that is in the pipe at
+ * the verdict counts.
+ *
+ * <p>Caveat: the fields of the asking thread are read by the watchdog without a lock, at worst while the next question
+ * begins. What it then notes is noted for the next question and true of it: it never decides, since the decision is a
+ * compare-and-set in {@link Deadline} that fails then.
+ */
+final class QuestionClock {
+
+    /** A wake-up that is later than this, in nanoseconds, means that the referee did not run; below, it is usual. */
+    static final long PAUSE = 1_000_000;
+
+    /** What {@link #look} returns when the time is up. */
+    static final long PASSED = 0;
+
+    /** When the time is up, the asking thread is looked at a second time after so long: it may be between two reads. */
+    private static final long SECOND_LOOK = 200_000;
+
+    /** How long the asking thread gets to see what has come, in nanoseconds, before it is looked at again. */
+    private static final long ATTENTION = 1_000_000;
+
+    /** In all it gets so long, in nanoseconds: a bot must not hold the verdict up by sending byte for byte. */
+    private static final long MOST_ATTENTION = 2_000_000_000;
+
+    /** Between two looks, in nanoseconds. */
+    private static final long LEAST_STEP = 1_000_000;
+
+    private static final int QUARTER = 4;
+    private static final int EIGHTH = 8;
+
+    private final Supplier<OwnThread.State> asking;
+    private final LongFunction<TreeSample> sampler;
+    private TimeBasis basis = TimeBasis.WALL;
+
+    /** Written by the asking thread before the deadline is armed. */
+    private long number;
+    private long limit;
+    private long start;
+    private TreeSample baseline;
+    private volatile boolean writing;
+
+    /** Written by the watchdog: for which question and start, what was not charged, and what was seen. */
+    private long observed;
+    private long from;
+    private long uncharged;
+    private long attention;
+    private boolean asleep;
+    private volatile boolean unread;
+
+    /** Guarded by this: what the processes did, and for which question. */
+    private TimeLedger ledger;
+    private long ledgerOf;
+    private TimeSpent spent;
+    private long spentOf;
+
+    /**
+     * @param asking  the state of the thread that asks
+     * @param sampler what the bot's processes have done up to a moment
+     */
+    QuestionClock(Supplier<OwnThread.State> asking, LongFunction<TreeSample> sampler) {
+        this.asking = asking;
+        this.sampler = sampler;
+    }
+
+    void limitBy(TimeBasis other) {
+        basis = other;
+    }
+
+    /**
+     * A question begins; the frame has not been written.
+     *
+     * @param known what the processes had done by now, or {@code null} if it need not be known
+     */
+    void begin(long limitNanos, long now, TreeSample known) {
+        number++;
+        limit = limitNanos;
+        start = now;
+        baseline = known;
+        writing = true;
+    }
+
+    /** Whether the next question needs to know what the processes have done before. */
+    boolean needsBaseline() {
+        return basis == TimeBasis.CPU;
+    }
+
+    /**
+     * The frame is written.
+     *
+     * @param from when the clock starts: now, or, since the first limit includes the start of the program, before that
+     */
+    void frameWritten(long from) {
+        start = from;
+        writing = false;
+    }
+
+    /** When the watchdog is to look for the first time. */
+    long firstLook() {
+        return later(start, limit / QUARTER);
+    }
+
+    /** What the answer may take by the wall clock. */
+    long wallLimit() {
+        boolean backstop = basis == TimeBasis.CPU && limit < Long.MAX_VALUE / TimeBasis.BACKSTOP;
+        return backstop ? limit * TimeBasis.BACKSTOP : limit;
+    }
+
+    private static long later(long time, long by) {
+        return by < Long.MAX_VALUE - time ? time + by : Long.MAX_VALUE;
+    }
+
+    /**
+     * The watchdog looks at a pending question.
+     *
+     * @param overslept by how much it has woken up later than it was to
+     * @return when to look again, or {@link #PASSED}
+     */
+    long look(long now, long overslept) {
+        if (observed != number || from != start) {
+            observed = number;
+            from = start;
+            uncharged = 0;
+            attention = 0;
+            asleep = false;
+            unread = false;
+        }
+        uncharged += overslept < PAUSE ? 0 : Math.max(0, Math.min(overslept, now - start));
+        long wall = wallLimit();
+        long charged = now - start - uncharged;
+        long step = Math.max(LEAST_STEP, limit / EIGHTH);
+        long quarter = limit / QUARTER;
+        if (charged < quarter) {
+            return later(start + uncharged, quarter);
+        }
+        observe(now, step / 2);
+        if (basis == TimeBasis.CPU && overCpu()) {
+            return PASSED;
+        }
+        return charged < wall ? Math.min(now + step, later(start + uncharged, wall)) : lookOnceMore(now);
+    }
+
+    /** Whether the asking thread sleeps, at two looks in a row. */
+    private long lookOnceMore(long now) {
+        OwnThread.State state = asking.get();
+        boolean before = asleep;
+        asleep = state != OwnThread.State.AWAKE;
+        if (!asleep && attention < MOST_ATTENTION) {
+            attention += ATTENTION;
+            return now + ATTENTION;
+        }
+        if (asleep && !before) {
+            return now + SECOND_LOOK;
+        }
+        unread = writing;
+        return PASSED;
+    }
+
+    private synchronized void observe(long now, long least) {
+        boolean begun = ledger != null && ledgerOf == number;
+        if (begun && now - ledger.until() < least) {
+            return;
+        }
+        if (!begun) {
+            ledgerOf = number;
+            ledger = new TimeLedger(baseline != null ? baseline : sampler.apply(now));
+        }
+        if (ledger.until() < now) {
+            ledger.add(sampler.apply(now));
+        }
+    }
+
+    /** Whether the processes have used up their CPU time. */
+    private synchronized boolean overCpu() {
+        return ledger != null && ledgerOf == number && ledger.cpu() > limit;
+    }
+
+    /**
+     * Whether an answer that has come by now used too much CPU time. On all processors together no more can be used than
+     * passes, so that quick answers need no look.
+     */
+    boolean overCpu(long now) {
+        if (basis != TimeBasis.CPU || now - start <= limit / ProcessTree.processors()) {
+            return false;
+        }
+        observe(now, 0);
+        return overCpu();
+    }
+
+    /** Whether the time was up while the frame could not be written, because the bot did not read. */
+    boolean unread() {
+        return unread;
+    }
+
+    /** How long the bot took for an answer in time. */
+    long inTime(long now) {
+        return Math.min(now - start, wallLimit());
+    }
+
+    /** How long the bot has taken, without what is not charged. */
+    long charged(long now) {
+        return Math.max(0, now - start - (observed == number && from == start ? uncharged : 0));
+    }
+
+    /**
+     * Where the time of a missed deadline went. The first call looks at the processes for the last time, so that it has
+     * to come before they are killed; later ones return the same.
+     *
+     * @param taken what was charged
+     */
+    synchronized TimeSpent spent(long now, long taken) {
+        if (spentOf != number) {
+            spentOf = number;
+            observe(now, 0);
+            boolean overCpu = basis == TimeBasis.CPU && overCpu();
+            spent = ledger.spent(overCpu ? limit : wallLimit(), taken, ProcessTree.processors(), overCpu);
+        }
+        return spent;
+    }
+
+    /** When the clock was started. */
+    long started() {
+        return start;
+    }
+}
