@@ -4,6 +4,7 @@ import java.io.OutputStream;
 import java.util.ArrayList;
 import java.util.List;
 import steward.bot.Player;
+import steward.bot.TimeBasis;
 import steward.bot.UnstartablePlayer;
 import steward.bot.command.BotCommand;
 import steward.bot.process.BotProcess;
@@ -40,6 +41,11 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
     /** The same, its replays signed. */
     public Contest signedWith(SigningKey other) {
         return new Contest(setup, entrants, time, timeFactor, other);
+    }
+
+    /** The same, its limits those of something else. */
+    public Contest limitedBy(TimeBasis basis) {
+        return new Contest(setup, entrants, time.by(basis), timeFactor, key);
     }
 
     /**

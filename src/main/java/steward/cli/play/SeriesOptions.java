@@ -6,6 +6,7 @@ import java.util.Optional;
 import picocli.CommandLine.Option;
 import steward.cli.options.CallCheck;
 import steward.cli.shared.Streams;
+import steward.contest.Hiccups;
 import steward.contest.Keep;
 
 /** The options of many matches. */
@@ -17,6 +18,15 @@ final class SeriesOptions {
         @Override
         public Iterator<String> iterator() {
             return Arrays.stream(Keep.values()).map(Keep::word).iterator();
+        }
+    }
+
+    /** What {@code --hiccups} takes. */
+    static final class HiccupWords implements Iterable<String> {
+
+        @Override
+        public Iterator<String> iterator() {
+            return Arrays.stream(Hiccups.values()).map(Hiccups::word).iterator();
         }
     }
 
@@ -43,6 +53,12 @@ final class SeriesOptions {
             + "(lost), in which a bot failed or that have no result (failed), or none.")
     private String keep;
 
+    @Option(names = "--hiccups", paramLabel = "replay|count", completionCandidates = HiccupWords.class,
+        description = "What becomes of a game that a bot lost on time while it waited half of its limit for a processor "
+            + "that other programs used: it is played again, once, with the same seed (replay, the default), or it "
+            + "counts (count).")
+    private String hiccups;
+
     /**
      * Refuses options that are out of range or do not go together.
      *
@@ -54,6 +70,9 @@ final class SeriesOptions {
             "--threads: found '" + threads + "', expected 1 to " + CallCheck.MOST_THREADS + ", or auto");
         check.that(isAny() || threads == null, "--threads is for many games, expected --games or --swap with it");
         check.that(isAny() || keep == null, "--keep is for many games, expected --games or --swap with it");
+        check.that(isAny() || hiccups == null, "--hiccups is for many games, expected --games or --swap with it");
+        check.that(hiccups == null || Hiccups.of(hiccups).isPresent(),
+            "--hiccups: found '" + hiccups + "', expected replay or count");
         check.that(keep == null || Keep.of(keep).isPresent(),
             "--keep: found '" + keep + "', expected all, lost, failed or none");
         check.that(keep == null || out, "--keep: expected --out with it");
@@ -75,6 +94,10 @@ final class SeriesOptions {
 
     Keep keep() {
         return Optional.ofNullable(keep).flatMap(Keep::of).orElse(Keep.ALL);
+    }
+
+    Hiccups hiccups() {
+        return Optional.ofNullable(hiccups).flatMap(Hiccups::of).orElse(Hiccups.REPLAY);
     }
 
     /** How many games at the same time; says so if these processors will not carry them. */
