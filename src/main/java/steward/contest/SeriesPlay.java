@@ -1,6 +1,7 @@
 package steward.contest;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -12,6 +13,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import steward.files.InputException;
+import steward.match.MatchListener;
 import steward.match.MatchResult;
 
 /**
@@ -23,7 +25,16 @@ import steward.match.MatchResult;
  */
 public final class SeriesPlay {
 
+    /** How one match is played, as {@link Contest#play} does. */
+    public interface MatchPlay {
+
+        /** See {@link Contest#play}. */
+        MatchResult play(long seed, int rotation, OutputStream recording, MatchListener follower)
+            throws InterruptedException;
+    }
+
     private final Series series;
+    private final MatchPlay match;
     private final boolean overwrite;
     private final Standings standings;
 
@@ -35,7 +46,13 @@ public final class SeriesPlay {
 
     /** @param overwrite whether replays that exist are replaced */
     public SeriesPlay(Series series, boolean overwrite) {
+        this(series, overwrite, series.contest()::play);
+    }
+
+    /** @param match plays its matches */
+    public SeriesPlay(Series series, boolean overwrite, MatchPlay match) {
         this.series = series;
+        this.match = match;
         this.overwrite = overwrite;
         standings = new Standings(series.contest());
     }
@@ -98,7 +115,7 @@ public final class SeriesPlay {
             String problem = game.refused();
             if (problem == null) {
                 try {
-                    result = series.contest().play(game.seed(), game.rotation(), game.file(), game.log());
+                    result = match.play(game.seed(), game.rotation(), game.file(), game.log());
                 } catch (UncheckedIOException failed) {
                     problem = failed.getMessage();
                 } catch (InterruptedException interrupted) {

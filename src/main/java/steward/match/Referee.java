@@ -216,6 +216,7 @@ public final class Referee {
         turn.asked[player] = true;
         turn.answers[player] = answer;
         turn.nanos[player] = answer.nanos();
+        turn.timeSpent[player] = answer.timeSpent();
         turn.stderr[player] = SafeText.wellFormed(answer.stderr());
         data.read(player, turn.stderr[player]);
         String fault = answer.fault();

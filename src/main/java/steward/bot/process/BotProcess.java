@@ -244,7 +244,7 @@ public final class BotProcess implements Player {
     private String lateText(Answer answer, int lines, int partialBytes) {
         TimeSpent spent = clock.spent(Watchdog.now(), answer.nanos());
         answer.setTimeSpent(spent);
-        return FaultMessages.missed(spent, clock.unread(), lines, wanted, partialBytes);
+        return FaultMessages.missed(spent, clock.basis(), clock.unread(), lines, wanted, partialBytes);
     }
 
     /** The fault after the end of the output. The exit status may be known a little later than that. */

@@ -236,6 +236,10 @@ final class QuestionClock {
         return spent;
     }
 
+    TimeBasis basis() {
+        return basis;
+    }
+
     /** When the clock was started. */
     long started() {
         return start;
