@@ -68,6 +68,11 @@ public final class SeriesPlay {
                         Series.Played before) {
     }
 
+    /** What is played. */
+    public Series series() {
+        return series;
+    }
+
     /** The games that are over. */
     public Standings standings() {
         return standings;

@@ -13,14 +13,25 @@ final class ProcFile {
     private int length;
     private int at;
 
-    /** Reads a file; false if it is not there (any more), or must not be read. */
+    /** Reads a file that the kernel gives in one piece; false if it is not there (any more), or must not be read. */
     boolean read(String path) {
+        return read(path, false);
+    }
+
+    /** Reads a file that may be long. */
+    boolean readAll(String path) {
+        return read(path, true);
+    }
+
+    private boolean read(String path, boolean toTheEnd) {
         length = 0;
         at = 0;
         try (FileInputStream file = new FileInputStream(path)) {
-            for (int count = 0; count >= 0 && length < SIZE; count = file.read(bytes, length, SIZE - length)) {
-                length += count;
-            }
+            int count;
+            do {
+                count = file.read(bytes, length, SIZE - length);
+                length += Math.max(0, count);
+            } while (toTheEnd && count > 0 && length < SIZE);
             return true;
         } catch (IOException gone) {
             return false;

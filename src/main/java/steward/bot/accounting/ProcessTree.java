@@ -23,6 +23,9 @@ public final class ProcessTree {
     /** Where the CPU times stand in /proc/PID/stat, counted from the state behind the name. */
     private static final int BEFORE_TIMES = 10;
 
+    /** And, from there, the number of threads. */
+    private static final int BEFORE_COUNT = 2;
+
     private final long root;
     private final boolean byChildren;
     private final ProcFile file = new ProcFile();
@@ -87,6 +90,18 @@ public final class ProcessTree {
 
     /** What the processes have done up to now. */
     public TreeSample sample(long at) {
+        return sample(at, true);
+    }
+
+    /**
+     * As {@link #sample}, but quicker, for processes that should be waiting: no thread is taken for runnable, and the
+     * idle time of the machine is left out.
+     */
+    public TreeSample baseline(long at) {
+        return sample(at, false);
+    }
+
+    private TreeSample sample(long at, boolean whole) {
         Map<Long, ThreadTimes> threads = Support.THREADS ? new HashMap<>() : null;
         Map<Long, List<Long>> children = byChildren ? null : childrenByParent();
         List<Long> found = new ArrayList<>(List.of(root));
@@ -100,29 +115,33 @@ public final class ProcessTree {
             seen++;
             file.skipWords(1 + BEFORE_TIMES);
             steps += file.nextLong() + file.nextLong() + file.nextLong() + file.nextLong();
-            readThreads(folder + "/task", threads, found);
+            file.skipWords(BEFORE_COUNT);
+            boolean single = file.nextLong() == 1;
+            String[] names = threads == null && !byChildren ? new String[0]
+                : single ? new String[] {Long.toString(found.get(k))} : new File(folder + "/task").list();
+            for (String name : names == null ? new String[0] : names) {
+                readThread(folder + "/task/", name, whole, threads, found);
+            }
             if (children != null) {
                 found.addAll(children.getOrDefault(found.get(k), List.of()));
             }
         }
-        return new TreeSample(at, seen > 0, seen, steps * TreeSample.STEP, threads, idle(file));
+        return new TreeSample(at, seen > 0, seen, steps * TreeSample.STEP, threads, whole ? idle(file) : -1);
     }
 
-    private void readThreads(String folder, Map<Long, ThreadTimes> threads, List<Long> found) {
-        String[] names = threads == null && !byChildren ? null : new File(folder).list();
-        for (String name : names == null ? new String[0] : names) {
-            String thread = folder + '/' + name;
-            if (threads != null && file.read(thread + "/schedstat")) {
-                long run = file.nextLong();
-                long waited = file.nextLong();
-                long slices = file.nextLong();
-                boolean runnable = file.read(thread + "/stat") && file.skipName() && file.nextCharacter() == 'R';
-                threads.put(Long.valueOf(name), new ThreadTimes(run, waited, slices, runnable));
-            }
-            if (byChildren && file.read(thread + "/children")) {
-                while (file.hasNext() && found.size() < MOST) {
-                    found.add(file.nextLong());
-                }
+    private void readThread(String folder, String name, boolean whole, Map<Long, ThreadTimes> threads,
+                            List<Long> found) {
+        String thread = folder + name;
+        if (threads != null && file.read(thread + "/schedstat")) {
+            long run = file.nextLong();
+            long waited = file.nextLong();
+            long slices = file.nextLong();
+            boolean runnable = whole && file.read(thread + "/stat") && file.skipName() && file.nextCharacter() == 'R';
+            threads.put(Long.valueOf(name), new ThreadTimes(run, waited, slices, runnable));
+        }
+        if (byChildren && file.readAll(thread + "/children")) {
+            while (file.hasNext() && found.size() < MOST) {
+                found.add(file.nextLong());
             }
         }
     }

@@ -17,6 +17,8 @@ public final class TimeLedger {
 
     private final TreeSample first;
     private TreeSample last;
+    /** The first sample that has the idle time of the machine, or {@link #first}. */
+    private TreeSample firstIdle;
     private long run;
     private long waited;
     /** Threads that ran or waited. */
@@ -27,6 +29,7 @@ public final class TimeLedger {
     public TimeLedger(TreeSample first) {
         this.first = first;
         last = first;
+        firstIdle = first;
     }
 
     /** The moment of the first sample. */
@@ -48,6 +51,7 @@ public final class TimeLedger {
             long passed = Math.max(0, next.at() - last.at());
             next.threads().forEach((number, now) -> add(number, last.threads().get(number), now, passed));
         }
+        firstIdle = firstIdle.idle() < 0 ? next : firstIdle;
         last = next;
     }
 
@@ -108,7 +112,7 @@ public final class TimeLedger {
         boolean threads = last.threads() != null && first.threads() != null;
         double cpu = cpu();
         double side = Math.max(1, Math.min(processors, (cpu + waited) / observed));
-        double byOthers = active.size() <= 1 ? waited : Math.min(waited, othersCpu(observed, processors, cpu));
+        double byOthers = active.size() <= 1 ? waited : Math.min(waited, othersCpu(processors, cpu));
         long queued = Math.min(observed, Math.round(byOthers / side));
         long computed = Math.min(observed - queued, Math.round((cpu + waited - byOthers) / side));
         TimeSpent.Shows shows = !threads ? TimeSpent.Shows.STEPS
@@ -118,10 +122,11 @@ public final class TimeLedger {
     }
 
     /** CPU time of processes outside the tree; 0 where the system does not show it. */
-    private double othersCpu(long observed, int processors, double cpu) {
-        if (first.idle() < 0 || last.idle() < 0) {
+    private double othersCpu(int processors, double cpu) {
+        if (firstIdle.idle() < 0 || last.idle() < 0) {
             return 0;
         }
-        return Math.max(0, (double) processors * observed - (last.idle() - first.idle()) - cpu);
+        double all = (double) processors * (last.at() - firstIdle.at());
+        return Math.max(0, all - (last.idle() - firstIdle.idle()) - cpu);
     }
 }

@@ -154,7 +154,7 @@ public final class BotProcess implements Player {
             }
         } else {
             long now = Watchdog.now();
-            clock.begin(limit, now, clock.needsBaseline() ? tree.sample(now) : null);
+            clock.begin(limit, now, clock.needsBaseline() ? tree.baseline(now) : null);
         }
         deadline.arm(clock.started(), clock.firstLook());
         send(frame, length);

@@ -55,6 +55,7 @@ class ProcessTreeTest {
                 Thread.onSpinWait();
             }
             assertEquals(4, tree.sample(0).processes());
+            assertEquals(tree.sample(0).threads().keySet(), tree.baseline(0).threads().keySet());
         }
     }
 

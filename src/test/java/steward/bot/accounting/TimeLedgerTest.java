@@ -157,4 +157,13 @@ class TimeLedgerTest {
         ledger.add(sample(75, 10, 130, Map.of(7L, thread(15, 3, 5, false))));
         assertParts(0, 15, 3, 57, spent(ledger));
     }
+
+    /** Idle time is known from 20 ms on: of 2 * 55 ms nothing was idle, 8 were the bot's. */
+    @Test
+    void aBaselineWithoutIdleTimeIsMadeUpForByTheNextSample() {
+        TimeLedger ledger = new TimeLedger(new TreeSample(0, true, 1, 0, many(2, 0, 0), -1));
+        ledger.add(sample(20, 0, 500, many(2, 0, 0)));
+        ledger.add(sample(75, 0, 500, many(2, 4, 50)));
+        assertParts(0, 5, 69, 0, spent(ledger));
+    }
 }
