@@ -156,6 +156,7 @@ class HiccupsTest {
         Standings standings = play(Hiccups.COUNT, Keep.ALL, 1, End.STARVED, End.WON);
         assertEquals(1, standings.tally(0).losses());
         assertTrue(standings.games().get(0).failures().get(0).starved());
+        assertEquals(List.of(FailureHints.STARVED), standings.failures().get(0).first().hints());
     }
 
     /** The first bot lost the first of the two games, and won the second. */

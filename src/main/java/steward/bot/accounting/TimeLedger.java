@@ -88,12 +88,15 @@ public final class TimeLedger {
 
     /*
      * From sums over threads to parts of the wall clock. In E of the wall clock the threads ran for C in all and waited
-     * for W. So C + W was wanted; k = (C + W) / E threads were runnable on average, and of those no more can run at once
-     * than there are processors. One unit of wall clock is therefore k units of threads, with k within 1..processors.
+     * for W. So C + W was wanted; k = (C + W) / E threads were runnable on average, and of those no more can run at
+     * once than there are processors. One unit of wall clock is therefore k units of threads, k within 1..processors.
      *
      * Of the waiting, others caused no more than the CPU time they used: O = processors * E - idle - C. The rest, up to
      * W, the bot's own threads and children caused: it is counted as computing. A single active thread waits for
      * no thread of its own.
+     *
+     * Where part of the time is not charged, since the referee did not run, the parts are those of all the time between
+     * the samples, in proportion.
      */
 
     /**
@@ -105,16 +108,18 @@ public final class TimeLedger {
      * @param overCpu    whether the limit was one of CPU time
      */
     public TimeSpent spent(long limit, long taken, int processors, boolean overCpu) {
-        long observed = Math.min(taken, last.at() - first.at());
-        if (!first.shown() || last == first || observed <= 0) {
+        long passed = last.at() - first.at();
+        if (!first.shown() || last == first || passed <= 0) {
             return TimeSpent.unknown(limit, taken);
         }
         boolean threads = last.threads() != null && first.threads() != null;
+        long observed = Math.min(taken, passed);
+        double charged = (double) observed / passed;
         double cpu = cpu();
-        double side = Math.max(1, Math.min(processors, (cpu + waited) / observed));
+        double side = Math.max(1, Math.min(processors, (cpu + waited) / passed));
         double byOthers = active.size() <= 1 ? waited : Math.min(waited, othersCpu(processors, cpu));
-        long queued = Math.min(observed, Math.round(byOthers / side));
-        long computed = Math.min(observed - queued, Math.round((cpu + waited - byOthers) / side));
+        long queued = Math.min(observed, Math.round(charged * byOthers / side));
+        long computed = Math.min(observed - queued, Math.round(charged * (cpu + waited - byOthers) / side));
         TimeSpent.Shows shows = !threads ? TimeSpent.Shows.STEPS
             : inSteps() > run ? TimeSpent.Shows.ALL_IN_STEPS : TimeSpent.Shows.ALL;
         return new TimeSpent(limit, taken, taken - observed, computed, queued, observed - queued - computed,

@@ -11,8 +11,9 @@ import steward.bot.accounting.TreeSample;
 
 /**
  * The clock of a player's current question. The asking thread starts it; the watchdog looks at it for the first time
- * after a quarter of the limit, then every eighth, and decides when the time is up. Times are passed in, on the clock of
- * {@link Watchdog#now}.
+ * after a quarter of the limit, then every eighth, and decides when the time is up. At the first look it samples the
+ * bot's processes, and once more before the end, so that a turn that is answered soon costs nothing. Times are passed
+ * in, on the clock of {@link Watchdog#now}.
  *
  * <p>Time in which the referee itself did not run is not charged: what the watchdog slept longer than it was to, by
  * {@value #PAUSE} ns or more. That covers a stopped or suspended referee, a collection of garbage, and a processor that
@@ -64,6 +65,7 @@ final class QuestionClock {
     private long uncharged;
     private long attention;
     private boolean asleep;
+    private long observation;
     private volatile boolean unread;
 
     /** Guarded by this: what the processes did, and for which question. */
@@ -141,6 +143,7 @@ final class QuestionClock {
             uncharged = 0;
             attention = 0;
             asleep = false;
+            observation = 0;
             unread = false;
         }
         uncharged += overslept < PAUSE ? 0 : Math.max(0, Math.min(overslept, now - start));
@@ -151,11 +154,27 @@ final class QuestionClock {
         if (charged < quarter) {
             return later(start + uncharged, quarter);
         }
-        observe(now, step / 2);
-        if (basis == TimeBasis.CPU && overCpu()) {
-            return PASSED;
+        if (charged >= observation) {
+            observation = nextObservation(now, charged, step);
+            if (basis == TimeBasis.CPU && overCpu()) {
+                return PASSED;
+            }
         }
         return charged < wall ? Math.min(now + step, later(start + uncharged, wall)) : lookOnceMore(now);
+    }
+
+    /**
+     * Samples the processes. A limit of the wall clock wants one sample more, shortly before it, to tell who still waits
+     * for a processor from who has just begun to; one of CPU time wants the next when it may be used up.
+     *
+     * @return when to sample next, in charged time
+     */
+    private long nextObservation(long now, long charged, long step) {
+        boolean again = observe(now);
+        if (basis == TimeBasis.CPU) {
+            return later(charged, Math.max(step, (limit - cpu()) / ProcessTree.processors()));
+        }
+        return again ? Long.MAX_VALUE : Math.max(charged, limit - limit / EIGHTH);
     }
 
     /** Whether the asking thread sleeps, at two looks in a row. */
@@ -174,11 +193,9 @@ final class QuestionClock {
         return PASSED;
     }
 
-    private synchronized void observe(long now, long least) {
+    /** Whether there has been a sample in this question before. */
+    private synchronized boolean observe(long now) {
         boolean begun = ledger != null && ledgerOf == number;
-        if (begun && now - ledger.until() < least) {
-            return;
-        }
         if (!begun) {
             ledgerOf = number;
             ledger = new TimeLedger(baseline != null ? baseline : sampler.apply(now));
@@ -186,11 +203,16 @@ final class QuestionClock {
         if (ledger.until() < now) {
             ledger.add(sampler.apply(now));
         }
+        return begun;
+    }
+
+    private synchronized long cpu() {
+        return ledger != null && ledgerOf == number ? ledger.cpu() : 0;
     }
 
     /** Whether the processes have used up their CPU time. */
-    private synchronized boolean overCpu() {
-        return ledger != null && ledgerOf == number && ledger.cpu() > limit;
+    private boolean overCpu() {
+        return cpu() > limit;
     }
 
     /**
@@ -201,7 +223,7 @@ final class QuestionClock {
         if (basis != TimeBasis.CPU || now - start <= limit / ProcessTree.processors()) {
             return false;
         }
-        observe(now, 0);
+        observe(now);
         return overCpu();
     }
 
@@ -229,7 +251,7 @@ final class QuestionClock {
     synchronized TimeSpent spent(long now, long taken) {
         if (spentOf != number) {
             spentOf = number;
-            observe(now, 0);
+            observe(now);
             boolean overCpu = basis == TimeBasis.CPU && overCpu();
             spent = ledger.spent(overCpu ? limit : wallLimit(), taken, ProcessTree.processors(), overCpu);
         }

@@ -158,6 +158,15 @@ class TimeLedgerTest {
         assertParts(0, 15, 3, 57, spent(ledger));
     }
 
+    /** Of 570 ms between the samples 57 are charged; in all it ran for a fifth and waited for two. */
+    @Test
+    void whereTimeIsNotChargedThePartsAreInProportion() {
+        TimeLedger ledger = new TimeLedger(sample(18, 0, 0, Map.of(7L, thread(0, 0, 5, false))));
+        ledger.add(sample(588, 0, 0, Map.of(7L, thread(114, 228, 9, false))));
+        assertParts(0, 15, 30, 30, spent(ledger));
+        assertParts(0, 11, 22, 22, ledger.spent(75 * MS, 57 * MS, 2, false));
+    }
+
     /** Idle time is known from 20 ms on: of 2 * 55 ms nothing was idle, 8 were the bot's. */
     @Test
     void aBaselineWithoutIdleTimeIsMadeUpForByTheNextSample() {

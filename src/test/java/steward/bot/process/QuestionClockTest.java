@@ -55,8 +55,12 @@ class QuestionClockTest {
         assertEquals(30, look(20, 0));
         assertEquals(1, samples);
         assertEquals(40, look(30, 0));
-        assertEquals(2, samples);
+        assertEquals(79.9, look(69.9, 0));
+        assertEquals(1, samples, "a search that uses most of its time pays for one look");
+        assertEquals(80, look(70, 0));
+        assertEquals(2, samples, "seven eighths");
         assertEquals(80, look(75, 0));
+        assertEquals(2, samples);
     }
 
     /** It may be between two reads: it is late only if it sleeps at two looks, 0.2 ms apart. */
@@ -190,13 +194,28 @@ class QuestionClockTest {
         cpu = 500 * MS;
         ask(LIMIT);
         cpu = 580 * MS;
-        assertTrue(look(190, 0) > 0);
+        assertEquals(200, look(190, 0));
         cpu = 581 * MS;
         assertEquals(-1, look(200, 0));
         TimeSpent spent = clock.spent(START + 200 * MS, 200 * MS);
         assertTrue(spent.overCpu());
         assertEquals(81 * MS, spent.cpu());
         assertEquals(LIMIT, spent.limit());
+    }
+
+    /** 60 ms are left at 30 ms; the processors together need so long for them, and an eighth at least. */
+    @Test
+    void cpuTimeIsLookedAtWhenItMayBeUsedUp() {
+        clock.limitBy(TimeBasis.CPU);
+        ask(LIMIT);
+        cpu = 20 * MS;
+        look(30, 0);
+        int before = samples;
+        double next = 30 + Math.max(10, 60.0 / ProcessTree.processors());
+        look(next - 0.1, 0);
+        assertEquals(before, samples);
+        look(next, 0);
+        assertEquals(before + 1, samples);
     }
 
     @Test
