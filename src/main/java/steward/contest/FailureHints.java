@@ -18,8 +18,8 @@ final class FailureHints {
         + "interpreter in the first line of a script (#!), where a Windows line end would become part of its name";
     static final String NOT_EXECUTABLE = "a program could not be executed: without permission (chmod +x), or on a "
         + "folder that is mounted noexec; name its interpreter before it";
-    static final String STARVED = "other programs used the processors while it waited for one; --time cpu does not charge "
-        + "a bot for that";
+    static final String STARVED = "other programs used the processors while it waited for one; --time cpu does not "
+        + "charge a bot for that";
 
     private static final int NOT_EXECUTABLE_STATUS = 126;
     private static final int NOT_FOUND_STATUS = 127;

@@ -84,8 +84,8 @@ class FaultMessagesTest {
     @Test
     void aLimitOfCpuTimeIsToldFromItsBackstop() {
         TimeSpent used = new TimeSpent(75 * MS, 133 * MS, 0, 81 * MS, 40 * MS, 12 * MS, 81 * MS, Shows.ALL, true);
-        assertEquals("no answer within 75 ms of CPU time (used 81 ms in 133 ms): computed 81, waited 40 for a processor,"
-            + " 12 other", FaultMessages.missed(used, TimeBasis.CPU, false, 0, 1, 0));
+        assertEquals("no answer within 75 ms of CPU time (used 81 ms in 133 ms): computed 81, waited 40 for a "
+            + "processor, 12 other", FaultMessages.missed(used, TimeBasis.CPU, false, 0, 1, 0));
         TimeSpent slept = new TimeSpent(750 * MS, 751 * MS, 0, 0, 0, 751 * MS, 0, Shows.ALL, false);
         assertEquals("no answer within 750 ms, 10 times the limit of CPU time (waited 751 ms): computed 0, waited 0 for"
             + " a processor, 751 other", FaultMessages.missed(slept, TimeBasis.CPU, false, 0, 1, 0));

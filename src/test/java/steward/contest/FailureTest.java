@@ -14,8 +14,8 @@ class FailureTest {
         "killed by signal 11 (SIGSEGV) before answering | killed by signal 11 (SIGSEGV) before answering",
         "no answer within 75 ms (waited 76 ms) | no answer within 75 ms",
         "no answer within 75 ms (waited 1.2 ms): 1 of 2 lines came | no answer within 75 ms: 1 of 2 lines came",
-        "no answer within 75 ms (waited 76 ms): computed 2, waited 53 for a processor, 2 other, 19 before the first look"
-            + " | no answer within 75 ms",
+        "no answer within 75 ms (waited 76 ms): computed 2, waited 53 for a processor, 2 other, 19 before the first "
+            + "look | no answer within 75 ms",
         "no answer within 75 ms (waited 76 ms): 1 of 2 lines came; computed 2, waited 53 for a processor, 21 other"
             + " | no answer within 75 ms: 1 of 2 lines came",
         "no answer within 75 ms (waited 76 ms): this system does not show what the bot did meanwhile"

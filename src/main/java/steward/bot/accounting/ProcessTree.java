@@ -75,7 +75,7 @@ public final class ProcessTree {
         return Support.PROCESSORS;
     }
 
-    /** The idle time of all processors together, in nanoseconds, in steps of {@link TreeSample#STEP}; -1 if not shown. */
+    /** Idle time of all processors together, in nanoseconds, in steps of {@link TreeSample#STEP}; -1 if not shown. */
     public static long idle() {
         return idle(new ProcFile());
     }

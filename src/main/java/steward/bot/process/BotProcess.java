@@ -158,10 +158,10 @@ public final class BotProcess implements Player {
         }
         deadline.arm(clock.started(), clock.firstLook());
         send(frame, length);
-        clock.frameWritten(first ? clock.started() : Watchdog.now());
         if (!deadline.isPending()) {
             return conclude(false, AnswerReader.Outcome.ENDED, answer);
         }
+        clock.frameWritten(first ? clock.started() : Watchdog.now());
         AnswerReader.Outcome outcome = output.await(answerLines);
         return conclude(deadline.complete(), outcome, answer);
     }
@@ -176,7 +176,7 @@ public final class BotProcess implements Player {
         }
         boolean complete = outcome == AnswerReader.Outcome.COMPLETE;
         boolean late = inTime ? complete && clock.overCpu(now) : !alarm.leaderGone;
-        answer.setNanos(inTime ? clock.inTime(now) : clock.charged(late ? deadline.passedAt() : now));
+        answer.setNanos(late && !inTime ? clock.taken() : clock.inTime(now));
         if (late) {
             return fault(answer, lateText(answer, complete ? wanted : output.linesReceived(), output.partialBytes()));
         }
@@ -348,7 +348,7 @@ public final class BotProcess implements Player {
         @Override
         public void expired() {
             if (!leaderGone) {
-                clock.spent(Watchdog.now(), clock.charged(deadline.passedAt()));
+                clock.spent(Watchdog.now(), clock.taken());
             }
             group.kill();
             long giveUp = Watchdog.now() + TimeUnit.MILLISECONDS.toNanos(ABANDON_AFTER_MS);
@@ -380,7 +380,7 @@ public final class BotProcess implements Player {
         over = true;
         abandoned = true;
         Answer answer = new Answer();
-        answer.setNanos(clock.charged(Watchdog.now()));
+        answer.setNanos(alarm.leaderGone ? clock.inTime(Watchdog.now()) : clock.taken());
         answer.setFault(alarm.leaderGone ? endText() : lateText(answer, output.linesReceived(), 0));
         answer.setStderr(stderr.collect(true));
         return answer;

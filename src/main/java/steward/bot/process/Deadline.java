@@ -43,9 +43,6 @@ final class Deadline {
     private final Watchdog watchdog;
     private final Owner owner;
 
-    /** Written by the watchdog before it tries to decide. */
-    private long seen;
-
     /** How long after the start of the last question the first look was to be. */
     private volatile long lead = Watchdog.TICK;
 
@@ -96,18 +93,12 @@ final class Deadline {
         return state.get() == EXPIRED;
     }
 
-    /** When the watchdog found that the deadline had passed. */
-    long passedAt() {
-        return seen;
-    }
-
     /** Called only by the watchdog: has its owner decide about a pending deadline. */
     void check(long now, long overslept) {
         long time = state.get();
         if (time < 0) {
             return;
         }
-        seen = now;
         long next = owner.look(now, overslept);
         if (next != QuestionClock.PASSED) {
             if (next != time) {

@@ -63,6 +63,7 @@ final class QuestionClock {
     private long observed;
     private long from;
     private long uncharged;
+    private long taken;
     private long attention;
     private boolean asleep;
     private long observation;
@@ -149,6 +150,7 @@ final class QuestionClock {
         uncharged += overslept < PAUSE ? 0 : Math.max(0, Math.min(overslept, now - start));
         long wall = wallLimit();
         long charged = now - start - uncharged;
+        taken = charged;
         long step = Math.max(LEAST_STEP, limit / EIGHTH);
         long quarter = limit / QUARTER;
         if (charged < quarter) {
@@ -164,8 +166,8 @@ final class QuestionClock {
     }
 
     /**
-     * Samples the processes. A limit of the wall clock wants one sample more, shortly before it, to tell who still waits
-     * for a processor from who has just begun to; one of CPU time wants the next when it may be used up.
+     * Samples the processes. A limit of the wall clock wants one sample more, shortly before it, to tell threads that
+     * wait all the time from those that have just begun to; one of CPU time wants the next when it may be used up.
      *
      * @return when to sample next, in charged time
      */
@@ -216,8 +218,8 @@ final class QuestionClock {
     }
 
     /**
-     * Whether an answer that has come by now used too much CPU time. On all processors together no more can be used than
-     * passes, so that quick answers need no look.
+     * Whether an answer that has come by now used too much CPU time. On all processors together no more can be used
+     * than passes, so that quick answers need no look.
      */
     boolean overCpu(long now) {
         if (basis != TimeBasis.CPU || now - start <= limit / ProcessTree.processors()) {
@@ -237,9 +239,9 @@ final class QuestionClock {
         return Math.min(now - start, wallLimit());
     }
 
-    /** How long the bot has taken, without what is not charged. */
-    long charged(long now) {
-        return Math.max(0, now - start - (observed == number && from == start ? uncharged : 0));
+    /** How long the bot had taken at the last look, without what is not charged. */
+    long taken() {
+        return taken;
     }
 
     /**

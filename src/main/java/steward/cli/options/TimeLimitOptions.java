@@ -30,8 +30,8 @@ public final class TimeLimitOptions {
 
     @Option(names = "--time", paramLabel = "wall|cpu", defaultValue = WALL, completionCandidates = Bases.class,
         description = "What the limits are limits of: time by the clock, as on the site (wall, the default), or the "
-            + "CPU time of the bot's processes, all threads summed (cpu), by the clock ten times as much at most. Needs "
-            + "Linux.")
+            + "CPU time of the bot's processes, all threads summed (cpu), by the clock ten times as much at most. "
+            + "Needs Linux.")
     private String time;
 
     /** By what the limits are multiplied; {@code POSITIVE_INFINITY} for none. */

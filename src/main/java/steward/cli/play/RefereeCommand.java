@@ -116,7 +116,8 @@ public final class RefereeCommand implements Callable<Integer> {
         }
         GameSetup setup = Games.warn(accuracy.open(scene), streams);
         List<String> bots = arguments.bots(setup.scene().players(), setup.scene().name());
-        Contest contest = named(Contest.withFailing(setup, bots, Protocol.CODINGAME, factor), arguments).limitedBy(basis);
+        Contest contest = named(Contest.withFailing(setup, bots, Protocol.CODINGAME, factor), arguments)
+            .limitedBy(basis);
         check.that(log == null || !log.isBlank(), "-l: found no name of a file");
         check.that(replay == null || !replay.isBlank(), "-r: found no name of a file");
         Path logFile = log == null ? null : OutputFiles.path(log);

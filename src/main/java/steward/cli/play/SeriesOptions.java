@@ -54,9 +54,9 @@ final class SeriesOptions {
     private String keep;
 
     @Option(names = "--hiccups", paramLabel = "replay|count", completionCandidates = HiccupWords.class,
-        description = "What becomes of a game that a bot lost on time while it waited half of its limit for a processor "
-            + "that other programs used: it is played again, once, with the same seed (replay, the default), or it "
-            + "counts (count).")
+        description = "What becomes of a game that a bot lost on time while it waited half of its limit for a "
+            + "processor that other programs used: it is played again, once, with the same seed (replay, the default), "
+            + "or it counts (count).")
     private String hiccups;
 
     /**

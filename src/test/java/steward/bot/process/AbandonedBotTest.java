@@ -88,7 +88,8 @@ class AbandonedBotTest {
     void aReadThatCannotBeEndedIsAbandoned() throws InterruptedException {
         BotProcess bot = leavingBot("echo late >&2; exec sleep 1000");
         Answer answer = abandoned(bot, "b\n");
-        assertTrue(answer.fault().matches("no answer within 50 ms \\(waited [0-9]+ ms\\): " + ScriptedBots.PARTS), answer.fault());
+        assertTrue(answer.fault().matches("no answer within 50 ms \\(waited [0-9]+ ms\\): " + ScriptedBots.PARTS),
+            answer.fault());
         assertTrue(answer.nanos() >= SHORT);
     }
 

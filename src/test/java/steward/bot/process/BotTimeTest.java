@@ -49,8 +49,8 @@ class BotTimeTest {
     }
 
     /**
-     * The bot answers at once, having stopped the referee, which goes on 1.5 s later: it was thrown out for having taken
-     * 1.5 s of 1.
+     * The bot answers at once, having stopped the referee, which goes on 1.5 s later: it was thrown out for having
+     * taken 1.5 s of 1.
      */
     @Test
     @Tag("slow")
@@ -67,8 +67,8 @@ class BotTimeTest {
     private static String secondQuestion(String bot, long limitMs) throws Exception {
         String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
         Process referee = new ProcessBuilder(java, "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-cp",
-            home(BotProcess.class) + ":" + home(StoppedReferee.class), StoppedReferee.class.getName(), bot, Long.toString(limitMs))
-            .redirectError(ProcessBuilder.Redirect.INHERIT).start();
+            home(BotProcess.class) + ":" + home(StoppedReferee.class), StoppedReferee.class.getName(), bot,
+            Long.toString(limitMs)).redirectError(ProcessBuilder.Redirect.INHERIT).start();
         String said = new String(referee.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         assertEquals(0, referee.waitFor());
         return said.strip();
@@ -98,8 +98,9 @@ class BotTimeTest {
             Answer answer = ScriptedBots.fault(bot, "b\n", 100 * MS);
             TimeSpent spent = answer.timeSpent();
             assertFalse(spent.computed() == 0, spent.text());
-            assertTrue(spent.overCpu() ? spent.cpu() > 100 * MS && answer.fault().startsWith("no answer within 100 ms of"
-                + " CPU time (used ") : answer.nanos() >= 1000 * MS, answer.fault());
+            String over = "no answer within 100 ms of CPU time (used ";
+            assertTrue(spent.overCpu() ? spent.cpu() > 100 * MS && answer.fault().startsWith(over)
+                : answer.nanos() >= 1000 * MS, answer.fault());
         }
     }
 

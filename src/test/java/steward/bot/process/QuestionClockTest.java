@@ -40,7 +40,7 @@ class QuestionClockTest {
         clock.frameWritten(START);
     }
 
-    /** A look so many milliseconds after the frame; gives the next in milliseconds after the frame, or -1 for the end. */
+    /** A look so many milliseconds after the frame; gives the next one, counted likewise, or -1 for the end. */
     private double look(double ms, double overslept) {
         long next = clock.look(START + Math.round(ms * MS), Math.round(overslept * MS));
         return next == QuestionClock.PASSED ? -1 : (next - START) / (double) MS;
@@ -70,7 +70,7 @@ class QuestionClockTest {
         assertEquals(80.2, look(80, 0));
         assertEquals(-1, look(80.2, 0));
         assertFalse(clock.unread());
-        assertEquals(81 * MS, clock.charged(START + 81 * MS));
+        assertEquals(80_200_000, clock.taken());
     }
 
     /** Something has come, and waits for the referee: first the referee reads it. */
@@ -113,7 +113,7 @@ class QuestionClockTest {
         ask(LIMIT);
         assertEquals(30, look(20, 0));
         assertEquals(530, look(520, 490));
-        assertEquals(30 * MS, clock.charged(START + 520 * MS));
+        assertEquals(30 * MS, clock.taken());
         assertEquals(570, look(565, 0), "80 + 490");
         assertEquals(570.2, look(570, 0));
         assertEquals(-1, look(570.2, 0));
@@ -124,14 +124,14 @@ class QuestionClockTest {
     void aPauseBeforeTheQuestionIsNoneOfIts() {
         ask(LIMIT);
         assertEquals(25, look(5, 400));
-        assertEquals(0, clock.charged(START + 5 * MS));
+        assertEquals(0, clock.taken());
     }
 
     @Test
     void aWakeUpThatIsAMillisecondLateIsUsual() {
         ask(LIMIT);
         look(20.9, 0.9);
-        assertEquals(20_900_000, clock.charged(START + 20_900_000));
+        assertEquals(20_900_000, clock.taken());
     }
 
     @Test
@@ -140,8 +140,8 @@ class QuestionClockTest {
         look(520, 490);
         clock.begin(LIMIT, START + 600 * MS, null);
         clock.frameWritten(START + 600 * MS);
-        assertEquals(MS, clock.charged(START + 601 * MS));
         assertEquals(620, look(601, 0));
+        assertEquals(MS, clock.taken());
     }
 
     /** The clock starts when the frame is written; what was not charged before that has nothing to do with it. */
@@ -151,7 +151,18 @@ class QuestionClockTest {
         look(50, 30);
         clock.frameWritten(START + 60 * MS);
         assertEquals(80, look(65, 0), "60 + 20");
-        assertEquals(5 * MS, clock.charged(START + 65 * MS));
+        assertEquals(5 * MS, clock.taken());
+    }
+
+    /** The program took 70 ms to start: 10 are left. */
+    @Test
+    void theFirstLimitIncludesTheStart() {
+        clock.begin(LIMIT, START, TreeSample.beforeStart(START, 0));
+        clock.frameWritten(clock.started());
+        assertEquals(80, look(75, 0));
+        assertEquals(80.2, look(80, 0));
+        assertEquals(-1, look(80.2, 0));
+        assertEquals(0, clock.spent(START + 81 * MS, 81 * MS).unobserved(), "all is known from the start");
     }
 
     /** The thread sleeps while it writes: the pipe is full. */
