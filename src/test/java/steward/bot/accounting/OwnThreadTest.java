@@ -44,7 +44,7 @@ class OwnThreadTest {
         await(OwnThread.State.AWAKE, own);
         stop.set(true);
         thread.join();
-        assertEquals(OwnThread.State.UNKNOWN, own.state(), "it has ended");
+        await(OwnThread.State.UNKNOWN, own);
     }
 
     @Test
