@@ -175,8 +175,9 @@ public final class BotProcess implements Player {
             return Ending.ABANDONED;
         }
         boolean complete = outcome == AnswerReader.Outcome.COMPLETE;
-        boolean late = inTime ? complete && clock.overCpu(now) : !alarm.leaderGone;
-        answer.setNanos(late && !inTime ? clock.taken() : clock.inTime(now));
+        long charge = complete && inTime ? clock.charge(now) : clock.passed(now);
+        boolean late = inTime ? charge < 0 : !alarm.leaderGone;
+        answer.setNanos(late ? clock.taken() : charge);
         if (late) {
             return fault(answer, lateText(answer, complete ? wanted : output.linesReceived(), output.partialBytes()));
         }
@@ -380,7 +381,7 @@ public final class BotProcess implements Player {
         over = true;
         abandoned = true;
         Answer answer = new Answer();
-        answer.setNanos(alarm.leaderGone ? clock.inTime(Watchdog.now()) : clock.taken());
+        answer.setNanos(alarm.leaderGone ? clock.passed(Watchdog.now()) : clock.taken());
         answer.setFault(alarm.leaderGone ? endText() : lateText(answer, output.linesReceived(), 0));
         answer.setStderr(stderr.collect(true));
         return answer;

@@ -19,7 +19,7 @@ import steward.bot.accounting.TreeSample;
  * {@value #PAUSE} ns or more. That covers a stopped or suspended referee, a collection of garbage, and a processor that
  * was not free. When the time is up, the watchdog looks once more whether the asking thread still sleeps in its read.
  * If it does not, something has come, and it first gets the processor to see what. So an answer that is in the pipe at
- * the verdict counts.
+ * the verdict counts. Computing is charged in any case, as if the bot had had all processors.
  *
  * <p>Caveat: the fields of the asking thread are read by the watchdog without a lock, at worst while the next question
  * begins. What it then notes is noted for the next question and true of it: it never decides, since the decision is a
@@ -149,10 +149,10 @@ final class QuestionClock {
         }
         uncharged += overslept < PAUSE ? 0 : Math.max(0, Math.min(overslept, now - start));
         long wall = wallLimit();
-        long charged = now - start - uncharged;
-        taken = charged;
         long step = Math.max(LEAST_STEP, limit / EIGHTH);
         long quarter = limit / QUARTER;
+        long charged = charged(now, step);
+        taken = charged;
         if (charged < quarter) {
             return later(start + uncharged, quarter);
         }
@@ -163,6 +163,24 @@ final class QuestionClock {
             }
         }
         return charged < wall ? Math.min(now + step, later(start + uncharged, wall)) : lookOnceMore(now);
+    }
+
+    /** The time that has passed, without what is not charged, but at least that of {@link #computed}. */
+    private long charged(long now, long step) {
+        long charged = now - start - uncharged;
+        if (uncharged < step) {
+            return charged;
+        }
+        observe(now);
+        return Math.max(charged, computed());
+    }
+
+    /**
+     * How long the processes must have been computing, if all processors were theirs. A bot whose threads keep the
+     * referee from running is charged for that.
+     */
+    private long computed() {
+        return cpu() / ProcessTree.processors();
     }
 
     /**
@@ -218,15 +236,23 @@ final class QuestionClock {
     }
 
     /**
-     * Whether an answer that has come by now used too much CPU time. On all processors together no more can be used
-     * than passes, so that quick answers need no look.
+     * What is charged for an answer that has come before the watchdog found the time to be up.
+     *
+     * @return in nanoseconds; -1 if it is too much, and then {@link #taken} says how much
      */
-    boolean overCpu(long now) {
-        if (basis != TimeBasis.CPU || now - start <= limit / ProcessTree.processors()) {
-            return false;
+    long charge(long now) {
+        long passed = now - start;
+        boolean cpuLimit = basis == TimeBasis.CPU;
+        // On all processors together no more CPU time can be used than passes: quick answers need no sample.
+        if (passed <= (cpuLimit ? limit / ProcessTree.processors() : limit)) {
+            return passed;
         }
         observe(now);
-        return overCpu();
+        if (cpuLimit ? overCpu() : computed() > limit) {
+            taken = cpuLimit ? passed : computed();
+            return -1;
+        }
+        return Math.min(passed, wallLimit());
     }
 
     /** Whether the time was up while the frame could not be written, because the bot did not read. */
@@ -234,12 +260,12 @@ final class QuestionClock {
         return unread;
     }
 
-    /** How long the bot took for an answer in time. */
-    long inTime(long now) {
-        return Math.min(now - start, wallLimit());
+    /** How long ago the clock was started. */
+    long passed(long now) {
+        return now - start;
     }
 
-    /** How long the bot had taken at the last look, without what is not charged. */
+    /** How long the bot had taken at the verdict, without what is not charged. */
     long taken() {
         return taken;
     }

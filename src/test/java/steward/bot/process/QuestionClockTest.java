@@ -80,7 +80,7 @@ class QuestionClockTest {
         asking = OwnThread.State.AWAKE;
         assertEquals(81, look(80, 0));
         assertEquals(90, look(89, 0));
-        assertEquals(LIMIT, clock.inTime(START + 89 * MS), "it is charged what the bot had");
+        assertEquals(LIMIT, clock.charge(START + 89 * MS), "it is charged what the bot had");
         asking = OwnThread.State.ASLEEP;
         assertEquals(90.2, look(90, 0));
         assertEquals(-1, look(90.2, 0));
@@ -248,10 +248,39 @@ class QuestionClockTest {
         clock.limitBy(TimeBasis.CPU);
         ask(LIMIT);
         int before = samples;
-        assertFalse(clock.overCpu(START + LIMIT / ProcessTree.processors()));
+        long quick = LIMIT / ProcessTree.processors();
+        assertEquals(quick, clock.charge(START + quick));
         assertEquals(before, samples);
         cpu = 81 * MS;
-        assertTrue(clock.overCpu(START + 85 * MS));
+        assertEquals(-1, clock.charge(START + 85 * MS));
+        assertEquals(85 * MS, clock.taken());
         assertEquals(before + 1, samples);
+    }
+
+    /** The referee did not run for 500 ms, and the bot computed all the time on all processors. */
+    @Test
+    void aBotThatKeepsTheProcessorsFromTheRefereeIsCharged() {
+        ask(LIMIT);
+        assertEquals(30, look(20, 0));
+        cpu = 70 * ProcessTree.processors() * MS;
+        assertTrue(look(520, 490) > 0);
+        assertEquals(70 * MS, clock.taken());
+        cpu = 90 * ProcessTree.processors() * MS;
+        assertEquals(540.2, look(540, 0));
+        assertEquals(-1, look(540.2, 0));
+        assertEquals(90 * MS, clock.taken());
+    }
+
+    /** Its answer came before the watchdog was back. */
+    @Test
+    void anAnswerOfComputingTooLongIsLateAlsoIfTheWatchdogWas() {
+        ask(LIMIT);
+        look(20, 0);
+        assertEquals(LIMIT, clock.charge(START + 300 * MS), "it slept, or the referee did");
+        ask(LIMIT);
+        look(20, 0);
+        cpu = 81 * ProcessTree.processors() * MS;
+        assertEquals(-1, clock.charge(START + 300 * MS));
+        assertEquals(81 * MS, clock.taken());
     }
 }
