@@ -214,6 +214,17 @@ class QuestionClockTest {
         assertEquals(LIMIT, spent.limit());
     }
 
+    /** What is told is the time that has passed, in which the CPU time was used; the referee's pause is part of it. */
+    @Test
+    void aPauseDoesNotShortenTheTimeInWhichCpuTimeWasUsed() {
+        clock.limitBy(TimeBasis.CPU);
+        cpu = 0;
+        ask(LIMIT);
+        cpu = 90 * MS;
+        assertEquals(-1, look(130, 110));
+        assertEquals(130 * MS, clock.taken());
+    }
+
     /** 60 ms are left at 30 ms; the processors together need so long for them, and an eighth at least. */
     @Test
     void cpuTimeIsLookedAtWhenItMayBeUsedUp() {
