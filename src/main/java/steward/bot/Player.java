@@ -42,7 +42,7 @@ public interface Player extends AutoCloseable {
 
     /**
      * Sends the lines and waits for the answer. The clock runs from the flushed frame to the end of the last answer
-     * line; the first call includes the start of a process.
+     * line; the first call starts a process and writes at once, so that its start is included.
      *
      * @param frame       the lines to send, each with its line end
      * @param length      how many bytes of {@code frame} count

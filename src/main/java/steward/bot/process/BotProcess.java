@@ -161,7 +161,7 @@ public final class BotProcess implements Player {
         if (!deadline.isPending()) {
             return conclude(false, AnswerReader.Outcome.ENDED, answer);
         }
-        clock.frameWritten(first ? clock.started() : Watchdog.now());
+        clock.frameWritten(Watchdog.now());
         AnswerReader.Outcome outcome = output.await(answerLines);
         return conclude(deadline.complete(), outcome, answer);
     }
@@ -191,7 +191,7 @@ public final class BotProcess implements Player {
             ? FaultMessages.tooLong(AnswerReader.LINE_LIMIT) : endText());
     }
 
-    /** Starts the process and the clock; returns the problem, or {@code null}. */
+    /** Starts the process; returns the problem, or {@code null}. */
     private String start(long limit) {
         Sentinel.shared().start();
         try {

@@ -106,13 +106,9 @@ final class QuestionClock {
         return basis == TimeBasis.CPU;
     }
 
-    /**
-     * The frame is written.
-     *
-     * @param from when the clock starts: now, or, since the first limit includes the start of the program, before that
-     */
-    void frameWritten(long from) {
-        start = from;
+    /** The frame is written: the clock starts. A program that was begun for it has hardly begun to start by now. */
+    void frameWritten(long now) {
+        start = now;
         writing = false;
     }
 

@@ -154,15 +154,16 @@ class QuestionClockTest {
         assertEquals(5 * MS, clock.taken());
     }
 
-    /** The program took 70 ms to start: 10 are left. */
+    /** The referee needed 70 ms to start the program and to write: that is not the program's time. */
     @Test
-    void theFirstLimitIncludesTheStart() {
+    void theFirstClockStartsWithTheFrameAsWell() {
         clock.begin(LIMIT, START, TreeSample.beforeStart(START, 0));
-        clock.frameWritten(clock.started());
-        assertEquals(80, look(75, 0));
-        assertEquals(80.2, look(80, 0));
-        assertEquals(-1, look(80.2, 0));
-        assertEquals(0, clock.spent(START + 81 * MS, 81 * MS).unobserved(), "all is known from the start");
+        clock.frameWritten(START + 70 * MS);
+        assertEquals(150, look(145, 0), "70 + 80");
+        assertEquals(150.2, look(150, 0));
+        assertEquals(-1, look(150.2, 0));
+        assertEquals(80_200_000, clock.taken());
+        assertEquals(0, clock.spent(START + 151 * MS, clock.taken()).unobserved(), "all is known from the start");
     }
 
     /** The thread sleeps while it writes: the pipe is full. */
