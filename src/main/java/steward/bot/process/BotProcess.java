@@ -19,8 +19,8 @@ import steward.bot.Player;
 import steward.bot.TimeBasis;
 import steward.bot.TimeSpent;
 import steward.bot.accounting.OwnThread;
-import steward.bot.accounting.ProcessTree;
 import steward.bot.accounting.TreeSample;
+import steward.bot.accounting.TreeSampler;
 import steward.bot.command.BotCommand;
 
 /**
@@ -70,7 +70,7 @@ public final class BotProcess implements Player {
     private OutputStream input;
     private AnswerReader output;
 
-    private ProcessTree tree;
+    private TreeSampler tree;
 
     /** Set last: once it is there, so are the four fields above. */
     private volatile ProcessGroup group;
@@ -200,7 +200,7 @@ public final class BotProcess implements Player {
             throw new UncheckedIOException("no temporary file for the stderr of " + name + ": " + e.getMessage(), e);
         }
         long now = Watchdog.now();
-        clock.begin(limit, now, TreeSample.beforeStart(now, ProcessTree.idle()));
+        clock.begin(limit, now, TreeSample.beforeStart(now, TreeSampler.idle()));
         ProcessGroup started;
         try {
             started = ProcessGroup.start(command, stderr);
@@ -211,7 +211,7 @@ public final class BotProcess implements Player {
         }
         input = started.process().getOutputStream();
         output = new AnswerReader(started.process().getInputStream());
-        tree = new ProcessTree(started.process().pid());
+        tree = new TreeSampler(started.process().pid());
         Watchdog.shared().add(deadline);
         group = started;
         if (over) {

@@ -5,9 +5,9 @@ import java.util.function.Supplier;
 import steward.bot.TimeBasis;
 import steward.bot.TimeSpent;
 import steward.bot.accounting.OwnThread;
-import steward.bot.accounting.ProcessTree;
 import steward.bot.accounting.TimeLedger;
 import steward.bot.accounting.TreeSample;
+import steward.bot.accounting.TreeSampler;
 
 /**
  * The clock of a player's current question. The asking thread starts it; the watchdog looks at it for the first time
@@ -177,7 +177,7 @@ final class QuestionClock {
      * referee from running is charged for that.
      */
     private long computed() {
-        return cpu() / ProcessTree.processors();
+        return cpu() / TreeSampler.processors();
     }
 
     /**
@@ -189,7 +189,7 @@ final class QuestionClock {
     private long nextObservation(long now, long charged, long step) {
         boolean again = observe(now);
         if (basis == TimeBasis.CPU) {
-            return later(charged, Math.max(step, (limit - cpu()) / ProcessTree.processors()));
+            return later(charged, Math.max(step, (limit - cpu()) / TreeSampler.processors()));
         }
         return again ? Long.MAX_VALUE : Math.max(charged, limit - limit / EIGHTH);
     }
@@ -241,7 +241,7 @@ final class QuestionClock {
         long passed = now - start;
         boolean cpuLimit = basis == TimeBasis.CPU;
         // On all processors together no more CPU time can be used than passes: quick answers need no sample.
-        if (passed <= (cpuLimit ? limit / ProcessTree.processors() : limit)) {
+        if (passed <= (cpuLimit ? limit / TreeSampler.processors() : limit)) {
             return passed;
         }
         observe(now);
@@ -278,7 +278,7 @@ final class QuestionClock {
             spentOf = number;
             observe(now);
             boolean overCpu = basis == TimeBasis.CPU && overCpu();
-            spent = ledger.spent(overCpu ? limit : wallLimit(), taken, ProcessTree.processors(), overCpu);
+            spent = ledger.spent(overCpu ? limit : wallLimit(), taken, TreeSampler.processors(), overCpu);
         }
         return spent;
     }

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.Iterator;
 import picocli.CommandLine.Option;
 import steward.bot.TimeBasis;
-import steward.bot.accounting.ProcessTree;
+import steward.bot.accounting.TreeSampler;
 
 /** The options that change a scene's time limits. */
 public final class TimeLimitOptions {
@@ -47,7 +47,7 @@ public final class TimeLimitOptions {
         check.that(TimeBasis.of(time).isPresent(), "--time: found '" + time + "', expected wall or cpu");
         TimeBasis basis = TimeBasis.of(time).get();
         check.exclusive("--no-deadline", noDeadline, "--time cpu", basis == TimeBasis.CPU);
-        check.that(basis == TimeBasis.WALL || ProcessTree.showsCpuTime(),
+        check.that(basis == TimeBasis.WALL || TreeSampler.showsCpuTime(),
             "--time cpu: this system does not show the CPU time of processes (no /proc/self/stat), expected wall");
         return basis;
     }

@@ -17,7 +17,7 @@ import steward.bot.Answer;
 import steward.bot.Player;
 import steward.bot.TimeBasis;
 import steward.bot.TimeSpent;
-import steward.bot.accounting.ProcessTree;
+import steward.bot.accounting.TreeSampler;
 
 /** Real bots and the clock: what holds on a machine of any speed. */
 @Tag("process")
@@ -28,7 +28,7 @@ class BotTimeTest {
     @BeforeEach
     void groups() {
         ScriptedBots.assumeGroups();
-        assumeTrue(ProcessTree.showsCpuTime(), "there is no /proc/self/stat");
+        assumeTrue(TreeSampler.showsCpuTime(), "there is no /proc/self/stat");
     }
 
     /** A referee of its own, which asks its bot twice and prints what became of the second question. */

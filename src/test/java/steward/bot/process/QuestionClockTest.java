@@ -9,9 +9,9 @@ import org.junit.jupiter.api.Test;
 import steward.bot.TimeBasis;
 import steward.bot.TimeSpent;
 import steward.bot.accounting.OwnThread;
-import steward.bot.accounting.ProcessTree;
 import steward.bot.accounting.TreeSample;
 import steward.bot.accounting.TreeSample.ThreadTimes;
+import steward.bot.accounting.TreeSampler;
 
 /**
  * When a question's time is up. The clock, the asking thread and the bot's processes are numbers that a test sets: a
@@ -234,7 +234,7 @@ class QuestionClockTest {
         cpu = 20 * MS;
         look(30, 0);
         int before = samples;
-        double next = 30 + Math.max(10, 60.0 / ProcessTree.processors());
+        double next = 30 + Math.max(10, 60.0 / TreeSampler.processors());
         look(next - 0.1, 0);
         assertEquals(before, samples);
         look(next, 0);
@@ -260,7 +260,7 @@ class QuestionClockTest {
         clock.limitBy(TimeBasis.CPU);
         ask(LIMIT);
         int before = samples;
-        long quick = LIMIT / ProcessTree.processors();
+        long quick = LIMIT / TreeSampler.processors();
         assertEquals(quick, clock.charge(START + quick));
         assertEquals(before, samples);
         cpu = 81 * MS;
@@ -274,10 +274,10 @@ class QuestionClockTest {
     void aBotThatKeepsTheProcessorsFromTheRefereeIsCharged() {
         ask(LIMIT);
         assertEquals(30, look(20, 0));
-        cpu = 70 * ProcessTree.processors() * MS;
+        cpu = 70 * TreeSampler.processors() * MS;
         assertTrue(look(520, 490) > 0);
         assertEquals(70 * MS, clock.taken());
-        cpu = 90 * ProcessTree.processors() * MS;
+        cpu = 90 * TreeSampler.processors() * MS;
         assertEquals(540.2, look(540, 0));
         assertEquals(-1, look(540.2, 0));
         assertEquals(90 * MS, clock.taken());
@@ -291,7 +291,7 @@ class QuestionClockTest {
         assertEquals(LIMIT, clock.charge(START + 300 * MS), "it slept, or the referee did");
         ask(LIMIT);
         look(20, 0);
-        cpu = 81 * ProcessTree.processors() * MS;
+        cpu = 81 * TreeSampler.processors() * MS;
         assertEquals(-1, clock.charge(START + 300 * MS));
         assertEquals(81 * MS, clock.taken());
     }

@@ -15,7 +15,7 @@ import steward.bot.accounting.TreeSample.ThreadTimes;
  * <p>Caveat: a descendant whose parent has exited belongs to another process, outside a tree that is not in a PID
  * namespace of its own. The CPU time of processes that nobody has waited for is lost when they exit.
  */
-public final class ProcessTree {
+public final class TreeSampler {
 
     /** So many processes are looked at: a tree that grows faster than it can be read comes to an end. */
     private static final int MOST = 2048;
@@ -31,12 +31,12 @@ public final class ProcessTree {
     private final ProcFile file = new ProcFile();
 
     /** @param root number of the first process, as this JVM sees it */
-    public ProcessTree(long root) {
+    public TreeSampler(long root) {
         this(root, Support.CHILDREN);
     }
 
     /** @param byChildren whether children are read from their parents' files */
-    ProcessTree(long root, boolean byChildren) {
+    TreeSampler(long root, boolean byChildren) {
         this.root = root;
         this.byChildren = byChildren;
     }

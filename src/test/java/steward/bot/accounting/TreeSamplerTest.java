@@ -17,7 +17,7 @@ import steward.bot.command.ProgramFinder;
 
 /** Real processes; what is expected of them is only what no slow machine changes. */
 @Tag("process")
-class ProcessTreeTest {
+class TreeSamplerTest {
 
     private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(60);
 
@@ -26,7 +26,7 @@ class ProcessTreeTest {
     @BeforeEach
     void linux() {
         assumeTrue(ProgramFinder.find("sh") != null, "there is no sh on the PATH");
-        assumeTrue(ProcessTree.showsCpuTime(), "there is no /proc/self/stat");
+        assumeTrue(TreeSampler.showsCpuTime(), "there is no /proc/self/stat");
     }
 
     @AfterEach
@@ -49,7 +49,7 @@ class ProcessTreeTest {
     @Test
     void childrenOfChildrenAreFoundInBothWays() throws IOException {
         long root = start("sleep 1000 & sh -c 'sleep 1000 & wait; :' & echo ready; wait");
-        for (ProcessTree tree : new ProcessTree[] {new ProcessTree(root, false), new ProcessTree(root)}) {
+        for (TreeSampler tree : new TreeSampler[] {new TreeSampler(root, false), new TreeSampler(root)}) {
             long end = System.nanoTime() + PATIENCE_NANOS;
             while (tree.sample(0).processes() != 4 && System.nanoTime() < end) {
                 Thread.onSpinWait();
@@ -63,7 +63,7 @@ class ProcessTreeTest {
     @Test
     void theTimeOfAChildIsThatOfTheTree() throws IOException {
         long root = start("echo ready; sh -c 'while :; do :; done'; :");
-        ProcessTree tree = new ProcessTree(root);
+        TreeSampler tree = new TreeSampler(root);
         TreeSample sample = tree.sample(0);
         long end = System.nanoTime() + PATIENCE_NANOS;
         while (sample.steps() < 5 * TreeSample.STEP && System.nanoTime() < end) {
@@ -82,7 +82,7 @@ class ProcessTreeTest {
     @Test
     void theTimeOfAChildThatHasEndedStays() throws IOException {
         long root = start("sh -c 'i=0; while [ $i -lt 300000 ]; do i=$((i+1)); done'; echo ready; exec sleep 1000");
-        TreeSample sample = new ProcessTree(root).sample(0);
+        TreeSample sample = new TreeSampler(root).sample(0);
         assertEquals(1, sample.processes());
         assertTrue(sample.steps() > 0, "300000 rounds of a shell took less than a step of 10 ms");
     }
@@ -91,6 +91,6 @@ class ProcessTreeTest {
     void whoeverIsGoneShowsNothing() throws Exception {
         long root = start("echo ready");
         process.waitFor();
-        assertFalse(new ProcessTree(root).sample(0).shown());
+        assertFalse(new TreeSampler(root).sample(0).shown());
     }
 }
