@@ -14,6 +14,7 @@ public final class Answer {
     private String fault;
     private String stderr;
     private int extraLines;
+    private TimeSpent timeSpent;
 
     /** Clears the previous answer. */
     public void clear() {
@@ -22,6 +23,7 @@ public final class Answer {
         fault = null;
         stderr = null;
         extraLines = 0;
+        timeSpent = null;
     }
 
     /**
@@ -42,7 +44,10 @@ public final class Answer {
         return new String(bytes, 0, length, StandardCharsets.UTF_8);
     }
 
-    /** Time from the flushed frame to the end of the answer or to the fault, in nanoseconds. */
+    /**
+     * Time from the flushed frame to the end of the answer or to the fault, in nanoseconds; without the time in which
+     * the referee did not run, where that decides.
+     */
     public long nanos() {
         return nanos;
     }
@@ -60,6 +65,11 @@ public final class Answer {
     /** Complete lines that were received beyond the answer; they wait for the next turn. */
     public int extraLines() {
         return extraLines;
+    }
+
+    /** Where the time of a late answer went; {@code null} if it was not late, or the player is no process. */
+    public TimeSpent timeSpent() {
+        return timeSpent;
     }
 
     /** Adds bytes to the answer. */
@@ -89,5 +99,10 @@ public final class Answer {
     /** Sets {@link #extraLines()}. */
     public void setExtraLines(int count) {
         extraLines = count;
+    }
+
+    /** Sets {@link #timeSpent()}. */
+    public void setTimeSpent(TimeSpent spent) {
+        timeSpent = spent;
     }
 }

@@ -1,5 +1,6 @@
 package steward.bot;
 
+import java.util.regex.Pattern;
 import steward.Internal;
 
 /** Texts that say how a player failed. */
@@ -17,17 +18,36 @@ public final class FaultMessages {
 
     private static final int LAST_SIGNAL = 64;
 
+    private static final String LATE = "no answer within ";
+    private static final String UNREAD = "did not read its input within ";
+
+    /** What is in brackets behind a limit, and the parts of {@link TimeSpent#text}. */
+    private static final Pattern MEASURED =
+        Pattern.compile(" \\((waited|used) [^)]*\\)|[:;] (computed \\d|this system does not show ).*");
+
     private FaultMessages() {
     }
 
     /** {@code no answer within 75 ms (waited 76 ms)}. */
     public static String late(long limitNanos, long waitedNanos) {
-        return "no answer within " + limit(limitNanos) + " (waited " + waited(waitedNanos) + ")";
+        return late(TimeBasis.WALL, limitNanos, waitedNanos);
+    }
+
+    private static String late(TimeBasis basis, long limitNanos, long waitedNanos) {
+        return LATE + within(basis, limitNanos, waitedNanos);
+    }
+
+    private static String within(TimeBasis basis, long limitNanos, long waitedNanos) {
+        String backstop = basis == TimeBasis.WALL ? "" : ", " + TimeBasis.BACKSTOP + " times the limit of CPU time";
+        return limit(limitNanos) + backstop + " (waited " + waited(waitedNanos) + ")";
     }
 
     /** As {@link #late}, with what had been received: {@code : 1 of 2 lines came}. */
     public static String late(long limitNanos, long waitedNanos, int lines, int expected, int partialBytes) {
-        String fault = late(limitNanos, waitedNanos);
+        return withLines(late(limitNanos, waitedNanos), lines, expected, partialBytes);
+    }
+
+    private static String withLines(String fault, int lines, int expected, int partialBytes) {
         if (lines >= expected) {
             return fault;
         }
@@ -39,7 +59,37 @@ public final class FaultMessages {
 
     /** {@code did not read its input within 75 ms (waited 76 ms)}. */
     public static String inputUnread(long limitNanos, long waitedNanos) {
-        return "did not read its input within " + limit(limitNanos) + " (waited " + waited(waitedNanos) + ")";
+        return UNREAD + within(TimeBasis.WALL, limitNanos, waitedNanos);
+    }
+
+    /**
+     * A missed deadline with where the time went: {@code no answer within 75 ms (waited 76 ms): computed 2, waited 53
+     * for a processor, 2 other, 19 before the first look}.
+     *
+     * @param basis  what the limit of a turn is a limit of
+     * @param unread whether the bot did not read its input
+     */
+    public static String missed(TimeSpent spent, TimeBasis basis, boolean unread, int lines, int expected,
+                                int partialBytes) {
+        String fault = spent.overCpu() ? overCpu(spent.limit(), spent.cpu(), spent.taken())
+            : unread ? UNREAD + within(basis, spent.limit(), spent.taken())
+            : withLines(late(basis, spent.limit(), spent.taken()), lines, expected, partialBytes);
+        return fault + (fault.endsWith(")") ? ": " : "; ") + spent.text();
+    }
+
+    /**
+     * {@code no answer within 75 ms of CPU time (used 81 ms in 130 ms)}.
+     *
+     * @param usedNanos  by all threads together
+     * @param takenNanos by the wall clock
+     */
+    static String overCpu(long limitNanos, long usedNanos, long takenNanos) {
+        return LATE + limit(limitNanos) + " of CPU time (used " + waited(usedNanos) + " in " + waited(takenNanos) + ")";
+    }
+
+    /** The same fault without what was measured and differs from one occurrence to the next; others stay. */
+    public static String withoutTimes(String fault) {
+        return MEASURED.matcher(fault).replaceAll("");
     }
 
     /** {@code line longer than 65536 bytes}. */
@@ -62,9 +112,9 @@ public final class FaultMessages {
         return "exited with status " + status + " before answering" + meaning;
     }
 
-    /** Whether a fault is one of {@link #late}. */
+    /** Whether a fault is one of {@link #late} or {@link #overCpu}. */
     public static boolean isLate(String fault) {
-        return fault.startsWith("no answer within ");
+        return fault.startsWith(LATE);
     }
 
     /** Whether a fault is one of {@link #exited}, by itself or by a signal. */

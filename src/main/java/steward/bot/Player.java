@@ -27,6 +27,14 @@ public interface Player extends AutoCloseable {
     String name();
 
     /**
+     * Says what the limits of {@link #ask} are limits of; to be called before the first. By default this does nothing,
+     * and they are limits of the wall clock.
+     */
+    default void limitBy(TimeBasis basis) {
+        return;
+    }
+
+    /**
      * Queues lines that need no answer (the setup frame). They reach the player at the latest with the next
      * {@link #ask}; the bytes are copied.
      */
@@ -34,12 +42,13 @@ public interface Player extends AutoCloseable {
 
     /**
      * Sends the lines and waits for the answer. The clock runs from the flushed frame to the end of the last answer
-     * line; the first call includes the start of a process.
+     * line; the first call starts a process and writes at once, so that its start is included.
      *
      * @param frame       the lines to send, each with its line end
      * @param length      how many bytes of {@code frame} count
      * @param answerLines how many lines make an answer, at least 1
-     * @param limitNanos  the deadline, in nanoseconds after the flush; {@code Long.MAX_VALUE} is no deadline
+     * @param limitNanos  the deadline, in nanoseconds after the flush, or as {@link #limitBy} says;
+     *                    {@code Long.MAX_VALUE} is no deadline
      * @param answer      receives the answer, the time it took and what the player wrote to its stderr meanwhile
      */
     Ending ask(byte[] frame, int length, int answerLines, long limitNanos, Answer answer);

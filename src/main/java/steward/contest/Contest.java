@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import steward.Internal;
 import steward.bot.Player;
+import steward.bot.TimeBasis;
 import steward.bot.UnstartablePlayer;
 import steward.bot.command.BotCommand;
 import steward.bot.process.BotProcess;
@@ -48,6 +49,11 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
     @Internal
     public Contest signedWith(SigningKey other) {
         return new Contest(setup, entrants, time, timeFactor, other);
+    }
+
+    /** The same, its limits those of something else. */
+    public Contest limitedBy(TimeBasis basis) {
+        return new Contest(setup, entrants, time.by(basis), timeFactor, key);
     }
 
     /**

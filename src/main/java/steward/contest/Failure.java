@@ -3,6 +3,7 @@ package steward.contest;
 import java.util.List;
 import java.util.regex.Pattern;
 import steward.bot.FaultMessages;
+import steward.bot.TimeSpent;
 
 /**
  * How a bot failed as a program in one game.
@@ -12,14 +13,14 @@ import steward.bot.FaultMessages;
  * @param reason what was found and what was expected, as the referee says it
  * @param stderr the last lines it wrote there, in this turn or before, oldest first
  * @param hints  what the reason may be, each a short sentence without its full stop
+ * @param time   where the time of a late answer went, or {@code null}
  */
-public record Failure(int player, int turn, String reason, List<String> stderr, List<String> hints) {
+public record Failure(int player, int turn, String reason, List<String> stderr, List<String> hints, TimeSpent time) {
 
     /** How many lines of stderr are kept at most. */
     public static final int LINES = 10;
 
     private static final String RECEIVED = "; received: ";
-    private static final Pattern WAITED = Pattern.compile(" \\(waited [^)]*\\)");
     private static final Pattern NUMBER = Pattern.compile("-?\\d+(\\.\\d+)?(E-?\\d+)?");
 
     /** Copies the lists. */
@@ -28,9 +29,19 @@ public record Failure(int player, int turn, String reason, List<String> stderr, 
         hints = List.copyOf(hints);
     }
 
+    /** One that is not of time. */
+    public Failure(int player, int turn, String reason, List<String> stderr, List<String> hints) {
+        this(player, turn, reason, stderr, hints, null);
+    }
+
     /** The same without lines and hints, to save memory. */
     Failure brief() {
-        return new Failure(player, turn, reason, List.of(), List.of());
+        return new Failure(player, turn, reason, List.of(), List.of(), time);
+    }
+
+    /** Whether it was late while other programs used the processors, see {@link TimeSpent#starved}. */
+    public boolean starved() {
+        return time != null && time.starved();
     }
 
     /**
@@ -39,7 +50,7 @@ public record Failure(int player, int turn, String reason, List<String> stderr, 
      */
     public String kind() {
         int received = reason.indexOf(RECEIVED);
-        String text = WAITED.matcher(received < 0 ? reason : reason.substring(0, received)).replaceAll("");
+        String text = FaultMessages.withoutTimes(received < 0 ? reason : reason.substring(0, received));
         return FaultMessages.isExit(reason) || FaultMessages.isLate(reason) ? text
             : NUMBER.matcher(text).replaceAll("#");
     }

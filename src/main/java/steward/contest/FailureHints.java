@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.regex.Pattern;
 import steward.bot.FaultMessages;
+import steward.bot.TimeSpent;
 import steward.match.Protocol;
 
 /** Hints for beginners: the likely cause, guessed from how a bot failed. */
@@ -17,6 +18,8 @@ final class FailureHints {
         + "interpreter in the first line of a script (#!), where a Windows line end would become part of its name";
     static final String NOT_EXECUTABLE = "a program could not be executed: without permission (chmod +x), or on a "
         + "folder that is mounted noexec; name its interpreter before it";
+    static final String STARVED = "other programs used the processors while it waited for one; --time cpu does not "
+        + "charge a bot for that";
 
     private static final int NOT_EXECUTABLE_STATUS = 126;
     private static final int NOT_FOUND_STATUS = 127;
@@ -35,21 +38,25 @@ final class FailureHints {
      * @param reason   as the referee says it
      * @param received what was received in place of an answer
      * @param stderr   the last lines it wrote there
+     * @param time     where the time of a late answer went, or {@code null}
      */
     static List<String> of(Protocol protocol, BooleanSupplier other, int answers, String reason, String received,
-                           List<String> stderr) {
+                           List<String> stderr, TimeSpent time) {
         List<String> hints = new ArrayList<>();
         if (FaultMessages.isExit(reason, NOT_FOUND_STATUS)) {
             hints.add(NOT_FOUND);
         } else if (FaultMessages.isExit(reason, NOT_EXECUTABLE_STATUS)) {
             hints.add(NOT_EXECUTABLE);
         } else if (answers == 0) {
-            if (FaultMessages.isLate(reason) && received.isEmpty()) {
+            if (FaultMessages.isLate(reason) && received.isEmpty() && (time == null || !time.starved())) {
                 hints.add(FLUSH);
             }
             if (speaksTheOther(protocol, reason, received, stderr) && other.getAsBoolean()) {
                 hints.add(protocol == Protocol.JSON ? CODINGAME : JSON);
             }
+        }
+        if (time != null && time.starved()) {
+            hints.add(STARVED);
         }
         return hints;
     }

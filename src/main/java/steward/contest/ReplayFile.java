@@ -6,6 +6,7 @@ import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import steward.Internal;
 import steward.files.InputException;
 import steward.files.OutputFiles;
@@ -106,6 +107,20 @@ public final class ReplayFile extends OutputStream {
         } catch (IOException unreadable) {
             return true;                               // unknown: it is kept, nothing recorded is lost
         }
+    }
+
+    /**
+     * When it is closed: gives the file another name, replacing a file of that name.
+     *
+     * @return whether it has it: a device or a link stays
+     * @throws IOException if that is not possible
+     */
+    boolean moveTo(Path other) throws IOException {
+        if (isOurs()) {
+            Files.move(path, other, StandardCopyOption.REPLACE_EXISTING);
+            return true;
+        }
+        return false;
     }
 
     /** Removes the file, whatever is in it. */

@@ -16,8 +16,9 @@ import steward.match.MatchResult;
  * @param swap    whether the bots change sides
  * @param folder  for the replays, or {@code null}
  * @param keep    which replays are kept when their games are over
+ * @param hiccups what becomes of games that a bot lost on time while other programs used the processors
  */
-public record Series(Contest contest, long first, int seeds, boolean swap, Path folder, KeptReplays keep) {
+public record Series(Contest contest, long first, int seeds, boolean swap, Path folder, KeptReplays keep, Hiccups hiccups) {
 
     private static final int LEAST_DIGITS = 4;
 
@@ -31,13 +32,21 @@ public record Series(Contest contest, long first, int seeds, boolean swap, Path 
      * @param failure  why it could not, or {@code null}
      * @param failures of bots, in the order in which they happened, without lines of stderr
      * @param replay   where it is, or {@code null} if there is none
+     * @param starved  the same game as it was played before, which does not count since the machine was starved, see
+     *                 {@link Hiccups#REPLAY}; or {@code null}
      */
     public record Played(int number, long seed, int rotation, MatchResult result, String failure,
-                         List<Failure> failures, Path replay) {
+                         List<Failure> failures, Path replay, Played starved) {
 
         /** Copies the list. */
         public Played {
             failures = List.copyOf(failures);
+        }
+
+        /** One that was played once. */
+        public Played(int number, long seed, int rotation, MatchResult result, String failure,
+                      List<Failure> failures, Path replay) {
+            this(number, seed, rotation, result, failure, failures, replay, null);
         }
 
         /** Which bot of the call was a player. */
@@ -61,12 +70,17 @@ public record Series(Contest contest, long first, int seeds, boolean swap, Path 
         }
 
         Played without(String problem) {
-            return new Played(number, seed, rotation, null, problem, failures, replay);
+            return new Played(number, seed, rotation, null, problem, failures, replay, starved);
         }
 
-        Played unkept() {
-            return new Played(number, seed, rotation, result, failure, failures, null);
+        Played keptAs(Path file) {
+            return new Played(number, seed, rotation, result, failure, failures, file, starved);
         }
+    }
+
+    /** A series that plays games again which were lost on a starved machine. */
+    public Series(Contest contest, long first, int seeds, boolean swap, Path folder, KeptReplays keep) {
+        this(contest, first, seeds, swap, folder, keep, Hiccups.REPLAY);
     }
 
     /** Without a folder where nothing is to be kept. */
@@ -95,12 +109,21 @@ public record Series(Contest contest, long first, int seeds, boolean swap, Path 
 
     /** The replay of a game, counted from 1; or {@code null}. */
     public Path file(int number) {
+        return file(number, "");
+    }
+
+    /** Where it goes if the game is played again because the machine was starved; or {@code null}. */
+    public Path starvedFile(int number) {
+        return file(number, "-starved");
+    }
+
+    private Path file(int number, String suffix) {
         if (folder == null) {
             return null;
         }
         String digits = Integer.toString(number);
         int width = Math.max(LEAST_DIGITS, Integer.toString(games()).length());
-        return folder.resolve("game-" + "0".repeat(width - digits.length()) + digits + ".jsonl");
+        return folder.resolve("game-" + "0".repeat(width - digits.length()) + digits + suffix + ".jsonl");
     }
 
     /** Checks that all replays can be written. */
@@ -110,8 +133,10 @@ public record Series(Contest contest, long first, int seeds, boolean swap, Path 
         }
         OutputFiles.prepareFolder(folder);
         for (int number = 1; number <= games() && !overwrite; number++) {
-            if (Files.exists(file(number))) {
-                throw OutputFiles.exists(file(number));
+            for (Path file : List.of(file(number), starvedFile(number))) {
+                if (Files.exists(file)) {
+                    throw OutputFiles.exists(file);
+                }
             }
         }
     }

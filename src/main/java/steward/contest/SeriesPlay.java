@@ -1,5 +1,7 @@
 package steward.contest;
 
+import java.io.IOException;
+import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -11,16 +13,28 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import steward.files.InputException;
+import steward.match.MatchListener;
 import steward.match.MatchResult;
 
 /**
  * A series while it is played, several games at the same time. A failure is reported with its game and does not end
  * other games, with one exception: when a replay cannot be written, on a full disk say, no further games are begun,
  * since theirs could not be either; those under way are played to their end.
+ *
+ * <p>A game that was lost on time on a starved machine is played again at once, see {@link Hiccups}.
  */
 public final class SeriesPlay {
 
+    /** How one match is played, as {@link Contest#play} does. */
+    public interface MatchPlay {
+
+        /** See {@link Contest#play}. */
+        MatchResult play(long seed, int rotation, OutputStream recording, MatchListener follower)
+            throws InterruptedException;
+    }
+
     private final Series series;
+    private final MatchPlay match;
     private final boolean overwrite;
     private final Standings standings;
 
@@ -32,7 +46,13 @@ public final class SeriesPlay {
 
     /** @param overwrite whether replays that exist are replaced */
     public SeriesPlay(Series series, boolean overwrite) {
+        this(series, overwrite, series.contest()::play);
+    }
+
+    /** @param match plays its matches */
+    public SeriesPlay(Series series, boolean overwrite, MatchPlay match) {
         this.series = series;
+        this.match = match;
         this.overwrite = overwrite;
         standings = new Standings(series.contest());
     }
@@ -42,8 +62,15 @@ public final class SeriesPlay {
      *
      * @param file    its replay, or {@code null}
      * @param refused why its replay cannot be opened, or {@code null}
+     * @param before  the same game on a starved machine, which this one is to replace, or {@code null}
      */
-    private record Game(int number, long seed, int rotation, GameLog log, ReplayFile file, String refused) {
+    private record Game(int number, long seed, int rotation, GameLog log, ReplayFile file, String refused,
+                        Series.Played before) {
+    }
+
+    /** What is played. */
+    public Series series() {
+        return series;
     }
 
     /** The games that are over. */
@@ -88,24 +115,36 @@ public final class SeriesPlay {
     /** Plays a game; returns whether there was one and it counts. */
     private boolean playNext() throws InterruptedException {
         Game game = begin();
-        if (game == null) {
-            return false;
-        }
-        MatchResult result = null;
-        String problem = game.refused();
-        if (problem == null) {
-            try {
-                result = series.contest().play(game.seed(), game.rotation(), game.file(), game.log());
-            } catch (UncheckedIOException failed) {
-                problem = failed.getMessage();
-            } catch (InterruptedException interrupted) {
-                close(game);
-                cut(game);
-                throw interrupted;
+        while (game != null) {
+            MatchResult result = null;
+            String problem = game.refused();
+            if (problem == null) {
+                try {
+                    result = match.play(game.seed(), game.rotation(), game.file(), game.log());
+                } catch (UncheckedIOException failed) {
+                    problem = failed.getMessage();
+                } catch (InterruptedException interrupted) {
+                    close(game);
+                    cut(game);
+                    throw interrupted;
+                }
+            }
+            close(game);
+            synchronized (this) {
+                if (brokenOff) {
+                    return false;
+                }
+                underWay.remove(game);
+                Series.Played played = played(game, result, problem);
+                Game another = series.hiccups().demandAnother(played) && stopped == null ? again(game, played) : null;
+                if (another == null) {
+                    standings.add(played, game.log().failures(), game.log().times());
+                    return true;
+                }
+                game = another;
             }
         }
-        close(game);
-        return end(game, result, problem);
+        return false;
     }
 
     /** The next game, its replay open; {@code null} if there is none any more. */
@@ -113,7 +152,10 @@ public final class SeriesPlay {
         if (brokenOff || stopped != null || begun == series.games()) {
             return null;
         }
-        int number = ++begun;
+        return begin(++begun, null);
+    }
+
+    private Game begin(int number, Series.Played before) {
         ReplayFile file = null;
         String refused = null;
         try {
@@ -123,9 +165,21 @@ public final class SeriesPlay {
         }
         int rotation = series.rotation(number);
         Game game = new Game(number, series.seed(number), rotation, new GameLog(series.contest(), rotation), file,
-            refused);
+            refused, before);
         underWay.add(game);
         return game;
+    }
+
+    /** The same game once more; the replay of the first, if it is kept, makes room. {@code null} if it cannot. */
+    private Game again(Game game, Series.Played played) {
+        try {
+            Path kept = series.starvedFile(game.number());
+            boolean moved = played.replay() != null && game.file().moveTo(kept);
+            return begin(game.number(), played.keptAs(moved ? kept : null));
+        } catch (IOException problem) {
+            stopped = played.replay() + ": cannot be renamed: " + problem.getMessage();
+            return null;
+        }
     }
 
     private static void close(Game game) {
@@ -134,17 +188,13 @@ public final class SeriesPlay {
         }
     }
 
-    /** Counts a game, unless the series has been broken off meanwhile; returns whether it was counted. */
-    private synchronized boolean end(Game game, MatchResult found, String failed) {
-        if (brokenOff) {
-            return false;
-        }
-        underWay.remove(game);
+    /** A game that is over; its replay is kept or removed. */
+    private Series.Played played(Game game, MatchResult found, String failed) {
         ReplayFile file = game.file();
         boolean broken = file != null && file.isBroken();
-        List<Failure> failures = game.log().failures();
         Series.Played played = new Series.Played(game.number(), game.seed(), game.rotation(), broken ? null : found,
-            failed, failures.stream().map(Failure::brief).toList(), file == null ? null : file.path());
+            failed, game.log().failures().stream().map(Failure::brief).toList(), file == null ? null : file.path(),
+            game.before());
         if (file != null && played.result() == null) {
             file.removeIfEmpty();
         }
@@ -155,8 +205,7 @@ public final class SeriesPlay {
             played = played.without(file.problem());
             stopped = stopped == null ? played.failure() : stopped;
         }
-        standings.add(file == null || file.exists() ? played : played.unkept(), failures, game.log().times());
-        return true;
+        return file == null || file.exists() ? played : played.keptAs(null);
     }
 
     /**

@@ -104,6 +104,11 @@ public final class Standings {
         return games().stream().filter(Series.Played::allFailed).toList();
     }
 
+    /** The games that were played again, see {@link Hiccups#REPLAY}. */
+    public List<Series.Played> playedAgain() {
+        return games().stream().filter(game -> game.starved() != null).toList();
+    }
+
     /** Why bots failed, the bot and kind of the earliest game first. */
     public synchronized List<FailureKind> failures() {
         Map<List<Object>, List<FailureKind.Occurrence>> found = new LinkedHashMap<>();

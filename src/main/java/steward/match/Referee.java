@@ -91,6 +91,7 @@ public final class Referee {
             int number = player;
             answers[player] = new Answer();
             watches[player] = new Stopwatch();
+            players.get(player).limitBy(time.basis());
             players.get(player).onAbandoned(answer -> goOnAfter(number, answer));
         }
     }
@@ -215,6 +216,7 @@ public final class Referee {
         turn.asked[player] = true;
         turn.answers[player] = answer;
         turn.nanos[player] = answer.nanos();
+        turn.timeSpent[player] = answer.timeSpent();
         turn.stderr[player] = SafeText.wellFormed(answer.stderr());
         data.read(player, turn.stderr[player]);
         String fault = answer.fault();

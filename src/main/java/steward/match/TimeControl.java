@@ -1,5 +1,6 @@
 package steward.match;
 
+import steward.bot.TimeBasis;
 import steward.scene.Time;
 
 /**
@@ -7,13 +8,24 @@ import steward.scene.Time;
  *
  * @param firstNanos the limit of the first answer, in nanoseconds; it includes the start of a process
  * @param turnNanos  the limit of every later answer; {@code Long.MAX_VALUE} is no deadline
+ * @param basis      what they are limits of
  */
-public record TimeControl(long firstNanos, long turnNanos) {
+public record TimeControl(long firstNanos, long turnNanos, TimeBasis basis) {
 
     /** No deadlines. */
     public static final TimeControl UNLIMITED = new TimeControl(Long.MAX_VALUE, Long.MAX_VALUE);
 
     private static final double NANOS_PER_MS = 1e6;
+
+    /** Limits of the wall clock. */
+    public TimeControl(long firstNanos, long turnNanos) {
+        this(firstNanos, turnNanos, TimeBasis.WALL);
+    }
+
+    /** The same limits of something else. */
+    public TimeControl by(TimeBasis other) {
+        return new TimeControl(firstNanos, turnNanos, other);
+    }
 
     /** A scene's limits times a factor, finite and above 0. */
     public static TimeControl of(Time time, double factor) {

@@ -1,6 +1,7 @@
 package steward.match;
 
 import steward.bot.Answer;
+import steward.bot.TimeSpent;
 
 /**
  * What the players did in one turn; the referee reuses it from turn to turn. Arrays are indexed by player.
@@ -15,6 +16,7 @@ public final class Turn {
     final String[] messages;
     final String[] stderr;
     final long[] nanos;
+    final TimeSpent[] timeSpent;
 
     Turn(int players) {
         asked = new boolean[players];
@@ -24,6 +26,7 @@ public final class Turn {
         messages = new String[players];
         stderr = new String[players];
         nanos = new long[players];
+        timeSpent = new TimeSpent[players];
     }
 
     /** A turn that no referee asks for, such as a recorded one; no player has been asked yet. */
@@ -50,6 +53,11 @@ public final class Turn {
         nanos[player] = answerNanos;
     }
 
+    /** Records where the time of a late answer went. */
+    public void late(int player, TimeSpent spent) {
+        timeSpent[player] = spent;
+    }
+
     void begin(int turnNumber) {
         number = turnNumber;
         for (int player = 0; player < asked.length; player++) {
@@ -60,6 +68,7 @@ public final class Turn {
             messages[player] = null;
             stderr[player] = null;
             nanos[player] = 0;
+            timeSpent[player] = null;
         }
     }
 
@@ -94,6 +103,11 @@ public final class Turn {
     /** How the player failed in this turn, or {@code null}. */
     public String fault(int player) {
         return faults[player];
+    }
+
+    /** Where the time of a late answer went; {@code null} if it was not late, or the player is no process. */
+    public TimeSpent timeSpent(int player) {
+        return timeSpent[player];
     }
 
     /** The message that came with the answer, or {@code null}. */

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
+import steward.bot.TimeSpent.Shows;
 
 /** The words of faults. */
 class FaultMessagesTest {
@@ -65,5 +66,52 @@ class FaultMessagesTest {
         assertFalse(FaultMessages.isExit(FaultMessages.exited(12), 127)
             || FaultMessages.isExit(FaultMessages.late(1, 2)));
         assertFalse(FaultMessages.isLate(FaultMessages.inputUnread(1, 2)));
+    }
+
+    /** 19 + 2 + 53 + 2 = 76: the parts of one deadline add up to what was waited. */
+    @Test
+    void aMissedDeadlineTellsWhereTheTimeWent() {
+        TimeSpent spent = new TimeSpent(75 * MS, 76 * MS, 19 * MS, 2 * MS, 53 * MS, 2 * MS, 2 * MS, Shows.ALL, false);
+        String parts = "computed 2, waited 53 for a processor, 2 other, 19 before the first look";
+        assertEquals("no answer within 75 ms (waited 76 ms): " + parts,
+            FaultMessages.missed(spent, TimeBasis.WALL, false, 0, 1, 0));
+        assertEquals("no answer within 75 ms (waited 76 ms): 1 of 2 lines came; " + parts,
+            FaultMessages.missed(spent, TimeBasis.WALL, false, 1, 2, 0));
+        assertEquals("did not read its input within 75 ms (waited 76 ms): " + parts,
+            FaultMessages.missed(spent, TimeBasis.WALL, true, 0, 1, 0));
+    }
+
+    @Test
+    void aLimitOfCpuTimeIsToldFromItsBackstop() {
+        TimeSpent used = new TimeSpent(75 * MS, 133 * MS, 0, 81 * MS, 40 * MS, 12 * MS, 81 * MS, Shows.ALL, true);
+        assertEquals("no answer within 75 ms of CPU time (used 81 ms in 133 ms): computed 81, waited 40 for a "
+            + "processor, 12 other", FaultMessages.missed(used, TimeBasis.CPU, false, 0, 1, 0));
+        TimeSpent slept = new TimeSpent(750 * MS, 751 * MS, 0, 0, 0, 751 * MS, 0, Shows.ALL, false);
+        assertEquals("no answer within 750 ms, 10 times the limit of CPU time (waited 751 ms): computed 0, waited 0 for"
+            + " a processor, 751 other", FaultMessages.missed(slept, TimeBasis.CPU, false, 0, 1, 0));
+        assertTrue(FaultMessages.isLate(FaultMessages.missed(used, TimeBasis.CPU, false, 0, 1, 0)));
+    }
+
+    @Test
+    void whatTheKernelDoesNotShowIsSaid() {
+        assertEquals("computed 20 (in steps of 10 ms), 56 other (this system does not show waiting for a processor)",
+            new TimeSpent(75 * MS, 76 * MS, 0, 20 * MS, 0, 56 * MS, 20 * MS, Shows.STEPS, false).text());
+        assertEquals("computed 20 (in steps of 10 ms), waited 30 for a processor, 26 other",
+            new TimeSpent(75 * MS, 76 * MS, 0, 20 * MS, 30 * MS, 26 * MS, 20 * MS, Shows.ALL_IN_STEPS, false).text());
+        assertEquals("this system does not show what the bot did meanwhile",
+            TimeSpent.unknown(75 * MS, 76 * MS).text());
+    }
+
+    /** Half of 75 ms is 37.5 ms. */
+    @Test
+    void aMachineIsStarvedWhenTheBotWaitedHalfOfItsLimit() {
+        assertTrue(waiting(37_500_000, false).starved());
+        assertFalse(waiting(37_400_000, false).starved());
+        assertFalse(waiting(60 * MS, true).starved());
+        assertFalse(TimeSpent.unknown(75 * MS, 76 * MS).starved());
+    }
+
+    private static TimeSpent waiting(long waited, boolean overCpu) {
+        return new TimeSpent(75 * MS, 76 * MS, 0, 0, waited, 76 * MS - waited, 0, Shows.ALL, overCpu);
     }
 }

@@ -16,6 +16,11 @@ import steward.bot.AnswerReader;
 import steward.bot.FaultMessages;
 import steward.bot.LineBuffer;
 import steward.bot.Player;
+import steward.bot.TimeBasis;
+import steward.bot.TimeSpent;
+import steward.bot.accounting.OwnThread;
+import steward.bot.accounting.TreeSample;
+import steward.bot.accounting.TreeSampler;
 import steward.bot.command.BotCommand;
 
 /**
@@ -54,6 +59,8 @@ public final class BotProcess implements Player {
     private final List<String> command;
     private final long graceMs;
     private final Alarm alarm = new Alarm();
+    private final OwnThread asking = new OwnThread();
+    private final QuestionClock clock = new QuestionClock(asking::state, at -> this.tree.sample(at));
     private final Deadline deadline = new Deadline(Watchdog.shared(), alarm);
     private volatile Consumer<Answer> continuation;
 
@@ -63,14 +70,13 @@ public final class BotProcess implements Player {
     private OutputStream input;
     private AnswerReader output;
 
-    /** Set last: once it is there, so are the three fields above. */
+    private TreeSampler tree;
+
+    /** Set last: once it is there, so are the four fields above. */
     private volatile ProcessGroup group;
 
-    /** The current question: time limit, start of the clock, lines of the answer, and whether the frame was written. */
-    private long limit;
-    private long clock;
+    /** How many lines the current question wants. */
     private int wanted;
-    private boolean written;
 
     /** Writes the last lines. */
     private volatile FutureTask<Void> writer;
@@ -122,6 +128,11 @@ public final class BotProcess implements Player {
     }
 
     @Override
+    public void limitBy(TimeBasis basis) {
+        clock.limitBy(basis);
+    }
+
+    @Override
     public void tell(byte[] lines, int length) {
         queued.write(lines, 0, length);
     }
@@ -134,50 +145,43 @@ public final class BotProcess implements Player {
         }
         boolean first = group == null;
         wanted = answerLines;
-        limit = Math.max(1, limitNanos);
-        written = false;
+        asking.enter();
+        long limit = Math.max(1, limitNanos);
         if (first) {
-            String problem = start();
+            String problem = start(limit);
             if (problem != null) {
                 return fault(answer, problem);
             }
         } else {
-            clock = Watchdog.now();
+            long now = Watchdog.now();
+            clock.begin(limit, now, clock.needsBaseline() ? tree.baseline(now) : null);
         }
-        long asked = clock;
-        long due = due();
-        deadline.arm(due);
+        deadline.arm(clock.started(), clock.firstLook());
         send(frame, length);
-        clock = first ? asked : Watchdog.now();
-        written = true;
-        long later = due();
-        if (deadline.postpone(due, later)) {
-            AnswerReader.Outcome outcome = output.await(answerLines);
-            return conclude(deadline.complete(later), outcome, answer);
+        if (!deadline.isPending()) {
+            return conclude(false, AnswerReader.Outcome.ENDED, answer);
         }
-        clock = asked;
-        written = false;
-        return conclude(false, AnswerReader.Outcome.ENDED, answer);
+        clock.frameWritten(Watchdog.now());
+        AnswerReader.Outcome outcome = output.await(answerLines);
+        return conclude(deadline.complete(), outcome, answer);
     }
 
     /** Ends a call that has returned in time, or because the watchdog ended it, or after having been abandoned. */
     private Ending conclude(boolean inTime, AnswerReader.Outcome outcome, Answer answer) {
-        long waited = Watchdog.now() - clock;
+        long now = Watchdog.now();
         if (!inTime && !deadline.claim()) {
             output.close();
             closeInput();
             return Ending.ABANDONED;
         }
-        boolean cut = !inTime && !alarm.leaderGone;
-        if (cut) {
-            waited = deadline.passedAt() - clock;
+        boolean complete = outcome == AnswerReader.Outcome.COMPLETE;
+        long charge = complete && inTime ? clock.charge(now) : clock.passed(now);
+        boolean late = inTime ? charge < 0 : !alarm.leaderGone;
+        answer.setNanos(late ? clock.taken() : charge);
+        if (late) {
+            return fault(answer, lateText(answer, complete ? wanted : output.linesReceived(), output.partialBytes()));
         }
-        answer.setNanos(waited);
-        if (cut || waited > limit) {
-            boolean complete = outcome == AnswerReader.Outcome.COMPLETE;
-            return fault(answer, lateText(waited, complete ? wanted : output.linesReceived(), output.partialBytes()));
-        }
-        if (outcome == AnswerReader.Outcome.COMPLETE) {
+        if (complete) {
             output.take(wanted, answer);
             answer.setExtraLines(output.extraLines());
             answer.setStderr(stderr.collect(false));
@@ -187,19 +191,16 @@ public final class BotProcess implements Player {
             ? FaultMessages.tooLong(AnswerReader.LINE_LIMIT) : endText());
     }
 
-    private long due() {
-        return limit < Long.MAX_VALUE - clock ? clock + limit : Long.MAX_VALUE;
-    }
-
-    /** Starts the process and the clock; returns the problem, or {@code null}. */
-    private String start() {
+    /** Starts the process; returns the problem, or {@code null}. */
+    private String start(long limit) {
         Sentinel.shared().start();
         try {
             stderr = StderrFile.create();
         } catch (IOException e) {
             throw new UncheckedIOException("no temporary file for the stderr of " + name + ": " + e.getMessage(), e);
         }
-        clock = Watchdog.now();
+        long now = Watchdog.now();
+        clock.begin(limit, now, TreeSample.beforeStart(now, TreeSampler.idle()));
         ProcessGroup started;
         try {
             started = ProcessGroup.start(command, stderr);
@@ -210,6 +211,7 @@ public final class BotProcess implements Player {
         }
         input = started.process().getOutputStream();
         output = new AnswerReader(started.process().getInputStream());
+        tree = new TreeSampler(started.process().pid());
         Watchdog.shared().add(deadline);
         group = started;
         if (over) {
@@ -239,9 +241,11 @@ public final class BotProcess implements Player {
         }
     }
 
-    private String lateText(long waited, int lines, int partialBytes) {
-        return written
-            ? FaultMessages.late(limit, waited, lines, wanted, partialBytes) : FaultMessages.inputUnread(limit, waited);
+    /** The fault after a missed deadline; the processes need not be alive if it was the watchdog that found it. */
+    private String lateText(Answer answer, int lines, int partialBytes) {
+        TimeSpent spent = clock.spent(Watchdog.now(), answer.nanos());
+        answer.setTimeSpent(spent);
+        return FaultMessages.missed(spent, clock.basis(), clock.unread(), lines, wanted, partialBytes);
     }
 
     /** The fault after the end of the output. The exit status may be known a little later than that. */
@@ -344,6 +348,9 @@ public final class BotProcess implements Player {
         /** Kills the group, which ends the blocked call of the asking thread; if that fails, abandons that thread. */
         @Override
         public void expired() {
+            if (!leaderGone) {
+                clock.spent(Watchdog.now(), clock.taken());
+            }
             group.kill();
             long giveUp = Watchdog.now() + TimeUnit.MILLISECONDS.toNanos(ABANDON_AFTER_MS);
             while (deadline.isExpired() && Watchdog.now() < giveUp) {
@@ -360,13 +367,13 @@ public final class BotProcess implements Player {
          * keeps its output open, one tick later, so that an answer already in the pipe is read.
          */
         @Override
-        public boolean tick(long now) {
+        public long look(long now, long overslept) {
             stderr.bound();
             if (goneSince == 0 && !group.process().isAlive()) {
                 goneSince = now;
             }
             leaderGone = goneSince > 0 && now - goneSince >= Watchdog.TICK;
-            return leaderGone;
+            return leaderGone ? QuestionClock.PASSED : clock.look(now, overslept);
         }
     }
 
@@ -374,9 +381,8 @@ public final class BotProcess implements Player {
         over = true;
         abandoned = true;
         Answer answer = new Answer();
-        long waited = Watchdog.now() - clock;
-        answer.setNanos(waited);
-        answer.setFault(alarm.leaderGone ? endText() : lateText(waited, output.linesReceived(), 0));
+        answer.setNanos(alarm.leaderGone ? clock.passed(Watchdog.now()) : clock.taken());
+        answer.setFault(alarm.leaderGone ? endText() : lateText(answer, output.linesReceived(), 0));
         answer.setStderr(stderr.collect(true));
         return answer;
     }

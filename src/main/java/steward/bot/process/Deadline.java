@@ -15,8 +15,8 @@ import java.util.concurrent.atomic.AtomicLong;
  *                               └──────▶ ABANDONED   too late, and the player's thread is stuck
  * </pre>
  *
- * Pending is the positive time of the deadline, on the clock of {@link Watchdog#now}; idle is minus the time of the
- * previous deadline.
+ * Pending is the positive time when the watchdog is to look next, on the clock of {@link Watchdog#now}; idle is minus
+ * the last of these times.
  */
 final class Deadline {
 
@@ -27,10 +27,12 @@ final class Deadline {
         void expired();
 
         /**
-         * Called by the watchdog at least every {@link Watchdog#TICK} while pending. Must return at once; true means
-         * that no answer can come any more, and the deadline passes now.
+         * Called by the watchdog at least every {@link Watchdog#TICK} while pending. Must return at once.
+         *
+         * @param overslept by how many nanoseconds the watchdog has woken up later than it was to
+         * @return when it is to look again, or {@link QuestionClock#PASSED}: the deadline passes now
          */
-        boolean tick(long now);
+        long look(long now, long overslept);
     }
 
     private static final long EXPIRED = Long.MIN_VALUE;
@@ -41,8 +43,8 @@ final class Deadline {
     private final Watchdog watchdog;
     private final Owner owner;
 
-    /** Written by the watchdog before it tries to decide. */
-    private long seen;
+    /** How long after the start of the last question the first look was to be. */
+    private volatile long lead = Watchdog.TICK;
 
     Deadline(Watchdog watchdog, Owner owner) {
         this.watchdog = watchdog;
@@ -52,21 +54,29 @@ final class Deadline {
     /**
      * Makes the deadline pending.
      *
-     * @param time when it passes; {@code Long.MAX_VALUE} is never
+     * @param look when the watchdog is to look for the first time; {@code Long.MAX_VALUE} is when it likes
      */
-    void arm(long time) {
-        state.set(time);
-        watchdog.look(time);
+    void arm(long now, long look) {
+        if (look - now != lead) {
+            lead = look - now;
+        }
+        state.set(look);
+        watchdog.look(look);
     }
 
-    /** Moves a pending deadline to a later time; false if it has already passed. */
-    boolean postpone(long time, long later) {
-        return state.compareAndSet(time, later);
+    /** Whether nothing is decided. */
+    boolean isPending() {
+        return state.get() > 0;
     }
 
     /** The answer is complete; false if the deadline has already passed, and then {@link #claim} decides. */
-    boolean complete(long time) {
-        return state.compareAndSet(time, -time);
+    boolean complete() {
+        for (long time = state.get(); time > 0; time = state.get()) {
+            if (state.compareAndSet(time, -time)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** After the deadline has passed: true if the player's thread goes on, false if it was abandoned. */
@@ -83,20 +93,20 @@ final class Deadline {
         return state.get() == EXPIRED;
     }
 
-    /** When the watchdog noticed that the deadline had passed. */
-    long passedAt() {
-        return seen;
-    }
-
-    /** Called only by the watchdog: decides about a pending deadline. */
-    void check(long now) {
+    /** Called only by the watchdog: has its owner decide about a pending deadline. */
+    void check(long now, long overslept) {
         long time = state.get();
         if (time < 0) {
             return;
         }
-        seen = now;
-        boolean hopeless = owner.tick(now);
-        if (time > now && !hopeless || !state.compareAndSet(time, EXPIRED)) {
+        long next = owner.look(now, overslept);
+        if (next != QuestionClock.PASSED) {
+            if (next != time) {
+                state.compareAndSet(time, next);
+            }
+            return;
+        }
+        if (!state.compareAndSet(time, EXPIRED)) {
             return;
         }
         Thread thread = new Thread(owner::expired, "steward-deadline");
@@ -110,12 +120,13 @@ final class Deadline {
     }
 
     /**
-     * Called only by the watchdog: when to check again. Between two turns that is the previous turn's deadline: the
-     * next one is later, so a player that answers at once does not wake the watchdog.
+     * Called only by the watchdog: when to check again. Between two turns that is when it would have looked at the
+     * previous one, and then as long after that as it usually looks after a question: the next question's first look is
+     * later, so a player that answers at once does not wake the watchdog.
      */
     long nextLook(long now) {
         long time = state.get();
         boolean passed = time == EXPIRED || Math.abs(time) <= now && time < 0;
-        return passed ? now + Watchdog.TICK : Math.min(Math.abs(time), now + Watchdog.TICK);
+        return passed ? now + Math.min(lead, Watchdog.TICK) : Math.min(Math.abs(time), now + Watchdog.TICK);
     }
 }

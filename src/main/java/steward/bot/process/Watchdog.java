@@ -74,8 +74,9 @@ final class Watchdog implements Runnable {
     public void run() {
         for (;;) {
             long now = now();
+            long overslept = Math.max(0, now - planned);
             for (Deadline deadline : watched) {
-                deadline.check(now);
+                deadline.check(now, overslept);
             }
             long next = earliest(now);
             planned = next;

@@ -7,6 +7,7 @@ import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
+import steward.bot.TimeBasis;
 import steward.cli.options.BuiltinBotWords;
 import steward.cli.options.CallCheck;
 import steward.cli.options.ProtocolWord;
@@ -104,6 +105,7 @@ public final class MatchCommand implements Callable<Integer> {
     public Integer call() throws InterruptedException {
         check.exclusive("--json", json, "--quiet", quiet);
         double factor = pace.factor();
+        TimeBasis basis = pace.basis();
         many.check(out != null);
         check.that(!overwrite || out != null || show.view() != null,
             "--overwrite: expected --out or --view with it");
@@ -116,13 +118,13 @@ public final class MatchCommand implements Callable<Integer> {
         String problem = show.problem(many.isAny());
         check.that(problem == null, problem);
         Contest contest = Contest.of(Games.warn(scene.open(streams), streams), bots, ProtocolWord.parse(protocol),
-            factor);
+            factor).limitedBy(basis);
         contest = sign == null ? contest : contest.signedWith(SigningKey.read(OutputFiles.path(sign)));
         long first = seed.orDrawn();
         Path path = out == null || piped ? null : OutputFiles.path(out);
         Verbosity report = json ? Verbosity.JSON : quiet ? Verbosity.LINE : Verbosity.FULL;
         if (many.isAny()) {
-            Series series = new Series(contest, first, many.games(), many.swap(), path, many.keep());
+            Series series = new Series(contest, first, many.games(), many.swap(), path, many.keep(), many.hiccups());
             return new SeriesRun(streams, series, report, strict).play(many.threads(streams), overwrite);
         }
         SingleMatch game = new SingleMatch(streams, contest, report, strict, piped);

@@ -73,7 +73,8 @@ public final class PlayCommand implements Callable<Integer> {
             throw new InputException("found " + TextFormat.count(bots.size(), "bot") + ", expected "
                 + TextFormat.count(players, "bot") + ", one for each player of the scene");
         }
-        Contest contest = Contest.withFailing(setup, bots, Protocol.CODINGAME, pace.factor());
+        Contest contest = Contest.withFailing(setup, bots, Protocol.CODINGAME, pace.factor())
+            .limitedBy(pace.basis());
         long used = seed.orDrawn();
         LeagueAttributes attributes = new LeagueAttributes();
         MatchResult result = contest.play(used, 0, null, attributes);

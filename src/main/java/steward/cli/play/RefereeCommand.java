@@ -10,6 +10,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import steward.bot.TimeBasis;
 import steward.cli.options.AccuracyOption;
 import steward.cli.options.CallCheck;
 import steward.cli.options.SceneOptions;
@@ -105,15 +106,18 @@ public final class RefereeCommand implements Callable<Integer> {
             "found two seeds, " + seed + " and " + inData + ", expected one");
         check.that(league == null || league >= 0, "-league: found " + league + ", expected 0 or more");
         double factor = pace.factor();
+        TimeBasis basis = pace.basis();
         Long wanted = seed != null ? seed : inData;
         if (old) {
+            check.that(basis == TimeBasis.WALL, "--old: expected no --time cpu with it: the tool has the bots");
             check.that(!arguments.hasPlayers() && log == null && replay == null && !page,
                 "--old: expected no -p1, -l, -r or -s with it: the tool has the bots");
             return playOld(factor, wanted);
         }
         GameSetup setup = Games.warn(accuracy.open(scene, streams), streams);
         List<String> bots = arguments.bots(setup.scene().players(), setup.scene().name());
-        Contest contest = named(Contest.withFailing(setup, bots, Protocol.CODINGAME, factor), arguments);
+        Contest contest = named(Contest.withFailing(setup, bots, Protocol.CODINGAME, factor), arguments)
+            .limitedBy(basis);
         check.that(log == null || !log.isBlank(), "-l: found no name of a file");
         check.that(replay == null || !replay.isBlank(), "-r: found no name of a file");
         Path logFile = log == null ? null : OutputFiles.path(log);

@@ -40,6 +40,9 @@ final class SeriesJson {
             out.writeBooleanProperty("interrupted", play.isBrokenOff());
             out.writeStringProperty("stopped", play.stopped());
             out.writeStringProperty("keep", series.keep().word());
+            out.writeStringProperty("time", series.contest().time().basis().word());
+            out.writeStringProperty("hiccups", series.hiccups().word());
+            out.writeNumberProperty("playedAgain", standings.playedAgain().size());
             JsonNumbers.writeOrNull(out, "meanTurns", standings.meanTurns());
             out.writeArrayPropertyStart("bots");
             for (int k = 0; k < series.contest().entrants().size(); k++) {
@@ -114,6 +117,15 @@ final class SeriesJson {
             writeResult(out, game.result(), game.failures());
         }
         writePath(out, game.replay());
+        out.writeName("starved");
+        if (game.starved() == null) {
+            out.writeNull();
+        } else {
+            out.writeStartObject();
+            writeResult(out, game.starved().result(), game.starved().failures());
+            writePath(out, game.starved().replay());
+            out.writeEndObject();
+        }
     }
 
     private static void writeResult(JsonGenerator out, MatchResult result, List<Failure> failures) {
@@ -136,6 +148,16 @@ final class SeriesJson {
                 out.writeNull();
             } else {
                 out.writeNumber(turn);
+            }
+        }
+        out.writeEndArray();
+        out.writeArrayPropertyStart("lateAnswers");
+        for (Failure failure : failures) {
+            if (failure.time() != null) {
+                out.writeStartObject();
+                out.writeNumberProperty("player", failure.player());
+                MatchJson.writeTime(out, "time", failure.time());
+                out.writeEndObject();
             }
         }
         out.writeEndArray();

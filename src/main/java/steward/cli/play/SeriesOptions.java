@@ -7,6 +7,7 @@ import java.util.Optional;
 import picocli.CommandLine.Option;
 import steward.cli.options.CallCheck;
 import steward.cli.shared.Streams;
+import steward.contest.Hiccups;
 import steward.contest.KeptReplays;
 
 /** The options of many matches. */
@@ -18,6 +19,24 @@ final class SeriesOptions {
         @Override
         public Iterator<String> iterator() {
             return Arrays.stream(KeptReplays.values()).map(KeptReplays::word).iterator();
+        }
+    }
+
+    /** What {@code --hiccups} takes. */
+    static final class HiccupWords implements Iterable<String> {
+
+        @Override
+        public Iterator<String> iterator() {
+            return Arrays.stream(Hiccups.values()).map(Hiccups::word).iterator();
+        }
+    }
+
+    /** The word that {@code --threads} takes beside numbers. */
+    static final class Auto implements Iterable<String> {
+
+        @Override
+        public Iterator<String> iterator() {
+            return List.of(AUTO).iterator();
         }
     }
 
@@ -44,14 +63,11 @@ final class SeriesOptions {
             + "(lost), in which a bot failed or that have no result (failed), or none.")
     private String keep;
 
-    /** The word that {@code --threads} takes beside numbers. */
-    static final class Auto implements Iterable<String> {
-
-        @Override
-        public Iterator<String> iterator() {
-            return List.of(AUTO).iterator();
-        }
-    }
+    @Option(names = "--hiccups", paramLabel = "replay|count", completionCandidates = HiccupWords.class,
+        description = "What becomes of a game that a bot lost on time while it waited half of its limit for a "
+            + "processor that other programs used: it is played again, once, with the same seed (replay, the default), "
+            + "or it counts (count).")
+    private String hiccups;
 
     /**
      * Refuses options that are out of range or do not go together.
@@ -64,6 +80,9 @@ final class SeriesOptions {
             "--threads: found '" + threads + "', expected 1 to " + CallCheck.MOST_THREADS + ", or auto");
         check.that(isAny() || threads == null, "--threads is for many games, expected --games or --swap with it");
         check.that(isAny() || keep == null, "--keep is for many games, expected --games or --swap with it");
+        check.that(isAny() || hiccups == null, "--hiccups is for many games, expected --games or --swap with it");
+        check.that(hiccups == null || Hiccups.of(hiccups).isPresent(),
+            "--hiccups: found '" + hiccups + "', expected replay or count");
         check.that(keep == null || KeptReplays.of(keep).isPresent(),
             "--keep: found '" + keep + "', expected all, lost, failed or none");
         check.that(keep == null || out, "--keep: expected --out with it");
@@ -85,6 +104,10 @@ final class SeriesOptions {
 
     KeptReplays keep() {
         return Optional.ofNullable(keep).flatMap(KeptReplays::of).orElse(KeptReplays.ALL);
+    }
+
+    Hiccups hiccups() {
+        return Optional.ofNullable(hiccups).flatMap(Hiccups::of).orElse(Hiccups.REPLAY);
     }
 
     /** How many games at the same time; warns if there are too few processors for them. */

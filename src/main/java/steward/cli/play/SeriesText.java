@@ -6,6 +6,7 @@ import steward.cli.shared.Colour;
 import steward.cli.shared.FailureText;
 import steward.contest.AnswerTimes;
 import steward.contest.Contest;
+import steward.contest.Failure;
 import steward.contest.FailureKind;
 import steward.contest.KeptReplays;
 import steward.contest.Series;
@@ -41,6 +42,9 @@ final class SeriesText {
         if (without > 0) {
             faults.append("; ").append(without).append(" without a result");
         }
+        if (!standings.playedAgain().isEmpty()) {
+            faults.append("; ").append(standings.playedAgain().size()).append(" played again");
+        }
         return TextFormat.plain(line.toString() + faults);
     }
 
@@ -71,6 +75,7 @@ final class SeriesText {
         out.println("Times without first answers, which include the start of the program; p99 is at most 1.6% high.");
         allFailed(out, colour, series, standings.allFailed());
         failures(out, colour, series, standings.failures());
+        playedAgain(out, series, standings.playedAgain());
         replays(out, series, standings.games());
     }
 
@@ -153,6 +158,29 @@ final class SeriesText {
             out.println();
             out.println("and " + TextFormat.count(kinds.size() - KINDS_SHOWN, "kind") + " of failure more; "
                 + "--json lists all");
+        }
+    }
+
+    /** Games that were lost on time on a starved machine, with the evidence. */
+    private static void playedAgain(PrintStream out, Series series, List<Series.Played> games) {
+        if (games.isEmpty()) {
+            return;
+        }
+        out.println();
+        out.println("Played again, since others used the processors (--hiccups count lets the first game count):");
+        for (Series.Played game : games.subList(0, Math.min(KINDS_SHOWN, games.size()))) {
+            Series.Played first = game.starved();
+            for (Failure failure : first.failures()) {
+                out.println(TextFormat.plain("  game " + game.number() + " (seed " + game.seed() + "): "
+                    + series.contest().entrants().get(first.entrantOf(series.contest(), failure.player())).name()
+                    + " in turn " + failure.turn() + ": " + failure.reason()));
+            }
+            if (first.replay() != null) {
+                out.println("    replay: " + first.replay());
+            }
+        }
+        if (games.size() > KINDS_SHOWN) {
+            out.println("  and " + TextFormat.count(games.size() - KINDS_SHOWN, "game") + " more; --json lists all");
         }
     }
 

@@ -88,7 +88,8 @@ class AbandonedBotTest {
     void aReadThatCannotBeEndedIsAbandoned() throws InterruptedException {
         BotProcess bot = leavingBot("echo late >&2; exec sleep 1000");
         Answer answer = abandoned(bot, "b\n");
-        assertTrue(answer.fault().matches("no answer within 50 ms \\(waited [0-9]+ ms\\)"), answer.fault());
+        assertTrue(answer.fault().matches("no answer within 50 ms \\(waited [0-9]+ ms\\): " + ScriptedBots.PARTS),
+            answer.fault());
         assertTrue(answer.nanos() >= SHORT);
     }
 
@@ -96,7 +97,8 @@ class AbandonedBotTest {
     void aWriteThatCannotBeEndedIsAbandoned() throws InterruptedException {
         BotProcess bot = leavingBot("exec sleep 1000");
         Answer answer = abandoned(bot, "x".repeat(1 << 20));
-        assertTrue(answer.fault().matches("did not read its input within 50 ms \\(waited [0-9]+ ms\\)"),
+        assertTrue(answer.fault().matches("did not read its input within 50 ms \\(waited [0-9]+ ms\\): "
+            + ScriptedBots.PARTS),
             answer.fault());
     }
 

@@ -8,13 +8,16 @@ import java.util.Random;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
 
 /** Of an answer and its deadline exactly one wins, whatever the timing. */
 class DeadlineTest {
 
     private final Semaphore expired = new Semaphore(0);
-    private final AtomicBoolean hopeless = new AtomicBoolean();
+    /** What the owner says at a look. */
+    private final AtomicLong answer = new AtomicLong();
+    private long overslept;
 
     private final Deadline.Owner owner = new Deadline.Owner() {
         @Override
@@ -23,8 +26,9 @@ class DeadlineTest {
         }
 
         @Override
-        public boolean tick(long now) {
-            return hopeless.get();
+        public long look(long now, long late) {
+            overslept = late;
+            return answer.get();
         }
     };
 
@@ -35,12 +39,15 @@ class DeadlineTest {
     @Test
     void anAnswerInTimeWins() {
         Deadline deadline = new Deadline(Watchdog.shared(), owner);
-        deadline.arm(5000);
-        deadline.check(4999);
-        assertTrue(deadline.postpone(5000, 6000));
-        deadline.check(5999);
-        assertTrue(deadline.complete(6000));
-        deadline.check(7000);
+        deadline.arm(1000, 5000);
+        answer.set(6000);
+        deadline.check(4999, 7);
+        assertEquals(7, overslept);
+        assertTrue(deadline.isPending());
+        assertTrue(deadline.complete());
+        assertFalse(deadline.isPending());
+        answer.set(QuestionClock.PASSED);
+        deadline.check(7000, 0);
         assertFalse(deadline.isExpired());
         assertEquals(0, expired.availablePermits());
     }
@@ -48,13 +55,13 @@ class DeadlineTest {
     @Test
     void aDeadlineThatHasPassedWins() throws InterruptedException {
         Deadline deadline = new Deadline(Watchdog.shared(), owner);
-        deadline.arm(5000);
-        deadline.check(5001);
+        deadline.arm(1000, 5000);
+        answer.set(QuestionClock.PASSED);
+        deadline.check(5001, 0);
         assertExpires();
-        assertFalse(deadline.postpone(5000, 6000));
-        assertFalse(deadline.complete(5000));
+        assertFalse(deadline.isPending());
+        assertFalse(deadline.complete());
         assertTrue(deadline.isExpired());
-        assertEquals(5001, deadline.passedAt());
         assertTrue(deadline.claim());
         assertFalse(deadline.abandon());
     }
@@ -62,39 +69,54 @@ class DeadlineTest {
     @Test
     void anAbandonedThreadHasLost() throws InterruptedException {
         Deadline deadline = new Deadline(Watchdog.shared(), owner);
-        deadline.arm(5000);
-        deadline.check(5000);
+        deadline.arm(1000, 5000);
+        answer.set(QuestionClock.PASSED);
+        deadline.check(5000, 0);
         assertExpires();
         assertTrue(deadline.abandon());
         assertFalse(deadline.claim());
-        assertFalse(deadline.complete(5000));
+        assertFalse(deadline.complete());
     }
 
+    /** While the owner looks, the answer comes: the owner's verdict is void, and so is its next look. */
     @Test
-    void aHopelessWaitEndsBeforeItsDeadline() throws InterruptedException {
-        Deadline deadline = new Deadline(Watchdog.shared(), owner);
-        deadline.arm(Long.MAX_VALUE);
-        deadline.check(Long.MAX_VALUE - 1);
+    void anAnswerDuringTheLookWins() {
+        Deadline[] one = new Deadline[1];
+        one[0] = new Deadline(Watchdog.shared(), new Deadline.Owner() {
+            @Override
+            public void expired() {
+                expired.release();
+            }
+
+            @Override
+            public long look(long now, long late) {
+                assertTrue(one[0].complete());
+                return answer.get();
+            }
+        });
+        for (long next : new long[] {QuestionClock.PASSED, 9000}) {
+            answer.set(next);
+            one[0].arm(1000, 5000);
+            one[0].check(5000, 0);
+            assertFalse(one[0].isExpired() || one[0].isPending());
+        }
         assertEquals(0, expired.availablePermits());
-        hopeless.set(true);
-        deadline.check(5000);
-        assertExpires();
-        assertTrue(deadline.claim());
     }
 
+    /** Looks come a quarter of the limit after a question, so 4000 after the one at 1000. */
     @Test
     void theWatchdogNeedNotWakeUpForTurnsThatAreAnswered() {
         Deadline deadline = new Deadline(Watchdog.shared(), owner);
         long tick = Watchdog.TICK;
         assertEquals(1000 + tick, deadline.nextLook(1000));
-        deadline.arm(5000);
+        deadline.arm(1000, 5000);
         assertEquals(5000, deadline.nextLook(1000));
-        assertTrue(deadline.complete(5000));
+        assertTrue(deadline.complete());
         assertEquals(5000, deadline.nextLook(1000));
-        assertEquals(6000 + tick, deadline.nextLook(6000));
-        deadline.arm(Long.MAX_VALUE);
+        assertEquals(6000 + 4000, deadline.nextLook(6000));
+        deadline.arm(1000, Long.MAX_VALUE);
         assertEquals(1000 + tick, deadline.nextLook(1000));
-        assertTrue(deadline.complete(Long.MAX_VALUE));
+        assertTrue(deadline.complete());
         assertEquals(1000 + tick, deadline.nextLook(1000));
     }
 
@@ -121,6 +143,7 @@ class DeadlineTest {
     /** Answers half of its turns at once and waits for the deadline in the others; false when it waited in vain. */
     private static boolean play(Random random) {
         Semaphore passed = new Semaphore(0);
+        AtomicLong due = new AtomicLong();
         Deadline deadline = new Deadline(Watchdog.shared(), new Deadline.Owner() {
             @Override
             public void expired() {
@@ -128,16 +151,17 @@ class DeadlineTest {
             }
 
             @Override
-            public boolean tick(long now) {
-                return false;
+            public long look(long now, long late) {
+                return now < due.get() ? due.get() : QuestionClock.PASSED;
             }
         });
         Watchdog.shared().add(deadline);
         try {
             for (int turn = 0; turn < 100; turn++) {
-                long time = Watchdog.now() + 1 + random.nextInt(2_000_000);
-                deadline.arm(time);
-                boolean answered = random.nextBoolean() && deadline.complete(time);
+                long now = Watchdog.now();
+                due.set(now + 1 + random.nextInt(2_000_000));
+                deadline.arm(now, due.get());
+                boolean answered = random.nextBoolean() && deadline.complete();
                 if (!answered && !(passed.tryAcquire(60, TimeUnit.SECONDS) && deadline.claim())) {
                     return false;
                 }

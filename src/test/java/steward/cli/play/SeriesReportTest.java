@@ -87,7 +87,7 @@ class SeriesReportTest {
         assertEquals(4, json.get("planned").intValue());
         assertEquals(4, json.get("results").intValue());
         assertEquals("{\"bot\":0,\"games\":2,\"game\":1,\"seed\":\"5\",\"fault\":\"exited with status 4 before "
-            + "answering\",\"turn\":3,\"stderr\":[\"no idea\"],\"hints\":[],\"replay\":null}",
+            + "answering\",\"turn\":3,\"stderr\":[\"no idea\"],\"hints\":[],\"time\":null,\"replay\":null}",
             json.get("failures").get(0).toString());
         assertEquals("[3,null]", json.get("list").get(0).get("faultTurns").toString());
         assertEquals("[null,null]", json.get("list").get(1).get("faultTurns").toString());

@@ -1,0 +1,31 @@
+package steward.bot;
+
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Optional;
+
+/** What a player's time limits are limits of. */
+public enum TimeBasis {
+
+    /** The time that passes from the frame to the answer, as on the site. */
+    WALL,
+
+    /**
+     * The CPU time that the player's processes use for an answer, all threads summed. By the wall clock the answer may
+     * take {@value #BACKSTOP} times the limit. For players that are not processes it is the same as {@link #WALL}.
+     */
+    CPU;
+
+    /** How many times the limit an answer may take by the wall clock where the limit is one of CPU time. */
+    public static final int BACKSTOP = 10;
+
+    /** As it is written in a call. */
+    public String word() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+
+    /** By its {@link #word}. */
+    public static Optional<TimeBasis> of(String word) {
+        return Arrays.stream(values()).filter(each -> each.word().equals(word)).findFirst();
+    }
+}

@@ -1,0 +1,75 @@
+package steward.bot;
+
+/**
+ * Where the time went in which a bot program did not answer, as far as the kernel shows it. All times in nanoseconds of
+ * the wall clock; {@code unobserved + computed + waited + other} is {@code taken}.
+ *
+ * <p>The parts of several threads are put side by side: two threads that compute at the same time for 10 ms have
+ * computed for 10 ms, since no more of the wall clock passed.
+ *
+ * @param limit      what was allowed by the wall clock, or, with {@code overCpu}, of CPU time
+ * @param taken      what had passed at the verdict, without the time in which the referee did not run
+ * @param unobserved the first part of it, before the first look at the bot's processes
+ * @param computed   on a processor, or waiting for one that the bot's own threads or child processes used
+ * @param waited     runnable, while processes outside the bot's own tree used the processors; 0 if not shown
+ * @param other      the rest: asleep, waiting for a disk, another process or a lock
+ * @param cpu        CPU time used since the first look, all threads and processes summed
+ * @param shows      which of these the kernel shows
+ * @param overCpu    whether the limit was one of CPU time, and was exceeded
+ */
+public record TimeSpent(long limit, long taken, long unobserved, long computed, long waited, long other, long cpu,
+                        Shows shows, boolean overCpu) {
+
+    /** Which parts the kernel shows. */
+    public enum Shows {
+        /** None. */
+        NOTHING,
+        /** CPU time in steps of 10 ms, and not who waits for a processor: that is part of {@code other}. */
+        STEPS,
+        /**
+         * All, but some of the CPU time only in steps of 10 ms: threads or processes have ended meanwhile, of which the
+         * kernel keeps no finer count.
+         */
+        ALL_IN_STEPS,
+        /** All, in nanoseconds. */
+        ALL
+    }
+
+    private static final double NANOS_PER_MS = 1e6;
+
+    /** Nothing is known but how long it took. */
+    public static TimeSpent unknown(long limit, long taken) {
+        return new TimeSpent(limit, taken, taken, 0, 0, 0, 0, Shows.NOTHING, false);
+    }
+
+    /**
+     * Whether the machine was starved: the bot waited at least half of its limit for a processor while others used
+     * them. A bot that used up its CPU time is late by itself.
+     */
+    public boolean starved() {
+        return !overCpu && waited >= limit / 2;
+    }
+
+    /**
+     * {@code computed 2, waited 53 for a processor, 2 other, 19 before the first look}, in whole milliseconds; what the
+     * kernel does not show is named.
+     */
+    public String text() {
+        if (shows == Shows.NOTHING) {
+            return "this system does not show what the bot did meanwhile";
+        }
+        long first = ms(unobserved);
+        long worked = ms(computed);
+        long queued = ms(waited);
+        long rest = Math.max(0, ms(taken) - first - worked - queued);
+        String steps = shows == Shows.ALL ? "" : " (in steps of 10 ms)";
+        String parts = "computed " + worked + steps + (shows == Shows.STEPS
+            ? ", " + rest + " other (this system does not show waiting for a processor)"
+            : ", waited " + queued + " for a processor, " + rest + " other");
+        return first == 0 ? parts : parts + ", " + first + " before the first look";
+    }
+
+    private static long ms(long nanos) {
+        return Math.round(nanos / NANOS_PER_MS);
+    }
+}

@@ -1,0 +1,137 @@
+package steward.bot.accounting;
+
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Set;
+import steward.bot.TimeSpent;
+import steward.bot.accounting.TreeSample.ThreadTimes;
+
+/**
+ * Adds up what a tree of processes did between the first and the last of several samples. Reads no clock and no files.
+ *
+ * <p>The kernel counts a thread's waiting for a processor only when it gets one. A thread that is runnable at two
+ * samples and did not run in between has waited all the time; what the kernel adds for it later is then left out.
+ */
+public final class TimeLedger {
+
+    private final TreeSample first;
+    private TreeSample last;
+    /** The first sample that has the idle time of the machine, or {@link #first}. */
+    private TreeSample firstIdle;
+    private long run;
+    private long waited;
+    /** Threads that ran or waited. */
+    private final Set<Long> active = new HashSet<>();
+    /** What was counted for threads that still wait, by thread. */
+    private final Map<Long, Long> pending = new HashMap<>();
+
+    public TimeLedger(TreeSample first) {
+        this.first = first;
+        last = first;
+        firstIdle = first;
+    }
+
+    /** The moment of the first sample. */
+    public long since() {
+        return first.at();
+    }
+
+    /** The moment of the last. */
+    public long until() {
+        return last.at();
+    }
+
+    /** One more sample, later than those before. */
+    public void add(TreeSample next) {
+        if (!next.shown()) {
+            return;
+        }
+        if (next.threads() != null && last.threads() != null) {
+            long passed = Math.max(0, next.at() - last.at());
+            next.threads().forEach((number, now) -> add(number, last.threads().get(number), now, passed));
+        }
+        firstIdle = firstIdle.idle() < 0 ? next : firstIdle;
+        last = next;
+    }
+
+    /** @param before {@code null} for a thread that has begun since */
+    private void add(Long number, ThreadTimes before, ThreadTimes now, long passed) {
+        boolean known = before != null && before.run() <= now.run();
+        long ran = known ? now.run() - before.run() : now.run();
+        long queued = known ? now.waited() - before.waited() : now.waited();
+        long counted = pending.getOrDefault(number, 0L);
+        boolean still = known && before.runnable() && now.runnable() && ran == 0 && now.slices() == before.slices();
+        long share = still ? passed : Math.max(0, queued - counted);
+        share = Math.max(0, Math.min(share, passed - ran));
+        pending.put(number, still ? counted + passed : 0);
+        run += ran;
+        waited += share;
+        if (ran + share > 0) {
+            active.add(number);
+        }
+    }
+
+    /**
+     * CPU time used between the first sample and the last, all threads and processes summed: the finer count of living
+     * threads, or that of the processes, less what its steps may have added, where that is more.
+     */
+    public long cpu() {
+        return Math.max(run, inSteps());
+    }
+
+    private long inSteps() {
+        long counted = last.steps() - first.steps();
+        boolean only = last.threads() == null || first.threads() == null;
+        return Math.max(0, only ? counted : counted - 2 * TreeSample.STEP * last.processes());
+    }
+
+    /*
+     * From sums over threads to parts of the wall clock. In E of the wall clock the threads ran for C in all and waited
+     * for W. So C + W was wanted; k = (C + W) / E threads were runnable on average, and of those no more can run at
+     * once than there are processors. One unit of wall clock is therefore k units of threads, k within 1..processors.
+     *
+     * Of the waiting, others caused no more than the CPU time they used: O = processors * E - idle - C. The rest, up to
+     * W, the bot's own threads and children caused: it is counted as computing. A single active thread waits for
+     * no thread of its own.
+     *
+     * Where part of the time is not charged, since the referee did not run, the parts are those of all the time between
+     * the samples, in proportion.
+     */
+
+    /**
+     * The parts of a missed deadline.
+     *
+     * @param limit      that was missed
+     * @param taken      what had passed at the verdict
+     * @param processors of the machine
+     * @param overCpu    whether the limit was one of CPU time
+     */
+    public TimeSpent spent(long limit, long taken, int processors, boolean overCpu) {
+        long passed = last.at() - first.at();
+        if (!first.shown() || last == first || passed <= 0) {
+            return TimeSpent.unknown(limit, taken);
+        }
+        boolean threads = last.threads() != null && first.threads() != null;
+        long observed = Math.min(taken, passed);
+        double charged = (double) observed / passed;
+        double cpu = cpu();
+        double side = Math.max(1, Math.min(processors, (cpu + waited) / passed));
+        double byOthers = active.size() <= 1 ? waited : Math.min(waited, othersCpu(processors, cpu));
+        long queued = Math.min(observed, Math.round(charged * byOthers / side));
+        long computed = Math.min(observed - queued, Math.round(charged * (cpu + waited - byOthers) / side));
+        TimeSpent.Shows shows = !threads ? TimeSpent.Shows.STEPS
+            : inSteps() > run ? TimeSpent.Shows.ALL_IN_STEPS : TimeSpent.Shows.ALL;
+        return new TimeSpent(limit, taken, taken - observed, computed, queued, observed - queued - computed,
+            Math.round(cpu), shows, overCpu);
+    }
+
+    /** CPU time of processes outside the tree; 0 where the system does not show it. */
+    private double othersCpu(int processors, double cpu) {
+        if (firstIdle.idle() < 0 || last.idle() < 0) {
+            return 0;
+        }
+        double all = (double) processors * (last.at() - firstIdle.at());
+        return Math.max(0, all - (last.idle() - firstIdle.idle()) - cpu);
+    }
+}

@@ -1,0 +1,160 @@
+package steward.bot.accounting;
+
+import java.io.File;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import steward.bot.accounting.TreeSample.ThreadTimes;
+
+/**
+ * A process and its descendants, in whatever namespaces they are, found anew for each sample. Children are read from
+ * {@code /proc/PID/task/TID/children}, or, where the kernel has no such file, found by their parents among all
+ * processes. Not thread-safe.
+ *
+ * <p>Caveat: a descendant whose parent has exited belongs to another process, outside a tree that is not in a PID
+ * namespace of its own. The CPU time of processes that nobody has waited for is lost when they exit.
+ */
+public final class TreeSampler {
+
+    /** So many processes are looked at: a tree that grows faster than it can be read comes to an end. */
+    private static final int MOST = 2048;
+
+    /** Where the CPU times stand in /proc/PID/stat, counted from the state behind the name. */
+    private static final int BEFORE_TIMES = 10;
+
+    /** And, from there, the number of threads. */
+    private static final int BEFORE_COUNT = 2;
+
+    private final long root;
+    private final boolean byChildren;
+    private final ProcFile file = new ProcFile();
+
+    /** @param root number of the first process, as this JVM sees it */
+    public TreeSampler(long root) {
+        this(root, Support.CHILDREN);
+    }
+
+    /** @param byChildren whether children are read from their parents' files */
+    TreeSampler(long root, boolean byChildren) {
+        this.root = root;
+        this.byChildren = byChildren;
+    }
+
+    /** What this system shows of this JVM, and so of other processes of the same user. */
+    private static final class Support {
+        static final boolean CPU = new ProcFile().read("/proc/self/stat");
+        static final boolean THREADS = schedstat();
+        static final boolean CHILDREN = new File("/proc/self/task/" + ProcessHandle.current().pid() + "/children")
+            .canRead();
+        static final int PROCESSORS = Math.max(processors(), Runtime.getRuntime().availableProcessors());
+
+        /** A kernel that does not count has a file of zeros. */
+        private static boolean schedstat() {
+            ProcFile file = new ProcFile();
+            return file.read("/proc/self/schedstat") && file.nextLong() > 0;
+        }
+
+        private static int processors() {
+            String[] names = new File("/sys/devices/system/cpu").list();
+            int count = 0;
+            for (String name : names == null ? new String[0] : names) {
+                count += name.matches("cpu\\d+") ? 1 : 0;
+            }
+            return count;
+        }
+    }
+
+    /** Whether the system shows the CPU time of processes. */
+    public static boolean showsCpuTime() {
+        return Support.CPU;
+    }
+
+    /** How many processors the machine has. */
+    public static int processors() {
+        return Support.PROCESSORS;
+    }
+
+    /** Idle time of all processors together, in nanoseconds, in steps of {@link TreeSample#STEP}; -1 if not shown. */
+    public static long idle() {
+        return idle(new ProcFile());
+    }
+
+    private static long idle(ProcFile file) {
+        if (!file.read("/proc/uptime")) {
+            return -1;
+        }
+        file.skipWords(1);
+        return file.hasNext() ? file.nextHundredths() * TreeSample.STEP : -1;
+    }
+
+    /** What the processes have done up to now. */
+    public TreeSample sample(long at) {
+        return sample(at, true);
+    }
+
+    /**
+     * As {@link #sample}, but quicker, for processes that should be waiting: no thread is taken for runnable, and the
+     * idle time of the machine is left out.
+     */
+    public TreeSample baseline(long at) {
+        return sample(at, false);
+    }
+
+    private TreeSample sample(long at, boolean whole) {
+        Map<Long, ThreadTimes> threads = Support.THREADS ? new HashMap<>() : null;
+        Map<Long, List<Long>> children = byChildren ? null : childrenByParent();
+        List<Long> found = new ArrayList<>(List.of(root));
+        int seen = 0;
+        long steps = 0;
+        for (int k = 0; k < found.size(); k++) {
+            String folder = "/proc/" + found.get(k);
+            if (!file.read(folder + "/stat") || !file.skipName()) {
+                continue;
+            }
+            seen++;
+            file.skipWords(1 + BEFORE_TIMES);
+            steps += file.nextLong() + file.nextLong() + file.nextLong() + file.nextLong();
+            file.skipWords(BEFORE_COUNT);
+            boolean single = file.nextLong() == 1;
+            String[] names = threads == null && !byChildren ? new String[0]
+                : single ? new String[] {Long.toString(found.get(k))} : new File(folder + "/task").list();
+            for (String name : names == null ? new String[0] : names) {
+                readThread(folder + "/task/", name, whole, threads, found);
+            }
+            if (children != null) {
+                found.addAll(children.getOrDefault(found.get(k), List.of()));
+            }
+        }
+        return new TreeSample(at, seen > 0, seen, steps * TreeSample.STEP, threads, whole ? idle(file) : -1);
+    }
+
+    private void readThread(String folder, String name, boolean whole, Map<Long, ThreadTimes> threads,
+                            List<Long> found) {
+        String thread = folder + name;
+        if (threads != null && file.read(thread + "/schedstat")) {
+            long run = file.nextLong();
+            long waited = file.nextLong();
+            long slices = file.nextLong();
+            boolean runnable = whole && file.read(thread + "/stat") && file.skipName() && file.nextCharacter() == 'R';
+            threads.put(Long.valueOf(name), new ThreadTimes(run, waited, slices, runnable));
+        }
+        if (byChildren && file.readAll(thread + "/children")) {
+            while (file.hasNext() && found.size() < MOST) {
+                found.add(file.nextLong());
+            }
+        }
+    }
+
+    private Map<Long, List<Long>> childrenByParent() {
+        Map<Long, List<Long>> children = new HashMap<>();
+        String[] names = new File("/proc").list((folder, name) -> Character.isDigit(name.charAt(0)));
+        for (String name : names == null ? new String[0] : names) {
+            if (file.read("/proc/" + name + "/stat") && file.skipName()) {
+                file.skipWords(1);
+                children.computeIfAbsent(file.nextLong(), parent -> new ArrayList<>()).add(Long.valueOf(name));
+            }
+        }
+        return children;
+    }
+}

@@ -1,0 +1,8 @@
+/**
+ * What bot processes do with their time, as Linux shows it under {@code /proc}: CPU time, waiting for a processor, and
+ * whether a thread sleeps. Nothing here runs in a turn that is answered at once.
+ */
+@Internal
+package steward.bot.accounting;
+
+import steward.Internal;

@@ -1,0 +1,294 @@
+package steward.bot.process;
+
+import java.util.function.LongFunction;
+import java.util.function.Supplier;
+import steward.bot.TimeBasis;
+import steward.bot.TimeSpent;
+import steward.bot.accounting.OwnThread;
+import steward.bot.accounting.TimeLedger;
+import steward.bot.accounting.TreeSample;
+import steward.bot.accounting.TreeSampler;
+
+/**
+ * The clock of a player's current question. The asking thread starts it; the watchdog looks at it for the first time
+ * after a quarter of the limit, then every eighth, and decides when the time is up. At the first look it samples the
+ * bot's processes, and once more before the end, so that a turn that is answered soon costs nothing. Times are passed
+ * in, on the clock of {@link Watchdog#now}.
+ *
+ * <p>Time in which the referee itself did not run is not charged: what the watchdog slept longer than it was to, by
+ * {@value #PAUSE} ns or more. That covers a stopped or suspended referee, a collection of garbage, and a processor that
+ * was not free. When the time is up, the watchdog looks once more whether the asking thread still sleeps in its read.
+ * If it does not, something has come, and it first gets the processor to see what. So an answer that is in the pipe at
+ * the verdict counts. Computing is charged in any case, as if the bot had had all processors.
+ *
+ * <p>Caveat: the fields of the asking thread are read by the watchdog without a lock, at worst while the next question
+ * begins. What it then notes is noted for the next question and true of it: it never decides, since the decision is a
+ * compare-and-set in {@link Deadline} that fails then.
+ */
+final class QuestionClock {
+
+    /** A wake-up that is later than this, in nanoseconds, means that the referee did not run; below, it is usual. */
+    static final long PAUSE = 1_000_000;
+
+    /** What {@link #look} returns when the time is up. */
+    static final long PASSED = 0;
+
+    /** When the time is up, the asking thread is looked at a second time after so long: it may be between two reads. */
+    private static final long SECOND_LOOK = 200_000;
+
+    /** How long the asking thread gets to see what has come, in nanoseconds, before it is looked at again. */
+    private static final long ATTENTION = 1_000_000;
+
+    /** In all it gets so long, in nanoseconds: a bot must not hold the verdict up by sending byte for byte. */
+    private static final long MOST_ATTENTION = 2_000_000_000;
+
+    /** Between two looks, in nanoseconds. */
+    private static final long LEAST_STEP = 1_000_000;
+
+    private static final int QUARTER = 4;
+    private static final int EIGHTH = 8;
+
+    private final Supplier<OwnThread.State> asking;
+    private final LongFunction<TreeSample> sampler;
+    private TimeBasis basis = TimeBasis.WALL;
+
+    /** Written by the asking thread before the deadline is armed. */
+    private long number;
+    private long limit;
+    private long start;
+    private TreeSample baseline;
+    private volatile boolean writing;
+
+    /** Written by the watchdog: for which question and start, what was not charged, and what was seen. */
+    private long observed;
+    private long from;
+    private long uncharged;
+    private long taken;
+    private long attention;
+    private boolean asleep;
+    private long observation;
+    private volatile boolean unread;
+
+    /** Guarded by this: what the processes did, and for which question. */
+    private TimeLedger ledger;
+    private long ledgerOf;
+    private TimeSpent spent;
+    private long spentOf;
+
+    /**
+     * @param asking  the state of the thread that asks
+     * @param sampler what the bot's processes have done up to a moment
+     */
+    QuestionClock(Supplier<OwnThread.State> asking, LongFunction<TreeSample> sampler) {
+        this.asking = asking;
+        this.sampler = sampler;
+    }
+
+    void limitBy(TimeBasis other) {
+        basis = other;
+    }
+
+    /**
+     * A question begins; the frame has not been written.
+     *
+     * @param known what the processes had done by now, or {@code null} if it need not be known
+     */
+    void begin(long limitNanos, long now, TreeSample known) {
+        number++;
+        limit = limitNanos;
+        start = now;
+        baseline = known;
+        writing = true;
+    }
+
+    /** Whether the next question needs to know what the processes have done before. */
+    boolean needsBaseline() {
+        return basis == TimeBasis.CPU;
+    }
+
+    /** The frame is written: the clock starts. A program that was begun for it has hardly begun to start by now. */
+    void frameWritten(long now) {
+        start = now;
+        writing = false;
+    }
+
+    /** When the watchdog is to look for the first time. */
+    long firstLook() {
+        return later(start, limit / QUARTER);
+    }
+
+    /** What the answer may take by the wall clock. */
+    long wallLimit() {
+        boolean backstop = basis == TimeBasis.CPU && limit < Long.MAX_VALUE / TimeBasis.BACKSTOP;
+        return backstop ? limit * TimeBasis.BACKSTOP : limit;
+    }
+
+    private static long later(long time, long by) {
+        return by < Long.MAX_VALUE - time ? time + by : Long.MAX_VALUE;
+    }
+
+    /**
+     * The watchdog looks at a pending question.
+     *
+     * @param overslept by how much it has woken up later than it was to
+     * @return when to look again, or {@link #PASSED}
+     */
+    long look(long now, long overslept) {
+        if (observed != number || from != start) {
+            observed = number;
+            from = start;
+            uncharged = 0;
+            attention = 0;
+            asleep = false;
+            observation = 0;
+            unread = false;
+        }
+        uncharged += overslept < PAUSE ? 0 : Math.max(0, Math.min(overslept, now - start));
+        long wall = wallLimit();
+        long step = Math.max(LEAST_STEP, limit / EIGHTH);
+        long quarter = limit / QUARTER;
+        long charged = charged(now, step);
+        taken = charged;
+        if (charged < quarter) {
+            return later(start + uncharged, quarter);
+        }
+        if (charged >= observation) {
+            observation = nextObservation(now, charged, step);
+            if (basis == TimeBasis.CPU && overCpu()) {
+                taken = now - start;               // by the clock it was not late, so that pauses are not of interest
+                return PASSED;
+            }
+        }
+        return charged < wall ? Math.min(now + step, later(start + uncharged, wall)) : lookOnceMore(now);
+    }
+
+    /** The time that has passed, without what is not charged, but at least that of {@link #computed}. */
+    private long charged(long now, long step) {
+        long charged = now - start - uncharged;
+        if (uncharged < step) {
+            return charged;
+        }
+        observe(now);
+        return Math.max(charged, computed());
+    }
+
+    /**
+     * How long the processes must have been computing, if all processors were theirs. A bot whose threads keep the
+     * referee from running is charged for that.
+     */
+    private long computed() {
+        return cpu() / TreeSampler.processors();
+    }
+
+    /**
+     * Samples the processes. A limit of the wall clock wants one sample more, shortly before it, to tell threads that
+     * wait all the time from those that have just begun to; one of CPU time wants the next when it may be used up.
+     *
+     * @return when to sample next, in charged time
+     */
+    private long nextObservation(long now, long charged, long step) {
+        boolean again = observe(now);
+        if (basis == TimeBasis.CPU) {
+            return later(charged, Math.max(step, (limit - cpu()) / TreeSampler.processors()));
+        }
+        return again ? Long.MAX_VALUE : Math.max(charged, limit - limit / EIGHTH);
+    }
+
+    /** Whether the asking thread sleeps, at two looks in a row. */
+    private long lookOnceMore(long now) {
+        OwnThread.State state = asking.get();
+        boolean before = asleep;
+        asleep = state != OwnThread.State.AWAKE;
+        if (!asleep && attention < MOST_ATTENTION) {
+            attention += ATTENTION;
+            return now + ATTENTION;
+        }
+        if (asleep && !before) {
+            return now + SECOND_LOOK;
+        }
+        unread = writing;
+        return PASSED;
+    }
+
+    /** Whether there has been a sample in this question before. */
+    private synchronized boolean observe(long now) {
+        boolean begun = ledger != null && ledgerOf == number;
+        if (!begun) {
+            ledgerOf = number;
+            ledger = new TimeLedger(baseline != null ? baseline : sampler.apply(now));
+        }
+        if (ledger.until() < now) {
+            ledger.add(sampler.apply(now));
+        }
+        return begun;
+    }
+
+    private synchronized long cpu() {
+        return ledger != null && ledgerOf == number ? ledger.cpu() : 0;
+    }
+
+    /** Whether the processes have used up their CPU time. */
+    private boolean overCpu() {
+        return cpu() > limit;
+    }
+
+    /**
+     * What is charged for an answer that has come before the watchdog found the time to be up.
+     *
+     * @return in nanoseconds; -1 if it is too much, and then {@link #taken} says how much
+     */
+    long charge(long now) {
+        long passed = now - start;
+        boolean cpuLimit = basis == TimeBasis.CPU;
+        // On all processors together no more CPU time can be used than passes: quick answers need no sample.
+        if (passed <= (cpuLimit ? limit / TreeSampler.processors() : limit)) {
+            return passed;
+        }
+        observe(now);
+        if (cpuLimit ? overCpu() : computed() > limit) {
+            taken = cpuLimit ? passed : computed();
+            return -1;
+        }
+        return Math.min(passed, wallLimit());
+    }
+
+    /** Whether the time was up while the frame could not be written, because the bot did not read. */
+    boolean unread() {
+        return unread;
+    }
+
+    /** How long ago the clock was started. */
+    long passed(long now) {
+        return now - start;
+    }
+
+    /** How long the bot had taken at the verdict, without what is not charged. */
+    long taken() {
+        return taken;
+    }
+
+    /**
+     * Where the time of a missed deadline went. The first call looks at the processes for the last time, so that it has
+     * to come before they are killed; later ones return the same.
+     *
+     * @param taken what was charged
+     */
+    synchronized TimeSpent spent(long now, long taken) {
+        if (spentOf != number) {
+            spentOf = number;
+            observe(now);
+            boolean overCpu = basis == TimeBasis.CPU && overCpu();
+            spent = ledger.spent(overCpu ? limit : wallLimit(), taken, TreeSampler.processors(), overCpu);
+        }
+        return spent;
+    }
+
+    TimeBasis basis() {
+        return basis;
+    }
+
+    /** When the clock was started. */
+    long started() {
+        return start;
+    }
+}

@@ -1,0 +1,178 @@
+package steward.bot.accounting;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.HashMap;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import steward.bot.TimeSpent;
+import steward.bot.TimeSpent.Shows;
+import steward.bot.accounting.TreeSample.ThreadTimes;
+
+/** Samples are written down by hand, in milliseconds; the machine has 2 processors. */
+class TimeLedgerTest {
+
+    private static final long MS = 1_000_000;
+
+    private static ThreadTimes thread(long run, long waited, long slices, boolean runnable) {
+        return new ThreadTimes(run * MS, waited * MS, slices, runnable);
+    }
+
+    private static TreeSample sample(long at, long steps, long idle, Map<Long, ThreadTimes> threads) {
+        return new TreeSample(at * MS, true, 1, steps * MS, threads, idle * MS);
+    }
+
+    /** Of 75 ms, the last 57 were seen. */
+    private static TimeSpent spent(TimeLedger ledger) {
+        return ledger.spent(75 * MS, 75 * MS, 2, false);
+    }
+
+    private static void assertParts(long unobserved, long computed, long waited, long other, TimeSpent spent) {
+        assertEquals(unobserved + " " + computed + " " + waited + " " + other, spent.unobserved() / MS + " "
+            + spent.computed() / MS + " " + spent.waited() / MS + " " + spent.other() / MS);
+        assertEquals(spent.taken(), spent.unobserved() + spent.computed() + spent.waited() + spent.other());
+    }
+
+    /** It ran 3 of 57 ms and waited 50; others kept both processors busy: no idle time. */
+    @Test
+    void oneThreadBesideOthers() {
+        TimeLedger ledger = new TimeLedger(sample(18, 100, 900, Map.of(7L, thread(100, 40, 5, false))));
+        ledger.add(sample(75, 100, 900, Map.of(7L, thread(103, 90, 9, false))));
+        assertParts(18, 3, 50, 4, spent(ledger));
+        assertTrue(spent(ledger).starved());
+        assertEquals(Shows.ALL, spent(ledger).shows());
+        assertEquals(3 * MS, ledger.cpu());
+    }
+
+    /** What the kernel has not yet counted: runnable at both samples, and it never ran. */
+    @Test
+    void aThreadThatStillWaitsHasWaited() {
+        TimeLedger ledger = new TimeLedger(sample(18, 0, 0, Map.of(7L, thread(10, 0, 5, true))));
+        ledger.add(sample(30, 0, 0, Map.of(7L, thread(10, 0, 5, true))));
+        ledger.add(sample(75, 0, 0, Map.of(7L, thread(10, 0, 5, true))));
+        assertParts(18, 0, 57, 0, spent(ledger));
+    }
+
+    /** The kernel adds the whole wait of 60 ms, also from before the first look, when the thread gets a processor. */
+    @Test
+    void whatTheKernelAddsLaterIsNotCountedTwice() {
+        TimeLedger ledger = new TimeLedger(sample(18, 0, 0, Map.of(7L, thread(10, 0, 5, true))));
+        ledger.add(sample(58, 0, 0, Map.of(7L, thread(10, 0, 5, true))));
+        ledger.add(sample(75, 0, 0, Map.of(7L, thread(22, 60, 6, true))));
+        assertParts(18, 12, 45, 0, spent(ledger));
+    }
+
+    /** 57 ms of computing on an idle machine: the other processor was idle all the time. */
+    @Test
+    void oneThreadThatComputes() {
+        TimeLedger ledger = new TimeLedger(sample(18, 0, 0, Map.of(7L, thread(0, 0, 1, true))));
+        ledger.add(sample(75, 0, 57, Map.of(7L, thread(57, 0, 1, true))));
+        assertParts(18, 57, 0, 0, spent(ledger));
+        assertFalse(spent(ledger).starved());
+    }
+
+    /** 32 threads on 2 processors: they ran 2 * 57 ms in all, and waited for one another for the rest. */
+    @Test
+    void threadsThatWaitForOneAnotherCompute() {
+        TimeLedger ledger = new TimeLedger(sample(18, 0, 0, many(32, 0, 0)));
+        ledger.add(sample(75, 0, 0, many(32, 114 / 32.0, 57 - 114 / 32.0)));
+        assertParts(18, 57, 0, 0, spent(ledger));
+        assertFalse(spent(ledger).starved());
+    }
+
+    /** The same beside four busy loops, which get 4 of 36 parts: the bot's own threads are what it waits for. */
+    @Test
+    void threadsThatStarveThemselvesBesideOthersCompute() {
+        double each = 114 / 36.0;
+        TimeLedger ledger = new TimeLedger(sample(18, 0, 0, many(32, 0, 0)));
+        ledger.add(sample(75, 0, 0, many(32, each, 57 - each)));
+        TimeSpent spent = spent(ledger);
+        assertFalse(spent.starved(), spent.text());
+        assertEquals(4 * each / 2 * MS, spent.waited(), MS, "the share of the others, on two processors");
+    }
+
+    /** Two threads, each a third of a processor beside four loops: they ran 19 of 57 ms each and waited the rest. */
+    @Test
+    void twoThreadsBesideOthersAreStarved() {
+        TimeLedger ledger = new TimeLedger(sample(18, 0, 0, many(2, 0, 0)));
+        ledger.add(sample(75, 0, 0, many(2, 19, 38)));
+        assertParts(18, 19, 38, 0, spent(ledger));
+        assertTrue(spent(ledger).starved());
+    }
+
+    private static Map<Long, ThreadTimes> many(int count, double run, double waited) {
+        Map<Long, ThreadTimes> threads = new HashMap<>();
+        for (long k = 1; k <= count; k++) {
+            threads.put(k, new ThreadTimes(Math.round(run * MS), Math.round(waited * MS), k, false));
+        }
+        return threads;
+    }
+
+    /** A child has come, computed 30 ms and gone: the parent's coarse count has them, cut to steps. */
+    @Test
+    void timeOfThoseThatHaveEndedComesInSteps() {
+        TimeLedger ledger = new TimeLedger(sample(18, 100, 0, Map.of(7L, thread(1, 0, 5, false))));
+        ledger.add(sample(75, 150, 84, Map.of(7L, thread(2, 0, 6, false))));
+        assertEquals(30 * MS, ledger.cpu(), "50 ms less two steps that may be rounding");
+        assertParts(18, 30, 0, 27, spent(ledger));
+        assertEquals(Shows.ALL_IN_STEPS, spent(ledger).shows());
+    }
+
+    @Test
+    void aThreadThatHasBegunSinceCountsWhole() {
+        TimeLedger ledger = new TimeLedger(sample(18, 0, 0, Map.of(7L, thread(500, 0, 5, false))));
+        ledger.add(sample(75, 0, 114, Map.of(7L, thread(500, 0, 5, false), 8L, thread(20, 0, 1, false))));
+        assertEquals(20 * MS, ledger.cpu());
+    }
+
+    @Test
+    void withoutCountsOfThreadsThereAreSteps() {
+        TimeLedger ledger = new TimeLedger(sample(18, 100, 0, null));
+        ledger.add(sample(75, 130, 0, null));
+        assertParts(18, 30, 0, 27, spent(ledger));
+        assertEquals(Shows.STEPS, spent(ledger).shows());
+    }
+
+    @Test
+    void whereNothingIsShownNothingIsKnown() {
+        TimeLedger ledger = new TimeLedger(new TreeSample(18 * MS, false, 0, 0, null, -1));
+        ledger.add(new TreeSample(75 * MS, false, 0, 0, null, -1));
+        assertEquals(TimeSpent.unknown(75 * MS, 75 * MS), spent(ledger));
+    }
+
+    /** It has waited, but how busy others were is not shown: then several threads have waited for one another. */
+    @Test
+    void withoutIdleTimeNoMachineIsStarved() {
+        TimeLedger ledger = new TimeLedger(new TreeSample(18 * MS, true, 1, 0, many(2, 0, 0), -1));
+        ledger.add(new TreeSample(75 * MS, true, 1, 0, many(2, 19, 38), -1));
+        assertFalse(spent(ledger).starved());
+    }
+
+    /** From its start on, everything a process did is seen. */
+    @Test
+    void fromTheStartOfAProgramNothingIsUnobserved() {
+        TimeLedger ledger = new TimeLedger(TreeSample.beforeStart(0, 0));
+        ledger.add(sample(75, 10, 130, Map.of(7L, thread(15, 3, 5, false))));
+        assertParts(0, 15, 3, 57, spent(ledger));
+    }
+
+    /** Of 570 ms between the samples 57 are charged; in all it ran for a fifth and waited for two. */
+    @Test
+    void whereTimeIsNotChargedThePartsAreInProportion() {
+        TimeLedger ledger = new TimeLedger(sample(18, 0, 0, Map.of(7L, thread(0, 0, 5, false))));
+        ledger.add(sample(588, 0, 0, Map.of(7L, thread(114, 228, 9, false))));
+        assertParts(0, 15, 30, 30, spent(ledger));
+        assertParts(0, 11, 22, 22, ledger.spent(75 * MS, 57 * MS, 2, false));
+    }
+
+    /** Idle time is known from 20 ms on: of 2 * 55 ms nothing was idle, 8 were the bot's. */
+    @Test
+    void aBaselineWithoutIdleTimeIsMadeUpForByTheNextSample() {
+        TimeLedger ledger = new TimeLedger(new TreeSample(0, true, 1, 0, many(2, 0, 0), -1));
+        ledger.add(sample(20, 0, 500, many(2, 0, 0)));
+        ledger.add(sample(75, 0, 500, many(2, 4, 50)));
+        assertParts(0, 5, 69, 0, spent(ledger));
+    }
+}

@@ -1,0 +1,96 @@
+package steward.bot.accounting;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import steward.bot.command.ProgramFinder;
+
+/** Real processes; what is expected of them is only what no slow machine changes. */
+@Tag("process")
+class TreeSamplerTest {
+
+    private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(60);
+
+    private Process process;
+
+    @BeforeEach
+    void linux() {
+        assumeTrue(ProgramFinder.find("sh") != null, "there is no sh on the PATH");
+        assumeTrue(TreeSampler.showsCpuTime(), "there is no /proc/self/stat");
+    }
+
+    @AfterEach
+    void end() {
+        if (process != null) {
+            process.descendants().forEach(ProcessHandle::destroyForcibly);
+            process.destroyForcibly();
+        }
+    }
+
+    /** Starts a script, and waits for its first line. */
+    private long start(String script) throws IOException {
+        process = new ProcessBuilder("sh", "-c", script).start();
+        BufferedReader lines = process.inputReader(StandardCharsets.US_ASCII);
+        assertEquals("ready", lines.readLine());
+        return process.pid();
+    }
+
+    /** The shell, its two children, and the child of one of them. */
+    @Test
+    void childrenOfChildrenAreFoundInBothWays() throws IOException {
+        long root = start("sleep 1000 & sh -c 'sleep 1000 & wait; :' & echo ready; wait");
+        for (TreeSampler tree : new TreeSampler[] {new TreeSampler(root, false), new TreeSampler(root)}) {
+            long end = System.nanoTime() + PATIENCE_NANOS;
+            while (tree.sample(0).processes() != 4 && System.nanoTime() < end) {
+                Thread.onSpinWait();
+            }
+            assertEquals(4, tree.sample(0).processes());
+            assertEquals(tree.sample(0).threads().keySet(), tree.baseline(0).threads().keySet());
+        }
+    }
+
+    /** A child computes until the sum says so; the sum then has it, in nanoseconds and in steps. */
+    @Test
+    void theTimeOfAChildIsThatOfTheTree() throws IOException {
+        long root = start("echo ready; sh -c 'while :; do :; done'; :");
+        TreeSampler tree = new TreeSampler(root);
+        TreeSample sample = tree.sample(0);
+        long end = System.nanoTime() + PATIENCE_NANOS;
+        while (sample.steps() < 5 * TreeSample.STEP && System.nanoTime() < end) {
+            sample = tree.sample(0);
+        }
+        assertTrue(sample.shown());
+        assertTrue(sample.steps() >= 5 * TreeSample.STEP, sample + "");
+        assumeTrue(sample.threads() != null, "this kernel does not count the waiting of threads");
+        long run = sample.threads().values().stream().mapToLong(TreeSample.ThreadTimes::run).sum();
+        // Whole steps of user and system time of two processes; a running thread's own count is brought up to date by
+        // the clock interrupt, at the latest after 10 ms.
+        assertTrue(run >= sample.steps() - 2 * TreeSample.STEP, run + " " + sample.steps());
+    }
+
+    /** The child has ended, and its parent has waited for it. */
+    @Test
+    void theTimeOfAChildThatHasEndedStays() throws IOException {
+        long root = start("sh -c 'i=0; while [ $i -lt 300000 ]; do i=$((i+1)); done'; echo ready; exec sleep 1000");
+        TreeSample sample = new TreeSampler(root).sample(0);
+        assertEquals(1, sample.processes());
+        assertTrue(sample.steps() > 0, "300000 rounds of a shell took less than a step of 10 ms");
+    }
+
+    @Test
+    void whoeverIsGoneShowsNothing() throws Exception {
+        long root = start("echo ready");
+        process.waitFor();
+        assertFalse(new TreeSampler(root).sample(0).shown());
+    }
+}
