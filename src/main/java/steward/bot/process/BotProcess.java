@@ -17,6 +17,7 @@ import steward.bot.FaultMessages;
 import steward.bot.LineBuffer;
 import steward.bot.Player;
 import steward.bot.command.BotCommand;
+import steward.bot.isolation.Launch;
 
 /**
  * A bot program: reads its frames from its input and writes its answers to its output, line by line.
@@ -29,8 +30,8 @@ import steward.bot.command.BotCommand;
  * <p>The bot is its first process: when that has exited, output of its remaining descendants is ignored. A bot that
  * closes its input may still answer. After a fault the bot is killed at once.
  *
- * <p>Caveats: processes that leave the group on purpose, and whose parents have exited, survive. An answer that was
- * written before it was asked for counts as given at once.
+ * <p>Caveats: without a sandbox processes that leave the group on purpose, and whose parents have exited, survive. An
+ * answer that was written before it was asked for counts as given at once.
  */
 public final class BotProcess implements Player {
 
@@ -51,8 +52,9 @@ public final class BotProcess implements Player {
     private static final int SHOWN = 1024;
 
     private final String name;
-    private final List<String> command;
+    private final Launch launch;
     private final long graceMs;
+    private final boolean pausing;
     private final Alarm alarm = new Alarm();
     private final Deadline deadline = new Deadline(Watchdog.shared(), alarm);
     private volatile Consumer<Answer> continuation;
@@ -84,7 +86,7 @@ public final class BotProcess implements Player {
     private boolean abandoned;
 
     /**
-     * A bot whose process is started by the first {@link #ask}.
+     * A bot whose process is started by the first {@link #ask}, without a sandbox.
      *
      * @param name    its name in messages
      * @param command the program and its arguments, as from {@link BotCommand#resolve}
@@ -93,21 +95,27 @@ public final class BotProcess implements Player {
         this(name, command, DEFAULT_GRACE_MS);
     }
 
+    /** As {@link #BotProcess(String, Launch, long)}, without a sandbox. */
+    public BotProcess(String name, List<String> command, long graceMs) {
+        this(name, Launch.plain(command), graceMs);
+    }
+
     /**
-     * As {@link #BotProcess(String, List)}.
+     * A bot whose process is started by the first {@link #ask}, as the launch says.
      *
      * @param graceMs how long the process may take to exit by itself at the end, in milliseconds, before it is killed
      * @throws IllegalArgumentException when there is no command, or the time is negative
      */
-    public BotProcess(String name, List<String> command, long graceMs) {
-        if (command.isEmpty()) {
+    public BotProcess(String name, Launch launch, long graceMs) {
+        if (launch.command().isEmpty()) {
             throw new IllegalArgumentException("player " + name + " has an empty command");
         }
         if (!(graceMs >= 0)) {
             throw new IllegalArgumentException("player " + name + " has a time to exit of " + graceMs + " ms");
         }
         this.name = name;
-        this.command = List.copyOf(command);
+        this.launch = launch;
+        pausing = launch.isolation().pauseWaiting();
         this.graceMs = graceMs;
     }
 
@@ -142,6 +150,7 @@ public final class BotProcess implements Player {
                 return fault(answer, problem);
             }
         } else {
+            pause(false);
             clock = Watchdog.now();
         }
         long asked = clock;
@@ -181,6 +190,7 @@ public final class BotProcess implements Player {
             output.take(wanted, answer);
             answer.setExtraLines(output.extraLines());
             answer.setStderr(stderr.collect(false));
+            pause(true);
             return Ending.ANSWERED;
         }
         return fault(answer, outcome == AnswerReader.Outcome.TOO_LONG
@@ -189,6 +199,13 @@ public final class BotProcess implements Player {
 
     private long due() {
         return limit < Long.MAX_VALUE - clock ? clock + limit : Long.MAX_VALUE;
+    }
+
+    /** Where bots are stopped while they are not asked. */
+    private void pause(boolean stop) {
+        if (pausing) {
+            group.pause(stop);
+        }
     }
 
     /** Starts the process and the clock; returns the problem, or {@code null}. */
@@ -202,7 +219,7 @@ public final class BotProcess implements Player {
         clock = Watchdog.now();
         ProcessGroup started;
         try {
-            started = ProcessGroup.start(command, stderr);
+            started = ProcessGroup.start(launch, stderr);
         } catch (IOException e) {
             throw new UncheckedIOException(name + " could not be started: " + e.getMessage(), e);
         } finally {
@@ -264,6 +281,7 @@ public final class BotProcess implements Player {
     @Override
     public void sendLastLines(byte[] lines, int length) {
         if (!over && group != null && writer == null) {
+            pause(false);
             startWriter(lines, length);
         }
     }
@@ -295,6 +313,7 @@ public final class BotProcess implements Player {
         over = true;
         if (group != null) {
             if (polite && writer == null) {
+                pause(false);
                 startWriter(lines, length);
             }
             boolean closing = polite && writer != null;

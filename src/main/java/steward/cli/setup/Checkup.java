@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import steward.bot.command.BuiltinBots;
 import steward.bot.command.ProgramFinder;
-import steward.bot.process.ProgramTrial;
+import steward.bot.command.ProgramTrial;
 import steward.live.Browser;
 import steward.text.TextFormat;
 

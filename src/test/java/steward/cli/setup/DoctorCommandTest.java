@@ -8,7 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import steward.bot.process.ProgramTrial;
+import steward.bot.command.ProgramTrial;
 import steward.cli.Cli;
 import steward.cli.shared.ExitStatus;
 import tools.jackson.databind.JsonNode;
