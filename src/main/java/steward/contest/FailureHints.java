@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.regex.Pattern;
 import steward.bot.FaultMessages;
+import steward.bot.isolation.Isolation;
+import steward.bot.isolation.SandboxLevel;
 import steward.match.Protocol;
 
 /** What beginners' bots fail of, guessed from how they failed. */
@@ -17,6 +19,12 @@ final class FailureHints {
         + "interpreter in the first line of a script (#!), where a Windows line end would become part of its name";
     static final String NOT_EXECUTABLE = "a program could not be executed: without permission (chmod +x), or on a "
         + "folder that is mounted noexec; name its interpreter before it";
+
+    static final String LIGHT = "it failed at once, in a sandbox without network and without sight of other processes; "
+        + "does it run with --sandbox off?";
+    static final String STRICT = "it failed at once, in a sandbox that hides home and temporary files and allows no "
+        + "writing; --visible FOLDER lets it read more; does it run with --sandbox light?";
+    static final String MEMORY = "it may have needed more memory than --memory allows";
 
     private static final int NOT_EXECUTABLE_STATUS = 126;
     private static final int NOT_FOUND_STATUS = 127;
@@ -35,9 +43,10 @@ final class FailureHints {
      * @param reason   as the referee says it
      * @param received what came in place of an answer
      * @param stderr   the last lines it wrote there
+     * @param sandbox  how it was kept apart, or {@code null} if that is not known
      */
     static List<String> of(Protocol protocol, BooleanSupplier other, int answers, String reason, String received,
-                           List<String> stderr) {
+                           List<String> stderr, Isolation sandbox) {
         List<String> hints = new ArrayList<>();
         if (FaultMessages.isExit(reason, NOT_FOUND_STATUS)) {
             hints.add(NOT_FOUND);
@@ -49,6 +58,14 @@ final class FailureHints {
             }
             if (speaksTheOther(protocol, reason, received, stderr) && other.getAsBoolean()) {
                 hints.add(protocol == Protocol.JSON ? CODINGAME : JSON);
+            }
+        }
+        if (sandbox != null && FaultMessages.isExit(reason)) {
+            if (sandbox.limits().memory() > 0) {
+                hints.add(MEMORY);
+            }
+            if (answers == 0 && sandbox.level() != SandboxLevel.OFF) {
+                hints.add(sandbox.level() == SandboxLevel.STRICT ? STRICT : LIGHT);
             }
         }
         return hints;

@@ -47,15 +47,17 @@ final class NativeLauncher {
 
     /** The program, or {@code null} where there is none. The first call may compile it. */
     static Path program() {
-        return Found.PROGRAM;
+        return Boolean.parseBoolean(System.getProperty(PROPERTY, "true")) ? Found.PROGRAM : null;
     }
 
     private static Path find() {
-        boolean linux = System.getProperty("os.name", "").equals("Linux");
-        if (!linux || !Boolean.parseBoolean(System.getProperty(PROPERTY, "true"))) {
+        if (!System.getProperty("os.name", "").equals("Linux")) {
             return null;
         }
         try (InputStream stream = NativeLauncher.class.getResourceAsStream(SOURCE)) {
+            if (stream == null) {
+                return null;
+            }
             byte[] source = stream.readAllBytes();
             return in(folder(), source);
         } catch (IOException | UnsupportedOperationException none) {
@@ -116,7 +118,8 @@ final class NativeLauncher {
 
     private static boolean isOurs(Path file) throws IOException {
         return Files.getOwner(file, LinkOption.NOFOLLOW_LINKS).equals(Files.getOwner(Path.of("/proc/self")))
-            && Files.getPosixFilePermissions(file, LinkOption.NOFOLLOW_LINKS).stream().noneMatch(OTHERS_WRITE::contains);
+            && Files.getPosixFilePermissions(file,
+            LinkOption.NOFOLLOW_LINKS).stream().noneMatch(OTHERS_WRITE::contains);
     }
 
     private static String digest(byte[] source) {

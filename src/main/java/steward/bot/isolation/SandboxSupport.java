@@ -20,7 +20,8 @@ public final class SandboxSupport {
     }
 
     private static final class Light {
-        static final String PROBLEM = tried(List.of("setsid", "unshare", "setpriv", "sh"), SandboxLevel.LIGHT);
+        static final String PROBLEM = tried(isNative() ? List.of("setsid", "sh")
+            : List.of("setsid", "sh", "unshare", "setpriv", "env"), SandboxLevel.LIGHT);
     }
 
     private static final class Strict {
@@ -41,15 +42,24 @@ public final class SandboxSupport {
         return problem(SandboxLevel.LIGHT) == null ? SandboxLevel.LIGHT : SandboxLevel.OFF;
     }
 
+    /** Whether bots are started by the small program that starts faster than a shell and others. */
+    public static boolean isNative() {
+        return NativeLauncher.program() != null;
+    }
+
+    /** Whether this program runs as root, whose files are a bot's own at level light. */
+    public static boolean isRoot() {
+        return UserNumbers.isRoot();
+    }
+
     private static String tried(List<String> programs, SandboxLevel level) {
         for (String program : programs) {
             if (ProgramFinder.find(program) == null) {
                 return "there is no program '" + program + "'";
             }
         }
-        // A bot that sees only itself and the first process of its namespace, and cannot reach the referee.
-        List<String> bot = List.of(ProgramFinder.find("sh").toString(), "-c",
-            "[ -d /proc/1 ] && [ ! -d /proc/" + ProcessHandle.current().pid() + " ] || [ $$ = 2 ]");
+        // A bot that is one of the first processes of its namespace, and finds itself there.
+        List<String> bot = List.of(ProgramFinder.find("sh").toString(), "-c", "[ $$ -lt 10 ] && [ -d /proc/$$ ]");
         try {
             ProgramTrial tried = ProgramTrial.of(Launch.words(Isolation.at(level), bot, List.of(), null), PATIENCE_MS);
             return tried.works() ? null : reason(TextFormat.shorten(TextFormat.plain(tried.line()), SHOWN),

@@ -16,11 +16,12 @@ final class ShellLauncher {
     /*
      * The outer shell is in the new namespaces but for that of processes, of which its first child becomes the first
      * process: the inner shell. Both let go of the bot's streams after the fork. A shell that does not wait for a child
-     * at once lets it ignore SIGINT and SIGQUIT; 'env' undoes that.
+     * at once gives it no input, and lets it ignore SIGINT and SIGQUIT: descriptor 3 and 'env' undo that.
      */
     private static final String LIGHT = """
         trap '' %1$s
-        %2$s{
+        %2$sexec 3<&0
+        {
           {
             trap - %1$s
             %3$sexec %4$s "$@"
@@ -28,8 +29,8 @@ final class ShellLauncher {
           exec </dev/null >/dev/null 2>&1 3<&-
           wait $!
           exit $?
-        } 3<&0 &
-        exec </dev/null >/dev/null 2>&1
+        } &
+        exec </dev/null >/dev/null 2>&1 3<&-
         wait $!
         exit $?
         """;
@@ -62,7 +63,8 @@ final class ShellLauncher {
     }
 
     static List<String> outside(Path controlGroup) {
-        return List.of(program("setsid"), program("sh"), "-c", String.format(OUTSIDE, join(controlGroup)), "steward-launch");
+        return List.of(program("setsid"), program("sh"), "-c", String.format(OUTSIDE, join(controlGroup)),
+            "steward-launch");
     }
 
     static List<String> inside(ResourceLimits limits) {

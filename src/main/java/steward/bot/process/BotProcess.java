@@ -18,6 +18,7 @@ import steward.bot.LineBuffer;
 import steward.bot.Player;
 import steward.bot.command.BotCommand;
 import steward.bot.isolation.Launch;
+import steward.bot.isolation.ProcessTree;
 
 /**
  * A bot program: reads its frames from its input and writes its answers to its output, line by line.
@@ -199,6 +200,11 @@ public final class BotProcess implements Player {
 
     private long due() {
         return limit < Long.MAX_VALUE - clock ? clock + limit : Long.MAX_VALUE;
+    }
+
+    /** The processes of the bot as this machine numbers them, see {@link ProcessTree}; none before it is started. */
+    List<Long> processes() {
+        return group == null ? List.of() : group.processes();
     }
 
     /** Where bots are stopped while they are not asked. */

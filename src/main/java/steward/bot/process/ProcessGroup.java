@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import steward.bot.isolation.ControlGroup;
 import steward.bot.isolation.Launch;
+import steward.bot.isolation.ProcessTree;
 
 /**
  * A bot's process and its descendants: a session and process group of its own, made by {@code setsid}, so that one
@@ -59,6 +60,11 @@ final class ProcessGroup {
     /** The first process, leader of the group. */
     Process process() {
         return process;
+    }
+
+    /** All processes that are there now, as this machine numbers them; the first process is the first. */
+    List<Long> processes() {
+        return ProcessTree.of(process.pid());
     }
 
     /** Waits for the first process to exit; returns whether it has. */

@@ -10,6 +10,7 @@ import picocli.CommandLine.Option;
 import steward.cli.options.BuiltinBotWords;
 import steward.cli.options.CallCheck;
 import steward.cli.options.ProtocolWord;
+import steward.cli.options.SandboxOptions;
 import steward.cli.options.SceneOptions;
 import steward.cli.options.SeedOption;
 import steward.cli.options.TimeLimitOptions;
@@ -92,6 +93,9 @@ public final class MatchCommand implements Callable<Integer> {
     private final TimeLimitOptions pace = new TimeLimitOptions();
 
     @Mixin
+    private final SandboxOptions sandbox = new SandboxOptions();
+
+    @Mixin
     private final SeriesOptions many = new SeriesOptions();
 
     public MatchCommand(Streams streams) {
@@ -110,6 +114,7 @@ public final class MatchCommand implements Callable<Integer> {
         check.that(problem == null, problem);
         Contest contest = Contest.of(Games.warn(scene.open(), streams), bots, ProtocolWord.parse(protocol), factor);
         contest = sign == null ? contest : contest.signedWith(SigningKey.read(OutputFiles.path(sign)));
+        contest = contest.isolatedBy(sandbox.isolation(streams));
         long first = seed.orDrawn();
         Path path = out == null ? null : OutputFiles.path(out);
         Verbosity report = json ? Verbosity.JSON : quiet ? Verbosity.LINE : Verbosity.FULL;

@@ -28,6 +28,7 @@ final class MatchJson {
         printObject(streams, out -> {
             out.writeStringProperty("seed", Long.toString(seed));
             out.writeStringProperty("scene", contest.sceneName());
+            out.writeStringProperty("sandbox", contest.sandbox());
             out.writeNumberProperty("turns", result.turns());
             out.writeStringProperty("ending", result.ending());
             out.writeName("winner");

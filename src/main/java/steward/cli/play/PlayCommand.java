@@ -7,6 +7,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import steward.cli.options.SandboxOptions;
 import steward.cli.options.SceneOptions;
 import steward.cli.options.SeedOption;
 import steward.cli.options.TimeLimitOptions;
@@ -59,6 +60,9 @@ public final class PlayCommand implements Callable<Integer> {
     @Mixin
     private final TimeLimitOptions pace = new TimeLimitOptions();
 
+    @Mixin
+    private final SandboxOptions sandbox = new SandboxOptions();
+
     public PlayCommand(Streams streams) {
         this.streams = streams;
     }
@@ -71,7 +75,8 @@ public final class PlayCommand implements Callable<Integer> {
             throw new InputException("found " + TextFormat.count(bots.size(), "bot") + ", expected "
                 + TextFormat.count(players, "bot") + ", one for each player of the scene");
         }
-        Contest contest = Contest.withFailing(setup, bots, Protocol.CODINGAME, pace.factor());
+        Contest contest = Contest.withFailing(setup, bots, Protocol.CODINGAME, pace.factor())
+            .isolatedBy(sandbox.isolation(streams));
         long used = seed.orDrawn();
         LeagueAttributes attributes = new LeagueAttributes();
         MatchResult result = contest.play(used, 0, null, attributes);

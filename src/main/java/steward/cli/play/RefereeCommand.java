@@ -12,6 +12,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import steward.cli.options.AccuracyOption;
 import steward.cli.options.CallCheck;
+import steward.cli.options.SandboxOptions;
 import steward.cli.options.SceneOptions;
 import steward.cli.options.SeedOption;
 import steward.cli.options.ShippedScenes;
@@ -84,6 +85,9 @@ public final class RefereeCommand implements Callable<Integer> {
     @Mixin
     private final TimeLimitOptions pace = new TimeLimitOptions();
 
+    @Mixin
+    private final SandboxOptions sandbox = new SandboxOptions();
+
     private RefereeCommand(Streams streams) {
         this.streams = streams;
     }
@@ -107,8 +111,8 @@ public final class RefereeCommand implements Callable<Integer> {
         double factor = pace.factor();
         Long wanted = seed != null ? seed : inData;
         if (old) {
-            check.that(!arguments.hasPlayers() && log == null && replay == null && !page,
-                "--old: expected no -p1, -l, -r or -s with it: the tool has the bots");
+            check.that(!arguments.hasPlayers() && log == null && replay == null && !page && !sandbox.isAny(),
+                "--old: expected no -p1, -l, -r, -s or option of the sandbox with it: the tool has the bots");
             return playOld(factor, wanted);
         }
         GameSetup setup = Games.warn(accuracy.open(scene), streams);
@@ -128,7 +132,8 @@ public final class RefereeCommand implements Callable<Integer> {
                 streams.warn("-p" + (player + 1) + " has failed, because it cannot be started: " + problem);
             }
         }
-        return new RefereeGame(streams, contest, logFile, replayFile, page).play(wanted);
+        return new RefereeGame(streams, contest.isolatedBy(sandbox.isolation(streams)), logFile, replayFile, page)
+            .play(wanted);
     }
 
     private Integer playOld(double factor, Long wanted) throws InterruptedException {
@@ -151,6 +156,6 @@ public final class RefereeCommand implements Callable<Integer> {
             String name = arguments.nameOf(player);
             entrants.add(name == null ? entrant : entrant.named(name));
         }
-        return new Contest(contest.setup(), entrants, contest.time(), contest.timeFactor());
+        return contest.between(entrants);
     }
 }

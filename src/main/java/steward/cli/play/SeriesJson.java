@@ -40,6 +40,7 @@ final class SeriesJson {
             out.writeBooleanProperty("interrupted", play.isBrokenOff());
             out.writeStringProperty("stopped", play.stopped());
             out.writeStringProperty("keep", series.keep().word());
+            out.writeStringProperty("sandbox", series.contest().sandbox());
             JsonNumbers.writeOrNull(out, "meanTurns", standings.meanTurns());
             out.writeArrayPropertyStart("bots");
             for (int k = 0; k < series.contest().entrants().size(); k++) {
