@@ -14,7 +14,8 @@ import java.util.concurrent.atomic.AtomicLong;
 /**
  * A control group (version 2) for one bot, where this program may make groups: it runs as root, or in a group that was
  * delegated to its user, {@code systemd-run --user --scope -p Delegate=yes steward ...}. It can be paused and killed as
- * a whole, and holds memory and processes where the system gives it these controllers.
+ * a whole, and holds memory and processes where the system gives it these controllers and no foreign processes are in
+ * the group of this program, which is emptied for that.
  */
 public final class ControlGroup {
 
@@ -91,6 +92,9 @@ public final class ControlGroup {
                     return true;
                 }
                 if (!root) {
+                    if (!words(folder.resolve(PROCESSES)).stream().allMatch(Base::isOurs)) {
+                        return false;
+                    }
                     Path own = folder.resolve(PREFIX + REFEREE);
                     if (!Files.isDirectory(own)) {
                         Files.createDirectory(own);
@@ -104,6 +108,11 @@ public final class ControlGroup {
             } catch (IOException refused) {
                 return false;
             }
+        }
+
+        /** Processes of others are not moved. */
+        private static boolean isOurs(String pid) {
+            return ProcessTree.of(ProcessHandle.current().pid()).contains(Long.valueOf(pid));
         }
 
         /** Groups of referees that were killed; one that still has processes stays. */

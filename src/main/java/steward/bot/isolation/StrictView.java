@@ -33,13 +33,16 @@ record StrictView(List<Path> hidden, Map<Path, Treatment> treated) {
 
     static StrictView of(List<String> command, List<List<String>> others, List<Path> visible) {
         List<Path> hidden = hiddenFolders();
+        List<Path> covers = new ArrayList<>(hidden);
+        covers.add(Path.of(StrictSandbox.TEMPORARY));
         Set<Path> own = new LinkedHashSet<>(OwnFiles.of(command));
         own.addAll(visible);
         Map<Path, Treatment> treated = new TreeMap<>(Comparator.comparingInt(Path::getNameCount)
             .thenComparing(Comparator.naturalOrder()));
         for (List<String> other : others) {
             for (Path path : OwnFiles.of(other)) {
-                if (!own.contains(path) && path.getNameCount() > 0 && !isSystem(path)) {
+                boolean seen = covers.stream().noneMatch(path::startsWith) || own.stream().anyMatch(path::startsWith);
+                if (seen && !own.contains(path) && path.getNameCount() > 0 && !isSystem(path)) {
                     hide(path, treated);
                 }
             }
@@ -50,8 +53,8 @@ record StrictView(List<Path> hidden, Map<Path, Treatment> treated) {
             }
         }
         for (Path path : own) {
-            boolean covered = hidden.stream().anyMatch(path::startsWith) || treated.keySet().stream()
-                .anyMatch(each -> path.startsWith(each));
+            boolean covered = covers.stream().anyMatch(path::startsWith)
+                || treated.keySet().stream().anyMatch(path::startsWith);
             if (covered && Files.exists(path)) {
                 treated.put(path, Treatment.SHOW);
             }

@@ -32,7 +32,8 @@ import steward.bot.isolation.ProcessTree;
  * closes its input may still answer. After a fault the bot is killed at once.
  *
  * <p>Caveats: without a sandbox processes that leave the group on purpose, and whose parents have exited, survive. An
- * answer that was written before it was asked for counts as given at once.
+ * answer that was written before it was asked for counts as given at once. The file is long because both sides of the
+ * race between answer and deadline are in it, which read the same fields.
  */
 public final class BotProcess implements Player {
 
@@ -55,7 +56,6 @@ public final class BotProcess implements Player {
     private final String name;
     private final Launch launch;
     private final long graceMs;
-    private final boolean pausing;
     private final Alarm alarm = new Alarm();
     private final Deadline deadline = new Deadline(Watchdog.shared(), alarm);
     private volatile Consumer<Answer> continuation;
@@ -116,7 +116,6 @@ public final class BotProcess implements Player {
         }
         this.name = name;
         this.launch = launch;
-        pausing = launch.isolation().pauseWaiting();
         this.graceMs = graceMs;
     }
 
@@ -151,7 +150,7 @@ public final class BotProcess implements Player {
                 return fault(answer, problem);
             }
         } else {
-            pause(false);
+            group.resume();
             clock = Watchdog.now();
         }
         long asked = clock;
@@ -191,7 +190,7 @@ public final class BotProcess implements Player {
             output.take(wanted, answer);
             answer.setExtraLines(output.extraLines());
             answer.setStderr(stderr.collect(false));
-            pause(true);
+            group.pause();
             return Ending.ANSWERED;
         }
         return fault(answer, outcome == AnswerReader.Outcome.TOO_LONG
@@ -205,13 +204,6 @@ public final class BotProcess implements Player {
     /** The processes of the bot as this machine numbers them, see {@link ProcessTree}; none before it is started. */
     List<Long> processes() {
         return group == null ? List.of() : group.processes();
-    }
-
-    /** Where bots are stopped while they are not asked. */
-    private void pause(boolean stop) {
-        if (pausing) {
-            group.pause(stop);
-        }
     }
 
     /** Starts the process and the clock; returns the problem, or {@code null}. */
@@ -287,7 +279,7 @@ public final class BotProcess implements Player {
     @Override
     public void sendLastLines(byte[] lines, int length) {
         if (!over && group != null && writer == null) {
-            pause(false);
+            group.resume();
             startWriter(lines, length);
         }
     }
@@ -319,7 +311,7 @@ public final class BotProcess implements Player {
         over = true;
         if (group != null) {
             if (polite && writer == null) {
-                pause(false);
+                group.resume();
                 startWriter(lines, length);
             }
             boolean closing = polite && writer != null;

@@ -26,10 +26,12 @@ final class ProcessGroup {
     private final ProcessHandle handle;
     private final String target;
     private final ControlGroup controlGroup;
+    private final boolean pausing;
     private boolean killed;
 
-    private ProcessGroup(Process process, boolean grouped, ControlGroup controlGroup) {
+    private ProcessGroup(Process process, boolean grouped, ControlGroup controlGroup, boolean pausing) {
         this.process = process;
+        this.pausing = pausing;
         this.controlGroup = controlGroup;
         handle = process.toHandle();
         target = (grouped ? "-" : "") + process.pid();
@@ -52,7 +54,8 @@ final class ProcessGroup {
             }
             throw problem;
         }
-        ProcessGroup group = new ProcessGroup(process, !Launch.ownSession().isEmpty(), controlGroup);
+        ProcessGroup group = new ProcessGroup(process, !Launch.ownSession().isEmpty(), controlGroup,
+            launch.isolation().pauseWaiting());
         Sentinel.shared().watch(group.target);
         return group;
     }
@@ -78,12 +81,26 @@ final class ProcessGroup {
     }
 
     /**
-     * Stops the bot, or lets it go on: its control group, or else its process group, of which no account is taken
-     * whether a process has left it. Does nothing after {@link #kill}.
+     * Stops the bot if it is to be stopped while it is not asked: its control group, or else its process group, and then
+     * not those that have left it.
      */
-    synchronized void pause(boolean stop) {
-        if (!killed && (controlGroup == null || !controlGroup.pause(stop))) {
-            Sentinel.shared().pause(target, stop);
+    void pause() {
+        halt(true);
+    }
+
+    /** Lets a bot go on that was stopped. */
+    void resume() {
+        halt(false);
+    }
+
+    private void halt(boolean stop) {
+        if (!pausing) {
+            return;
+        }
+        synchronized (this) {
+            if (!killed && (controlGroup == null || !controlGroup.pause(stop))) {
+                Sentinel.shared().pause(target, stop);
+            }
         }
     }
 

@@ -97,7 +97,8 @@ final class Checkup {
         String none = ControlGroup.problem();
         add("isolation", "control groups", none == null && ControlGroup.holdsLimits(), none != null
             ? none + ": --memory and --processes are limits of each process; systemd-run --user --scope -p "
-            + "Delegate=yes steward ... delegates one" : ControlGroup.holdsLimits() ? "hold --memory and --processes, and pause bots"
+            + "Delegate=yes steward ... delegates one"
+            : ControlGroup.holdsLimits() ? "hold --memory and --processes, and pause bots"
             : "pause bots, but hold neither memory nor processes here: --memory and --processes are limits of each "
             + "process");
     }

@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -73,13 +74,23 @@ class StrictViewTest {
         assertFalse(own.contains(home) || own.contains(Path.of("/")) || own.contains(home.getParent()), own.toString());
     }
 
+    /** In a folder that is hidden anyway there is nothing to hide. */
     @Test
-    void foldersOfOtherBotsAreHiddenAndItsOwnAreShown() throws IOException {
+    void itsOwnFolderIsShownAndNoOther() throws IOException {
         Path mine = program("bots/mine/bot", "");
         Path other = program("bots/other/bot", "");
         StrictView view = StrictView.of(List.of(mine.toString()), List.of(List.of(other.toString())), List.of());
+        assertEquals(Map.of(mine.getParent(), StrictView.Treatment.SHOW), view.treated());
+    }
+
+    @Test
+    void foldersOfOtherBotsAreHiddenInWhatIsShown() throws IOException {
+        Path mine = program("bots/mine/bot", "");
+        Path other = program("bots/other/bot", "");
+        StrictView view = StrictView.of(List.of(mine.toString()), List.of(List.of(other.toString())), List.of(folder));
         assertEquals(StrictView.Treatment.HIDE_FOLDER, view.treated().get(other.getParent()));
         assertEquals(StrictView.Treatment.SHOW, view.treated().get(mine.getParent()));
+        assertEquals(folder, view.treated().keySet().iterator().next());
     }
 
     /** A bot inside the folder of another is shown in it, and not hidden with it. */
@@ -87,9 +98,9 @@ class StrictViewTest {
     void aFolderInsideAnothersIsShown() throws IOException {
         Path other = program("bots/bot", "");
         Path mine = program("bots/mine/bot", "");
-        StrictView view = StrictView.of(List.of(mine.toString()), List.of(List.of(other.toString())), List.of());
-        assertEquals(List.of(other.getParent(), mine.getParent()), List.copyOf(view.treated().keySet()));
-        assertEquals(List.of(StrictView.Treatment.HIDE_FOLDER, StrictView.Treatment.SHOW),
+        StrictView view = StrictView.of(List.of(mine.toString()), List.of(List.of(other.toString())), List.of(folder));
+        assertEquals(List.of(folder, other.getParent(), mine.getParent()), List.copyOf(view.treated().keySet()));
+        assertEquals(List.of(StrictView.Treatment.SHOW, StrictView.Treatment.HIDE_FOLDER, StrictView.Treatment.SHOW),
             List.copyOf(view.treated().values()));
     }
 
@@ -99,6 +110,7 @@ class StrictViewTest {
         Path other = program("bots/other", "");
         StrictView view = StrictView.of(List.of(mine.toString()), List.of(List.of(other.toString())), List.of());
         assertEquals(StrictView.Treatment.HIDE_FILE, view.treated().get(other));
+        assertEquals(StrictView.Treatment.SHOW, view.treated().get(mine.getParent()));
         assertFalse(view.treated().containsKey(mine));
     }
 
