@@ -111,8 +111,9 @@ public final class RefereeCommand implements Callable<Integer> {
         double factor = pace.factor();
         Long wanted = seed != null ? seed : inData;
         if (old) {
-            check.that(!arguments.hasPlayers() && log == null && replay == null && !page && !sandbox.isAny(),
-                "--old: expected no -p1, -l, -r, -s or option of the sandbox with it: the tool has the bots");
+            check.that(!arguments.hasPlayers() && log == null && replay == null && !page,
+                "--old: expected no -p1, -l, -r or -s with it: the tool has the bots");
+            check.that(!sandbox.isAny(), "--old: expected no option of the sandbox with it: the tool starts the bots");
             return playOld(factor, wanted);
         }
         GameSetup setup = Games.warn(accuracy.open(scene), streams);
