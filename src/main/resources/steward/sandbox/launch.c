@@ -5,7 +5,8 @@
  *   launch off     OPTIONS -- COMMAND...   a session of its own
  *   launch light   OPTIONS -- COMMAND...   also namespaces of its own, without capabilities
  *   launch outside OPTIONS -- COMMAND...   a session of its own; the streams of the bot become descriptors 3 and 4
- *   launch inside  OPTIONS -- COMMAND...   descriptors 3 and 4 become the streams of the bot
+ *   launch inside  OPTIONS -- COMMAND...   the first process of a namespace, whose child is the bot; descriptors 3 and 4
+ *                                          become its streams
  *
  *   -u UID -g GID   what the user is in the user namespace (light)
  *   -l              brings up the loopback device (light)
@@ -177,6 +178,24 @@ static void move(int from, int to) {
     }
 }
 
+/* What started this one ends it when it ends itself; the bot must not be able to attach to it and undo that. */
+static void inside(char **command) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0);
+    prctl(PR_SET_DUMPABLE, 0, 0, 0, 0);
+    pid_t bot = fork();
+    if (bot < 0) {
+        fail("fork");
+    }
+    if (bot > 0) {
+        close(3);
+        close(4);
+        waitFor(bot);
+    }
+    move(3, 0);
+    move(4, 1);
+    run(command);
+}
+
 static void moveOutside(void) {
     move(0, 3);
     move(1, 4);
@@ -213,9 +232,7 @@ int main(int count, char **words) {
         return 125;
     }
     if (strcmp(mode, "inside") == 0) {
-        move(3, 0);
-        move(4, 1);
-        run(command);
+        inside(command);
     }
     setsid();
     if (group != NULL) {

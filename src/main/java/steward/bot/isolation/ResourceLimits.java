@@ -108,7 +108,7 @@ public record ResourceLimits(long memory, long processes, long fileSize, long op
     static boolean processesAreCountedApart(String version) {
         String[] parts = version.split("[^0-9]+");
         try {
-            int major = Integer.parseInt(parts[0]);
+            int major = parts.length == 0 ? 0 : Integer.parseInt(parts[0]);
             int minor = parts.length > 1 ? Integer.parseInt(parts[1]) : 0;
             return major > COUNTED_APART[0] || major == COUNTED_APART[0] && minor >= COUNTED_APART[1];
         } catch (NumberFormatException unknown) {

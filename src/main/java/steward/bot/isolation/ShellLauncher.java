@@ -16,7 +16,8 @@ final class ShellLauncher {
     /*
      * The outer shell is in the new namespaces but for that of processes, of which its first child becomes the first
      * process: the inner shell. Both let go of the bot's streams after the fork. A shell that does not wait for a child
-     * at once gives it no input, and lets it ignore SIGINT and SIGQUIT: descriptor 3 and 'env' undo that.
+     * at once gives it no input, and lets it ignore SIGINT and SIGQUIT: descriptor 3 and 'env' undo that. SIGQUIT stays
+     * blocked, as it is in whatever a JVM starts, and is no more where a shell has waited for a child.
      */
     private static final String LIGHT = """
         trap '' %1$s
@@ -55,7 +56,7 @@ final class ShellLauncher {
             "--pid", "--net", "--ipc", "--uts"));
         String last = program("unshare") + " --mount --mount-proc " + program("setpriv")
             + " --no-new-privs --ambient-caps=-all --inh-caps=-all --bounding-set=-all "
-            + program("env") + " --default-signal=INT,QUIT";
+            + program("env") + " --default-signal=INT,QUIT --block-signal=QUIT";
         String loopback = isolation.network() ? program("ip") + " link set lo up\n" : "";
         words.addAll(List.of(program("sh"), "-c", String.format(LIGHT, SIGNALS, join(controlGroup) + loopback,
             isolation.limits().shell(), last), "steward-launch"));

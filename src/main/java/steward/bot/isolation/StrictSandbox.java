@@ -26,7 +26,8 @@ final class StrictSandbox {
     /**
      * The words up to the command.
      *
-     * @param launcher the program that starts the bot inside, or {@code null} if that is a shell
+     * @param launcher the program that is the first process inside, or {@code null} if that is bwrap itself; a bot can
+     *                 attach to bwrap and so outlive a referee that is killed, while it cannot attach to the launcher
      */
     static List<String> words(Isolation isolation, List<String> command, List<List<String>> others, Path launcher) {
         Path bwrap = ProgramFinder.find("bwrap");
@@ -37,6 +38,9 @@ final class StrictSandbox {
             "--ro-bind", "/", "/", "--proc", "/proc", "--dev", "/dev",
             "--size", "" + SHARED_BYTES, "--tmpfs", "/dev/shm", "--remount-ro", "/dev",
             "--size", "" + TEMPORARY_BYTES, "--tmpfs", TEMPORARY));
+        if (launcher != null) {
+            words.add("--as-pid-1");
+        }
         StrictView view = StrictView.of(command, others, isolation.visible());
         for (Path hidden : view.hidden()) {
             words.addAll(List.of("--tmpfs", hidden.toString()));

@@ -133,7 +133,8 @@ class SandboxOptionsTest {
         Files.writeString(other.resolve("secret"), "secret");
         String mark = folder.getFileName() + ".x";
         failing("ls " + folder + " >&2; cat " + other.resolve("secret") + " >/dev/null 2>&1 || echo none >&2; for f in "
-            + "/tmp/" + mark + " /usr/" + mark + " " + folder.resolve(mark) + "; do echo x >$f; done 2>/dev/null; ls /tmp >&2");
+            + "/tmp/" + mark + " /usr/" + mark + " " + folder.resolve(mark) + "; do echo x >$f; done 2>/dev/null;"
+            + " ls /tmp >&2");
         Path mine = Files.createDirectory(folder.resolve("mine"));
         Files.move(folder.resolve("me.sh"), mine.resolve("me.sh"));
         String hidden = stderr(match("me=sh " + mine.resolve("me.sh"), "--sandbox", "strict").json());
