@@ -60,7 +60,7 @@ final class NativeLauncher {
             }
             byte[] source = stream.readAllBytes();
             return in(folder(), source);
-        } catch (IOException | UnsupportedOperationException none) {
+        } catch (IOException | UnsupportedOperationException | LinkageError none) {
             return null;
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
