@@ -8,6 +8,8 @@ import steward.bot.Player;
 import steward.bot.TimeBasis;
 import steward.bot.UnstartablePlayer;
 import steward.bot.command.BotCommand;
+import steward.bot.isolation.Isolation;
+import steward.bot.isolation.Launch;
 import steward.bot.process.BotProcess;
 import steward.files.InputException;
 import steward.game.GameSetup;
@@ -31,29 +33,51 @@ import steward.text.TextFormat;
  * @param time       how long they may take
  * @param timeFactor by which the scene's limits are multiplied; {@code POSITIVE_INFINITY} for no deadlines
  * @param key        what replays are signed with, or {@code null}
+ * @param isolation  how bots are kept apart; {@code null} for what is usual on this machine, which is found out when
+ *                   the first bot is started
  */
 public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double timeFactor,
-                      @Internal SigningKey key) {
+                      @Internal SigningKey key, @Internal Isolation isolation) {
 
-    /** A contest whose replays are signed with {@code key}, if there is one. */
+    /** A contest whose replays are signed with {@code key}, if there is one, and whose bots are isolated so. */
     @Internal
     public Contest {
     }
 
-    /** A contest whose replays are not signed. */
+    /** A contest whose replays are not signed, with the usual isolation. */
     public Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double timeFactor) {
-        this(setup, entrants, time, timeFactor, null);
+        this(setup, entrants, time, timeFactor, null, null);
     }
 
     /** The same, its replays signed. */
     @Internal
     public Contest signedWith(SigningKey other) {
-        return new Contest(setup, entrants, time, timeFactor, other);
+        return new Contest(setup, entrants, time, timeFactor, other, isolation);
+    }
+
+    /** The same between other bots. */
+    public Contest between(List<Entrant> others) {
+        return new Contest(setup, others, time, timeFactor, key, isolation);
+    }
+
+    /** The same with bots kept apart in another way. */
+    @Internal
+    public Contest isolatedBy(Isolation other) {
+        return new Contest(setup, entrants, time, timeFactor, key, other);
+    }
+
+    /** The level at which bots are started, {@code off}, {@code light} or {@code strict}. */
+    public String sandbox() {
+        return usedIsolation().level().word();
+    }
+
+    private Isolation usedIsolation() {
+        return isolation == null ? Isolation.usual() : isolation;
     }
 
     /** The same, its limits those of something else. */
     public Contest limitedBy(TimeBasis basis) {
-        return new Contest(setup, entrants, time.by(basis), timeFactor, key);
+        return new Contest(setup, entrants, time.by(basis), timeFactor, key, isolation);
     }
 
     /**
@@ -77,8 +101,10 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
             return new Entrant(other, bot, protocol, words, problem);
         }
 
-        private Player player() {
-            return problem == null ? new BotProcess(name, words) : new UnstartablePlayer(name, problem);
+        private Player player(Isolation isolation, List<List<String>> others) {
+            return problem == null
+                ? new BotProcess(name, new Launch(words, isolation, others), BotProcess.DEFAULT_GRACE_MS)
+                : new UnstartablePlayer(name, problem);
         }
     }
 
@@ -210,7 +236,9 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         List<Seat> seats = new ArrayList<>();
         for (int player = 0; player < entrants.size(); player++) {
             Entrant entrant = entrants.get(entrantOf(player, rotation));
-            seats.add(new Seat(entrant.player(), entrant.protocol()));
+            List<List<String>> others = entrants.stream().filter(each -> each != entrant && each.problem() == null)
+                .map(Entrant::words).toList();
+            seats.add(new Seat(entrant.player(usedIsolation(), others), entrant.protocol()));
         }
         MatchListener listener = recording == null ? follower
             : new TeeListener(new ReplayWriter(recording, header(seed, rotation), key), follower);
@@ -228,6 +256,6 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
             protocols.add(entrant.protocol());
         }
         return new ReplayHeader(setup.scene().gameId(), setup.scene().json(), seed, names, bots, protocols,
-            timeFactor, setup.scene().angles(), null);
+            timeFactor, setup.scene().angles(), null, sandbox());
     }
 }

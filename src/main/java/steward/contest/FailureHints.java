@@ -6,6 +6,8 @@ import java.util.function.BooleanSupplier;
 import java.util.regex.Pattern;
 import steward.bot.FaultMessages;
 import steward.bot.TimeSpent;
+import steward.bot.isolation.Isolation;
+import steward.bot.isolation.SandboxLevel;
 import steward.match.Protocol;
 
 /** Hints for beginners: the likely cause, guessed from how a bot failed. */
@@ -20,6 +22,12 @@ final class FailureHints {
         + "folder that is mounted noexec; name its interpreter before it";
     static final String STARVED = "other programs used the processors while it waited for one; --time cpu does not "
         + "charge a bot for that";
+
+    static final String LIGHT = "it failed at once, in a sandbox without network and without sight of other processes; "
+        + "does it run with --sandbox off?";
+    static final String STRICT = "it failed at once, in a sandbox that hides home and temporary files and allows no "
+        + "writing; --visible FOLDER lets it read more; does it run with --sandbox light?";
+    static final String MEMORY = "it may have needed more memory than --memory allows";
 
     private static final int NOT_EXECUTABLE_STATUS = 126;
     private static final int NOT_FOUND_STATUS = 127;
@@ -39,9 +47,10 @@ final class FailureHints {
      * @param received what was received in place of an answer
      * @param stderr   the last lines it wrote there
      * @param time     where the time of a late answer went, or {@code null}
+     * @param sandbox  how it was kept apart, or {@code null} if that is not known
      */
     static List<String> of(Protocol protocol, BooleanSupplier other, int answers, String reason, String received,
-                           List<String> stderr, TimeSpent time) {
+                           List<String> stderr, TimeSpent time, Isolation sandbox) {
         List<String> hints = new ArrayList<>();
         if (FaultMessages.isExit(reason, NOT_FOUND_STATUS)) {
             hints.add(NOT_FOUND);
@@ -57,6 +66,14 @@ final class FailureHints {
         }
         if (time != null && time.starved()) {
             hints.add(STARVED);
+        }
+        if (sandbox != null && FaultMessages.isExit(reason)) {
+            if (sandbox.limits().memory() > 0) {
+                hints.add(MEMORY);
+            }
+            if (answers == 0 && sandbox.level() != SandboxLevel.OFF) {
+                hints.add(sandbox.level() == SandboxLevel.STRICT ? STRICT : LIGHT);
+            }
         }
         return hints;
     }

@@ -81,7 +81,8 @@ public final class GameLog implements MatchListener {
         String received = turn.answer(player) == null ? "" : turn.answer(player);
         return new Failure(player, turn.number(), turn.fault(player), lines, FailureHints.of(
             contest.entrants().get(contest.entrantOf(player, rotation)).protocol(), contest::hasBothProtocols,
-            answers[player], turn.fault(player), received, lines, turn.timeSpent(player)), turn.timeSpent(player));
+            answers[player], turn.fault(player), received, lines, turn.timeSpent(player), contest.isolation()),
+            turn.timeSpent(player));
     }
 
     private static List<String> lastLines(String[] texts) {

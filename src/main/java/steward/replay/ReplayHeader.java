@@ -19,10 +19,12 @@ import steward.numerics.Angles;
  * @param angles     where the sines and cosines of the game came from
  * @param signer     the public key of the signer, as {@link steward.replay.sign.SignerKey#text}; or
  *                   {@code null}
+ * @param sandbox    at which level bots were kept apart, or {@code null} where that is not known; it is written with
+ *                   what was measured, is neither hashed nor signed, and is not read
  */
 public record ReplayHeader(String game, String scene, long seed, List<String> names, List<String> bots,
-                           List<Protocol> protocols, double timeFactor, @Internal Angles angles,
-                           String signer) {
+                           List<Protocol> protocols, double timeFactor, @Internal Angles angles, String signer,
+                           String sandbox) {
 
     /** The version of the format that is written, and the newest that is read. */
     public static final int FORMAT = 3;
@@ -39,15 +41,22 @@ public record ReplayHeader(String game, String scene, long seed, List<String> na
         protocols = List.copyOf(protocols);
     }
 
+    /** A match of which is not known how bots were kept apart. */
+    public ReplayHeader(String game, String scene, long seed, List<String> names, List<String> bots,
+                        List<Protocol> protocols, double timeFactor, Angles angles, String signer) {
+        this(game, scene, seed, names, bots, protocols, timeFactor, angles, signer, null);
+    }
+
     /** An unsigned match with the angles that matches are played with. */
     public ReplayHeader(String game, String scene, long seed, List<String> names, List<String> bots,
                         List<Protocol> protocols, double timeFactor) {
-        this(game, scene, seed, names, bots, protocols, timeFactor, Angles.CURRENT, null);
+        this(game, scene, seed, names, bots, protocols, timeFactor, Angles.CURRENT, null, null);
     }
 
     /** The same, signed; or unsigned for {@code null}. */
     ReplayHeader signedBy(String key) {
-        return new ReplayHeader(game, scene, seed, names, bots, protocols, timeFactor, angles, key);
+        return new ReplayHeader(game, scene, seed, names, bots, protocols, timeFactor, angles, key,
+            sandbox);
     }
 
     /** A match between players that all use JSON. */

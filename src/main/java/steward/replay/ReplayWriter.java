@@ -32,6 +32,7 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
     private final OutputStream file;
     private final ReplayLines lines;
     private final JsonGenerator out;
+    private final String sandbox;
     private final SigningKey key;
     private final LinesDigest digest;
     private Game game;
@@ -57,6 +58,7 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
     private ReplayWriter(OutputStream file, ReplayHeader header, Observations observations, SigningKey key) {
         this.file = file;
         this.key = key;
+        sandbox = header.sandbox();
         lines = new ReplayLines(header.signedBy(key == null ? null : key.publicKey().text()), observations);
         out = lines.out();
         digest = key == null ? null : new LinesDigest();
@@ -68,6 +70,12 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
         codec = startedCodec;
         lines.header(game, codec);
         sign();
+        if (sandbox != null) {
+            out.writeName(TIMES);
+            out.writeStartObject();
+            out.writeStringProperty("sandbox", sandbox);
+            out.writeEndObject();
+        }
         write(endLine());
     }
 

@@ -28,7 +28,7 @@ final class House {
     static final List<String> ROOMS = List.of("", "numerics", "text", "files",
         "physics", "physics.time", "physics.impulse", "physics.event", "physics.queue",
         "scene.json", "scene", "game", "game.podrace", "game.podrace.simulator", "game.podrace.protocol",
-        "bot", "bot.command", "bot.accounting", "bot.process", "match",
+        "bot", "bot.command", "bot.isolation", "bot.accounting", "bot.process", "match",
         "replay.sign", "replay", "replay.verify", "replay.feed", "replay.page", "contest", "live", "codingame",
         "lab.oracle", "lab.trial", "lab.stability.pairs", "lab.stability.crowds", "lab.stability",
         "lab.calibration", "lab.tradeoff", "lab.tradeoff.report", "bench", "bench.textbook", "bench.section",

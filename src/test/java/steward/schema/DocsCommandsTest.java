@@ -149,11 +149,12 @@ class DocsCommandsTest {
         assertContains("3 bumpers", run(0, "docs/scenes.md", "steward explain walled-race"));
 
         // No interpreter here: where it is found through variables, as pyenv's may be, an empty environment hides it.
-        executable("mine", "test -z \"$A_PASSWORD\" || exit 3\nexit 4\n");
+        executable("mine", "test -z \"$AN_OPINION$A_PASSWORD\" || exit 3\nexit 4\n");
         String hidden = line("docs/security.md", "env -i ");
-        assertContains("exited with status 4", runLine(0, "A_PASSWORD=secret " + hidden));
+        assertContains("exited with status 4", runLine(0, "AN_OPINION=own " + hidden));
         String open = hidden.substring(hidden.indexOf("steward match"));
-        assertContains("exited with status 3", runLine(0, "A_PASSWORD=secret " + open));
+        assertContains("exited with status 3", runLine(0, "AN_OPINION=own " + open));
+        assertContains("exited with status 4", runLine(0, "A_PASSWORD=secret " + open));
     }
 
     private static void assertContains(String expected, String said) {

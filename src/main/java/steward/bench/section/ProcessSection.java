@@ -64,12 +64,13 @@ final class ProcessSection implements Section {
             + " program, asked in sequence with as many bytes: by the wall clock, by the CPU time of all processes"
             + " together, and by that of the asking thread alone. Then whole matches of a single turn between two"
             + " shells, against starting and asking the same shells without a referee, the second when the first has"
-            + " answered, as in a match, and ending them: the rest is our own.";
+            + " answered, as in a match, and ending them: the rest is our own. Last, a bot's start up to its first"
+            + " answer at each level of isolation, and a turn after that.";
     }
 
     @Override
     public int steps(Effort effort) {
-        return warmUps(effort) + 2 * effort.rounds() + starts(effort) * 3 / 2;
+        return warmUps(effort) + 2 * effort.rounds() + 2 * (starts(effort) * 3 / 2);
     }
 
     private static int warmUps(Effort effort) {
@@ -101,6 +102,7 @@ final class ProcessSection implements Section {
             tellTurns(bare, match, done, done == rounds ? "" : ", " + done + " of " + rounds + " rounds", rows);
         }
         starts(effort, about, rows);
+        new SandboxStarts(name(), shell).run(starts(effort) * 3 / 2, about, rows);
     }
 
     private void tellTurns(double[][] bare, double[][] match, int rounds, String note, Consumer<Row> rows) {

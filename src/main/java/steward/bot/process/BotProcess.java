@@ -22,6 +22,8 @@ import steward.bot.accounting.OwnThread;
 import steward.bot.accounting.TreeSample;
 import steward.bot.accounting.TreeSampler;
 import steward.bot.command.BotCommand;
+import steward.bot.isolation.Launch;
+import steward.bot.isolation.ProcessTree;
 
 /**
  * A bot program: reads its frames from its input and writes its answers to its output, line by line.
@@ -34,8 +36,9 @@ import steward.bot.command.BotCommand;
  * <p>The bot is its first process: when that has exited, output of its remaining descendants is ignored. A bot that
  * closes its input may still answer. After a fault the bot is killed at once.
  *
- * <p>Caveats: processes that leave the group on purpose, and whose parents have exited, survive. An answer that was
- * written before it was asked for counts as given at once.
+ * <p>Caveats: without a sandbox processes that leave the group on purpose, and whose parents have exited, survive. An
+ * answer that was written before it was asked for counts as given at once. The file is long because both sides of the
+ * race between answer and deadline are in it, which read the same fields.
  */
 public final class BotProcess implements Player {
 
@@ -56,7 +59,7 @@ public final class BotProcess implements Player {
     private static final int SHOWN = 1024;
 
     private final String name;
-    private final List<String> command;
+    private final Launch launch;
     private final long graceMs;
     private final Alarm alarm = new Alarm();
     private final OwnThread asking = new OwnThread();
@@ -90,7 +93,7 @@ public final class BotProcess implements Player {
     private boolean abandoned;
 
     /**
-     * A bot whose process is started by the first {@link #ask}.
+     * A bot whose process is started by the first {@link #ask}, without a sandbox.
      *
      * @param name    its name in messages
      * @param command the program and its arguments, as from {@link BotCommand#resolve}
@@ -99,21 +102,26 @@ public final class BotProcess implements Player {
         this(name, command, DEFAULT_GRACE_MS);
     }
 
+    /** As {@link #BotProcess(String, Launch, long)}, without a sandbox. */
+    public BotProcess(String name, List<String> command, long graceMs) {
+        this(name, Launch.plain(command), graceMs);
+    }
+
     /**
-     * As {@link #BotProcess(String, List)}.
+     * A bot whose process is started by the first {@link #ask}, as the launch says.
      *
      * @param graceMs how long the process may take to exit by itself at the end, in milliseconds, before it is killed
      * @throws IllegalArgumentException when there is no command, or the time is negative
      */
-    public BotProcess(String name, List<String> command, long graceMs) {
-        if (command.isEmpty()) {
+    public BotProcess(String name, Launch launch, long graceMs) {
+        if (launch.command().isEmpty()) {
             throw new IllegalArgumentException("player " + name + " has an empty command");
         }
         if (!(graceMs >= 0)) {
             throw new IllegalArgumentException("player " + name + " has a time to exit of " + graceMs + " ms");
         }
         this.name = name;
-        this.command = List.copyOf(command);
+        this.launch = launch;
         this.graceMs = graceMs;
     }
 
@@ -153,6 +161,7 @@ public final class BotProcess implements Player {
                 return fault(answer, problem);
             }
         } else {
+            group.resume();
             long now = Watchdog.now();
             clock.begin(limit, now, clock.needsBaseline() ? tree.baseline(now) : null);
         }
@@ -185,10 +194,16 @@ public final class BotProcess implements Player {
             output.take(wanted, answer);
             answer.setExtraLines(output.extraLines());
             answer.setStderr(stderr.collect(false));
+            group.pause();
             return Ending.ANSWERED;
         }
         return fault(answer, outcome == AnswerReader.Outcome.TOO_LONG
             ? FaultMessages.tooLong(AnswerReader.LINE_LIMIT) : endText());
+    }
+
+    /** The processes of the bot as this machine numbers them, see {@link ProcessTree}; none before it is started. */
+    List<Long> processes() {
+        return group == null ? List.of() : group.processes();
     }
 
     /** Starts the process; returns the problem, or {@code null}. */
@@ -203,7 +218,7 @@ public final class BotProcess implements Player {
         clock.begin(limit, now, TreeSample.beforeStart(now, TreeSampler.idle()));
         ProcessGroup started;
         try {
-            started = ProcessGroup.start(command, stderr);
+            started = ProcessGroup.start(launch, stderr);
         } catch (IOException e) {
             throw new UncheckedIOException(name + " could not be started: " + e.getMessage(), e);
         } finally {
@@ -268,6 +283,7 @@ public final class BotProcess implements Player {
     @Override
     public void sendLastLines(byte[] lines, int length) {
         if (!over && group != null && writer == null) {
+            group.resume();
             startWriter(lines, length);
         }
     }
@@ -299,6 +315,7 @@ public final class BotProcess implements Player {
         over = true;
         if (group != null) {
             if (polite && writer == null) {
+                group.resume();
                 startWriter(lines, length);
             }
             boolean closing = polite && writer != null;

@@ -1,17 +1,19 @@
 package steward.bot.process;
 
 import java.io.IOException;
-import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
-import steward.bot.command.ProgramFinder;
+import steward.bot.isolation.ControlGroup;
+import steward.bot.isolation.Launch;
+import steward.bot.isolation.ProcessTree;
 
 /**
  * A bot's process and its descendants: a session and process group of its own, made by {@code setsid}, so that one
  * signal reaches a wrapper script together with its children. Without {@code setsid}, the process and its descendants.
+ * In a sandbox the group holds the processes that wait outside and the first of the bot's PID namespace, with which
+ * everything in it ends.
  *
- * <p>Caveat: a process that leaves the group on purpose is found only while its parents are alive.
+ * <p>Caveat: without a sandbox a process that leaves the group on purpose is found only while its parents are alive.
  */
 final class ProcessGroup {
 
@@ -23,26 +25,16 @@ final class ProcessGroup {
     /** Equivalent to {@link Process} for signals, but it never uses the streams and so cannot block. */
     private final ProcessHandle handle;
     private final String target;
+    private final ControlGroup controlGroup;
+    private final boolean pausing;
     private boolean killed;
 
-    private ProcessGroup(Process process, boolean grouped) {
+    private ProcessGroup(Process process, boolean grouped, ControlGroup controlGroup, boolean pausing) {
         this.process = process;
+        this.pausing = pausing;
+        this.controlGroup = controlGroup;
         handle = process.toHandle();
         target = (grouped ? "-" : "") + process.pid();
-    }
-
-    /** The prefix of a command that gives it a session of its own; empty where that is not possible. */
-    static List<String> ownSession() {
-        return Setsid.WORDS;
-    }
-
-    private static final class Setsid {
-        static final List<String> WORDS = find();
-
-        private static List<String> find() {
-            Path program = ProgramFinder.find("setsid");
-            return program == null ? List.of() : List.of(program.toString());
-        }
     }
 
     /**
@@ -50,12 +42,20 @@ final class ProcessGroup {
      *
      * @throws IOException when it could not be started
      */
-    static ProcessGroup start(List<String> command, StderrFile stderr) throws IOException {
-        List<String> words = new ArrayList<>(ownSession());
-        words.addAll(command);
-        Process process = new ProcessBuilder(words)
-            .redirectError(ProcessBuilder.Redirect.appendTo(stderr.file())).start();
-        ProcessGroup group = new ProcessGroup(process, !ownSession().isEmpty());
+    static ProcessGroup start(Launch launch, StderrFile stderr) throws IOException {
+        ControlGroup controlGroup = ControlGroup.forBot(launch.isolation());
+        Process process;
+        try {
+            process = launch.builder(controlGroup)
+                .redirectError(ProcessBuilder.Redirect.appendTo(stderr.file())).start();
+        } catch (IOException problem) {
+            if (controlGroup != null) {
+                controlGroup.remove();
+            }
+            throw problem;
+        }
+        ProcessGroup group = new ProcessGroup(process, !Launch.ownSession().isEmpty(), controlGroup,
+            launch.isolation().pauseWaiting());
         Sentinel.shared().watch(group.target);
         return group;
     }
@@ -63,6 +63,11 @@ final class ProcessGroup {
     /** The first process, leader of the group. */
     Process process() {
         return process;
+    }
+
+    /** All processes that are there now, as this machine numbers them; the first process is the first. */
+    List<Long> processes() {
+        return ProcessTree.of(process.pid());
     }
 
     /** Waits for the first process to exit; returns whether it has. */
@@ -75,12 +80,43 @@ final class ProcessGroup {
         }
     }
 
+    /**
+     * Stops the bot if it is to be stopped while it is not asked: its control group, or else its process group, and then
+     * not those that have left it.
+     */
+    void pause() {
+        halt(true);
+    }
+
+    /** Lets a bot go on that was stopped. */
+    void resume() {
+        halt(false);
+    }
+
+    private void halt(boolean stop) {
+        if (!pausing) {
+            return;
+        }
+        synchronized (this) {
+            if (!killed && (controlGroup == null || !controlGroup.pause(stop))) {
+                Sentinel.shared().pause(target, stop);
+            }
+        }
+    }
+
     /** Kills all remaining processes; the second call does nothing. */
     synchronized void kill() {
         if (killed) {
             return;
         }
         killed = true;
+        killAll();
+        if (controlGroup != null) {
+            DaemonThreadPool.run(controlGroup::remove);
+        }
+    }
+
+    private void killAll() {
         Sentinel sentinel = Sentinel.shared();
         boolean running = process.isAlive();
         if (!running && ProcessHandle.of(process.pid()).isPresent()) {

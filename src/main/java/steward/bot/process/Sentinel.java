@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
+import steward.bot.isolation.Launch;
 
 /**
  * A small process beside this JVM that kills the remaining bots when the JVM has ended for any reason: it reads orders
@@ -25,7 +26,8 @@ import java.util.concurrent.locks.LockSupport;
 final class Sentinel {
 
     /*
-     * + adds a target; - removes it; k removes and kills it, and reports whether there was anything to kill. At the end
+     * + adds a target; - removes it; s stops it; c lets it go on; k removes and kills it, and reports whether there was
+     * anything to kill. At the end
      * of the pipe, a group may not exist although its process does: the process was just started and is about to make
      * the group. That case is tried several times.
      */
@@ -40,6 +42,8 @@ final class Sentinel {
           case $order in
             +) known="$known$target " ;;
             -) forget "$target" ;;
+            s) kill -s STOP -- "$target" ;;
+            c) kill -s CONT -- "$target" ;;
             k) forget "$target"; kill -s KILL -- "$target"; echo $? ;;
           esac
         done
@@ -78,7 +82,7 @@ final class Sentinel {
         if (process != null && process.isAlive()) {
             return;
         }
-        List<String> command = new ArrayList<>(ProcessGroup.ownSession());
+        List<String> command = new ArrayList<>(Launch.ownSession());
         command.addAll(List.of("sh", "-c", SCRIPT, "steward-sentinel"));
         try {
             process = new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.DISCARD).start();
@@ -123,6 +127,14 @@ final class Sentinel {
         boolean found = killExternally(target);
         start();
         return found;
+    }
+
+    /** Stops the target, or lets it go on; without a sentinel nothing happens. */
+    synchronized void pause(String target, boolean stop) {
+        if (!order((stop ? "s " : "c ") + target)) {
+            start();
+            order((stop ? "s " : "c ") + target);
+        }
     }
 
     /** The process number, or -1 without a process. */

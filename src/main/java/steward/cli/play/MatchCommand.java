@@ -11,6 +11,7 @@ import steward.bot.TimeBasis;
 import steward.cli.options.BuiltinBotWords;
 import steward.cli.options.CallCheck;
 import steward.cli.options.ProtocolWord;
+import steward.cli.options.SandboxOptions;
 import steward.cli.options.SceneOptions;
 import steward.cli.options.SeedOption;
 import steward.cli.options.TimeLimitOptions;
@@ -95,6 +96,9 @@ public final class MatchCommand implements Callable<Integer> {
     private final TimeLimitOptions pace = new TimeLimitOptions();
 
     @Mixin
+    private final SandboxOptions sandbox = new SandboxOptions();
+
+    @Mixin
     private final SeriesOptions many = new SeriesOptions();
 
     public MatchCommand(Streams streams) {
@@ -120,6 +124,7 @@ public final class MatchCommand implements Callable<Integer> {
         Contest contest = Contest.of(Games.warn(scene.open(streams), streams), bots, ProtocolWord.parse(protocol),
             factor).limitedBy(basis);
         contest = sign == null ? contest : contest.signedWith(SigningKey.read(OutputFiles.path(sign)));
+        contest = contest.isolatedBy(sandbox.isolation(streams));
         long first = seed.orDrawn();
         Path path = out == null || piped ? null : OutputFiles.path(out);
         Verbosity report = json ? Verbosity.JSON : quiet ? Verbosity.LINE : Verbosity.FULL;

@@ -31,6 +31,7 @@ final class MatchJson {
             out.writeStringProperty("seed", Long.toString(seed));
             out.writeStringProperty("scene", contest.sceneName());
             out.writeStringProperty("time", contest.time().basis().word());
+            out.writeStringProperty("sandbox", contest.sandbox());
             out.writeNumberProperty("turns", result.turns());
             out.writeStringProperty("ending", result.ending());
             out.writeName("winner");

@@ -8,6 +8,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import steward.cli.options.BuiltinBotWords;
+import steward.cli.options.SandboxOptions;
 import steward.cli.options.SceneOptions;
 import steward.cli.options.SeedOption;
 import steward.cli.options.TimeLimitOptions;
@@ -61,6 +62,9 @@ public final class PlayCommand implements Callable<Integer> {
     @Mixin
     private final TimeLimitOptions pace = new TimeLimitOptions();
 
+    @Mixin
+    private final SandboxOptions sandbox = new SandboxOptions();
+
     public PlayCommand(Streams streams) {
         this.streams = streams;
     }
@@ -74,7 +78,7 @@ public final class PlayCommand implements Callable<Integer> {
                 + TextFormat.count(players, "bot") + ", one for each player of the scene");
         }
         Contest contest = Contest.withFailing(setup, bots, Protocol.CODINGAME, pace.factor())
-            .limitedBy(pace.basis());
+            .limitedBy(pace.basis()).isolatedBy(sandbox.isolation(streams));
         long used = seed.orDrawn();
         LeagueAttributes attributes = new LeagueAttributes();
         MatchResult result = contest.play(used, 0, null, attributes);

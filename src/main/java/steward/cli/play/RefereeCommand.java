@@ -13,6 +13,7 @@ import picocli.CommandLine.Option;
 import steward.bot.TimeBasis;
 import steward.cli.options.AccuracyOption;
 import steward.cli.options.CallCheck;
+import steward.cli.options.SandboxOptions;
 import steward.cli.options.SceneOptions;
 import steward.cli.options.SeedOption;
 import steward.cli.options.ShippedScenes;
@@ -85,6 +86,9 @@ public final class RefereeCommand implements Callable<Integer> {
     @Mixin
     private final TimeLimitOptions pace = new TimeLimitOptions();
 
+    @Mixin
+    private final SandboxOptions sandbox = new SandboxOptions();
+
     private RefereeCommand(Streams streams) {
         this.streams = streams;
     }
@@ -112,6 +116,7 @@ public final class RefereeCommand implements Callable<Integer> {
             check.that(basis == TimeBasis.WALL, "--old: expected no --time cpu with it: the tool has the bots");
             check.that(!arguments.hasPlayers() && log == null && replay == null && !page,
                 "--old: expected no -p1, -l, -r or -s with it: the tool has the bots");
+            check.that(!sandbox.isAny(), "--old: expected no option of the sandbox with it: the tool starts the bots");
             return playOld(factor, wanted);
         }
         GameSetup setup = Games.warn(accuracy.open(scene, streams), streams);
@@ -132,7 +137,8 @@ public final class RefereeCommand implements Callable<Integer> {
                 streams.warn("-p" + (player + 1) + " has failed, because it cannot be started: " + problem);
             }
         }
-        return new RefereeGame(streams, contest, logFile, replayFile, page).play(wanted);
+        return new RefereeGame(streams, contest.isolatedBy(sandbox.isolation(streams)), logFile, replayFile, page)
+            .play(wanted);
     }
 
     private Integer playOld(double factor, Long wanted) throws InterruptedException {
@@ -155,6 +161,6 @@ public final class RefereeCommand implements Callable<Integer> {
             String name = arguments.nameOf(player);
             entrants.add(name == null ? entrant : entrant.named(name));
         }
-        return new Contest(contest.setup(), entrants, contest.time(), contest.timeFactor());
+        return contest.between(entrants);
     }
 }

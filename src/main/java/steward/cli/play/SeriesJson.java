@@ -43,6 +43,7 @@ final class SeriesJson {
             out.writeStringProperty("time", series.contest().time().basis().word());
             out.writeStringProperty("hiccups", series.hiccups().word());
             out.writeNumberProperty("playedAgain", standings.playedAgain().size());
+            out.writeStringProperty("sandbox", series.contest().sandbox());
             JsonNumbers.writeOrNull(out, "meanTurns", standings.meanTurns());
             out.writeArrayPropertyStart("bots");
             for (int k = 0; k < series.contest().entrants().size(); k++) {

@@ -10,7 +10,10 @@ import java.util.List;
 import java.util.Locale;
 import steward.bot.command.BuiltinBots;
 import steward.bot.command.ProgramFinder;
-import steward.bot.process.ProgramTrial;
+import steward.bot.command.ProgramTrial;
+import steward.bot.isolation.ControlGroup;
+import steward.bot.isolation.SandboxLevel;
+import steward.bot.isolation.SandboxSupport;
 import steward.live.Browser;
 import steward.text.TextFormat;
 
@@ -82,10 +85,27 @@ final class Checkup {
     private void isolation() throws InterruptedException {
         program("isolation", "setsid", "the processes that a bot starts are killed with it",
             "what a bot starts may outlive it", List.of("setsid", "true"));
-        program("isolation", "unshare", "namespaces can be made", "bots cannot have namespaces of their own",
-            List.of("unshare", "-Urpf", "--mount-proc", "true"));
-        program("isolation", "bwrap", "a sandbox can be made", "bots cannot be put into a sandbox",
-            List.of("bwrap", "--unshare-all", "--ro-bind", "/", "/", "--proc", "/proc", "--dev", "/dev", "true"));
+        level(SandboxLevel.LIGHT, "bots are kept apart by namespaces of their own"
+            + (SandboxSupport.isRoot() ? "; they own root's files, so do not run bots of strangers as root" : ""),
+            "bots can stop, kill and read each other");
+        level(SandboxLevel.STRICT, "bots see little of the file system and cannot write to it",
+            "bots of strangers cannot be run safely");
+        boolean quick = SandboxSupport.isNative();
+        add("isolation", "launcher", quick, quick ? "a small program starts bots in a sandbox"
+            : "there is no C compiler, or its program cannot be kept in ~/.cache/steward: a shell starts bots in a "
+            + "sandbox, which takes some milliseconds longer for each");
+        String none = ControlGroup.problem();
+        add("isolation", "control groups", none == null && ControlGroup.holdsLimits(), none != null
+            ? none + ": --memory and --processes are limits of each process; systemd-run --user --scope -p "
+            + "Delegate=yes steward ... delegates one"
+            : ControlGroup.holdsLimits() ? "hold --memory and --processes, and pause bots"
+            : "pause bots, but hold neither memory nor processes here: --memory and --processes are limits of each "
+            + "process");
+    }
+
+    private void level(SandboxLevel level, String good, String bad) {
+        String problem = SandboxSupport.problem(level);
+        add("isolation", "sandbox " + level.word(), problem == null, problem == null ? good : problem + ": " + bad);
     }
 
     private void languages() throws InterruptedException {

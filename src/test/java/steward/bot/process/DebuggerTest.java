@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import steward.bot.isolation.Launch;
 
 /** A debugger and the bot that it runs, each with an input and an output of its own. */
 @Timeout(30)
@@ -55,7 +56,7 @@ class DebuggerTest {
         assertTrue(gdb.toFile().setExecutable(true));
         Path bot = Files.writeString(folder.resolve("bot.sh"), "read -r line; echo \"heard $line\"");
         // A session of its own has no terminal: what the debugger says goes to stderr then.
-        List<String> words = new ArrayList<>(ProcessGroup.ownSession());
+        List<String> words = new ArrayList<>(Launch.ownSession());
         assumeTrue(!words.isEmpty(), "there is no setsid");
         words.addAll(Debugger.onTerminal(List.of(gdb.toString(), "sh", bot.toString())));
         Process process = new ProcessBuilder(words).start();

@@ -13,6 +13,9 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import steward.bot.isolation.SandboxLevel;
 
 /** However a referee ends, its bots end with it, and so does its sentinel. */
 @Tag("process")
@@ -33,11 +36,11 @@ class RefereeKilledTest {
         return Path.of(type.getProtectionDomain().getCodeSource().getLocation().toURI());
     }
 
-    private static Process referee(String manner) throws Exception {
+    private static Process referee(String manner, SandboxLevel level) throws Exception {
         String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
         String classPath = home(BotProcess.class) + ":" + home(KilledReferee.class);
         return new ProcessBuilder(java, "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-Xshare:auto",
-            "-cp", classPath, KilledReferee.class.getName(), FAMILY, manner)
+            "-cp", classPath, KilledReferee.class.getName(), FAMILY, manner, level.name())
             .redirectError(ProcessBuilder.Redirect.INHERIT).start();
     }
 
@@ -48,8 +51,9 @@ class RefereeKilledTest {
         return Arrays.stream(line.split(" ")).mapToLong(Long::parseLong).toArray();
     }
 
-    private static void endsWithItsBots(String manner, String signal) throws Exception {
-        Process referee = referee(manner);
+    private static void endsWithItsBots(SandboxLevel level, String manner, String signal) throws Exception {
+        ScriptedBots.assumeWorks(level);
+        Process referee = referee(manner, level);
         try {
             endsWithItsBots(referee, signal);
         } finally {
@@ -59,6 +63,7 @@ class RefereeKilledTest {
 
     private static void endsWithItsBots(Process referee, String signal) throws Exception {
         long[] family = family(referee);
+        assertTrue(family.length >= 4, Arrays.toString(family));
         if (signal != null) {
             for (long pid : family) {
                 assertTrue(ScriptedBots.isRunning(pid), "not running: " + pid);
@@ -70,24 +75,26 @@ class RefereeKilledTest {
         Arrays.stream(family).forEach(ScriptedBots::assertGone);
     }
 
-    @Test
-    void killed() throws Exception {
-        endsWithItsBots("wait", "KILL");
+    @ParameterizedTest
+    @EnumSource(SandboxLevel.class)
+    void killed(SandboxLevel level) throws Exception {
+        endsWithItsBots(level, "wait", "KILL");
     }
 
     @Test
     void interrupted() throws Exception {
         ScriptedBots.assumeInterruptible();
-        endsWithItsBots("wait", "INT");
+        endsWithItsBots(SandboxLevel.OFF, "wait", "INT");
     }
 
     @Test
     void terminated() throws Exception {
-        endsWithItsBots("wait", "TERM");
+        endsWithItsBots(SandboxLevel.OFF, "wait", "TERM");
     }
 
-    @Test
-    void exited() throws Exception {
-        endsWithItsBots("exit", null);
+    @ParameterizedTest
+    @EnumSource(SandboxLevel.class)
+    void exited(SandboxLevel level) throws Exception {
+        endsWithItsBots(level, "exit", null);
     }
 }

@@ -13,6 +13,10 @@ import java.util.function.BooleanSupplier;
 import steward.bot.Answer;
 import steward.bot.Player;
 import steward.bot.command.ProgramFinder;
+import steward.bot.isolation.Isolation;
+import steward.bot.isolation.Launch;
+import steward.bot.isolation.SandboxLevel;
+import steward.bot.isolation.SandboxSupport;
 
 /** Bots for tests, written as shell scripts, and how tests talk to them and look whether they are still there. */
 public final class ScriptedBots {
@@ -52,6 +56,18 @@ public final class ScriptedBots {
 
     static BotProcess bot(String script) {
         return new BotProcess("bot", List.of("sh", "-c", script));
+    }
+
+    /** A bot at a level of isolation. */
+    static BotProcess bot(String script, SandboxLevel level) {
+        return new BotProcess("bot", new Launch(List.of("sh", "-c", script), Isolation.at(level), List.of()),
+            BotProcess.DEFAULT_GRACE_MS);
+    }
+
+    static void assumeWorks(SandboxLevel level) {
+        assumeGroups();
+        String problem = SandboxSupport.problem(level);
+        assumeTrue(problem == null, "skipped: level " + level.word() + " does not work here: " + problem);
     }
 
     public static void tell(Player player, String text) {
@@ -98,6 +114,46 @@ public final class ScriptedBots {
         } catch (IOException e) {
             return false;
         }
+    }
+
+    /** Whether a process is stopped by a signal or frozen. */
+    static boolean isHalted(long pid) {
+        try {
+            String stat = Files.readString(Path.of("/proc/" + pid + "/stat"), StandardCharsets.ISO_8859_1);
+            boolean stopped = stat.charAt(stat.lastIndexOf(')') + 2) == 'T';
+            Path events = Path.of("/proc/" + pid + "/cgroup");
+            for (String line : Files.readAllLines(events)) {
+                if (line.startsWith("0::/") && line.contains("steward-")) {
+                    Path root = Files.exists(Path.of("/sys/fs/cgroup/unified"))
+                        ? Path.of("/sys/fs/cgroup/unified") : Path.of("/sys/fs/cgroup");
+                    Path group = root.resolve(line.substring("0::/".length())).resolve("cgroup.events");
+                    return stopped || Files.readString(group).contains("frozen 1");
+                }
+            }
+            return stopped;
+        } catch (IOException e) {
+            return false;
+        }
+    }
+
+    /** The process that has used a processor most, in ticks. */
+    static long busiest(List<Long> pids) {
+        long busiest = -1;
+        long most = -1;
+        for (long pid : pids) {
+            try {
+                String stat = Files.readString(Path.of("/proc/" + pid + "/stat"), StandardCharsets.ISO_8859_1);
+                String[] fields = stat.substring(stat.lastIndexOf(')') + 2).split(" ");
+                long ticks = Long.parseLong(fields[11]) + Long.parseLong(fields[12]);
+                if (ticks >= most) {
+                    busiest = pid;
+                    most = ticks;
+                }
+            } catch (IOException gone) {
+                continue;
+            }
+        }
+        return busiest;
     }
 
     static void assertGone(long pid) {

@@ -83,8 +83,8 @@ class FailureReportTest {
 
     @Test
     void jsonHasTurnLinesAndHints() throws IOException {
-        JsonNode players = match("", "echo 'ValueError: a dog' >&2; exit 1", "--no-deadline", "--json").json()
-            .get("players");
+        JsonNode players = match("", "echo 'ValueError: a dog' >&2; exit 1", "--no-deadline", "--json", "--sandbox",
+            "off").json().get("players");
         assertEquals("{\"turn\":1,\"stderr\":[\"ValueError: a dog\"],\"hints\":[\"it was sent JSON; is it a CodinGame "
             + "bot? then write codingame: before its command\"],\"time\":null}",
             players.get(0).get("failure").toString());

@@ -8,7 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import steward.bot.process.ProgramTrial;
+import steward.bot.command.ProgramTrial;
 import steward.cli.Cli;
 import steward.cli.shared.ExitStatus;
 import tools.jackson.databind.JsonNode;
@@ -26,8 +26,9 @@ class DoctorCommandTest {
             assertTrue(item.get("works").isBoolean());
             assertFalse(item.get("detail").stringValue().isEmpty(), item.toString());
         });
-        assertTrue(names.containsAll(List.of("JDK", "fused multiply-add", "processors", "setsid", "unshare", "bwrap",
-            "browser", "python3", "g++", "node", "javac", "temporary folder")), names.toString());
+        assertTrue(names.containsAll(List.of("JDK", "fused multiply-add", "processors", "setsid", "sandbox light",
+            "sandbox strict", "launcher", "control groups", "browser", "python3", "g++", "node", "javac",
+            "temporary folder")), names.toString());
         assertTrue(doctor.get("items").get(0).get("detail").stringValue().contains(Runtime.version().toString()));
     }
 

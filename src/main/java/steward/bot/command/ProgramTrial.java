@@ -1,4 +1,4 @@
-package steward.bot.process;
+package steward.bot.command;
 
 import java.io.File;
 import java.io.IOException;

@@ -1,0 +1,222 @@
+package steward.bot.isolation;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.concurrent.atomic.AtomicLong;
+
+/**
+ * A control group (version 2) for one bot, where this program may make groups: it runs as root, or in a group that was
+ * delegated to its user, {@code systemd-run --user --scope -p Delegate=yes steward ...}. It can be paused and killed as
+ * a whole, and holds memory and processes where the system gives it these controllers and no foreign processes are in
+ * the group of this program, which is emptied for that.
+ */
+public final class ControlGroup {
+
+    private static final String PREFIX = "steward-";
+    /** For this program itself: a group with controllers for its parts holds no processes. */
+    private static final String REFEREE = "referee";
+    private static final String PROCESSES = "cgroup.procs";
+    private static final int ATTEMPTS = 50;
+    private static final long PAUSE_MS = 10;
+    private static final AtomicLong NUMBERS = new AtomicLong();
+
+    private final Path folder;
+    private final boolean limits;
+
+    private ControlGroup(Path folder, boolean limits) {
+        this.folder = folder;
+        this.limits = limits;
+    }
+
+    private static final class Shared {
+        static final Base BASE = Base.find(Path.of("/proc/self/cgroup"), Path.of("/proc/self/mounts"));
+    }
+
+    /**
+     * Where groups can be made.
+     *
+     * @param folder of the group that they are made in
+     * @param limits whether they hold memory and processes
+     */
+    record Base(Path folder, boolean limits) {
+
+        /** The group of this process if it may make others there, or {@code null}. */
+        static Base find(Path memberships, Path mounts) {
+            try {
+                Path mount = mount(mounts);
+                String own = Files.readAllLines(memberships).stream().filter(line -> line.startsWith("0::"))
+                    .map(line -> line.substring("0::".length())).findFirst().orElse(null);
+                if (mount == null || own == null) {
+                    return null;
+                }
+                return at(mount.resolve(own.substring(1)).normalize(), own.equals("/"));
+            } catch (IOException | RuntimeException none) {
+                return null;
+            }
+        }
+
+        private static Path mount(Path mounts) throws IOException {
+            for (String line : Files.readAllLines(mounts, StandardCharsets.ISO_8859_1)) {
+                String[] fields = line.split(" ");
+                if (fields.length > 2 && fields[2].equals("cgroup2")) {
+                    return Path.of(fields[1]);
+                }
+            }
+            return null;
+        }
+
+        /** @param root whether it is the machine's, which may hold processes and controllers at once */
+        static Base at(Path folder, boolean root) throws IOException {
+            if (!Files.isWritable(folder) || !Files.isWritable(folder.resolve(PROCESSES))) {
+                return null;
+            }
+            removeOld(folder);
+            return new Base(folder, enable(folder, root));
+        }
+
+        /** Gives the parts of the group the two controllers; whether they have them. */
+        private static boolean enable(Path folder, boolean root) {
+            try {
+                if (!words(folder.resolve("cgroup.controllers")).containsAll(List.of("memory", "pids"))) {
+                    return false;
+                }
+                Path enabled = folder.resolve("cgroup.subtree_control");
+                if (words(enabled).containsAll(List.of("memory", "pids"))) {
+                    return true;
+                }
+                if (!root) {
+                    if (!words(folder.resolve(PROCESSES)).stream().allMatch(Base::isOurs)) {
+                        return false;
+                    }
+                    Path own = folder.resolve(PREFIX + REFEREE);
+                    if (!Files.isDirectory(own)) {
+                        Files.createDirectory(own);
+                    }
+                    for (String pid : words(folder.resolve(PROCESSES))) {
+                        write(own.resolve(PROCESSES), pid);
+                    }
+                }
+                write(enabled, "+memory +pids");
+                return words(enabled).containsAll(List.of("memory", "pids"));
+            } catch (IOException refused) {
+                return false;
+            }
+        }
+
+        /** Processes of others are not moved. */
+        private static boolean isOurs(String pid) {
+            return ProcessTree.of(ProcessHandle.current().pid()).contains(Long.valueOf(pid));
+        }
+
+        /** Groups of referees that were killed; one that still has processes stays. */
+        private static void removeOld(Path folder) throws IOException {
+            try (DirectoryStream<Path> groups = Files.newDirectoryStream(folder, PREFIX + "[0-9]*-*")) {
+                for (Path group : groups) {
+                    long referee = Long.parseLong(group.getFileName().toString().split("-")[1]);
+                    if (ProcessHandle.of(referee).isEmpty()) {
+                        group.toFile().delete();
+                    }
+                }
+            }
+        }
+    }
+
+    /** Why bots cannot have groups here, or {@code null} if they can. */
+    public static String problem() {
+        return Shared.BASE == null ? "no control group was delegated to this program" : null;
+    }
+
+    /** Whether groups hold memory and processes. */
+    public static boolean holdsLimits() {
+        return Shared.BASE != null && Shared.BASE.limits();
+    }
+
+    /**
+     * A new group for a bot, or {@code null} where there can be none or it is not needed: the bot is not to be paused
+     * and has no limits that a group would hold.
+     */
+    public static ControlGroup forBot(Isolation isolation) {
+        boolean useful = isolation.pauseWaiting() || isolation.level() == SandboxLevel.STRICT && holdsLimits();
+        return useful && Shared.BASE != null ? in(Shared.BASE, isolation) : null;
+    }
+
+    static ControlGroup in(Base base, Isolation isolation) {
+        Path folder = base.folder().resolve(PREFIX + ProcessHandle.current().pid() + "-" + NUMBERS.incrementAndGet());
+        boolean limits = base.limits() && isolation.level() == SandboxLevel.STRICT;
+        try {
+            Files.createDirectory(folder);
+            if (limits && isolation.limits().memory() > 0) {
+                write(folder.resolve("memory.max"), Long.toString(isolation.limits().memory()));
+                if (Files.exists(folder.resolve("memory.swap.max"))) {
+                    write(folder.resolve("memory.swap.max"), "0");
+                }
+            }
+            if (limits && isolation.limits().processes() > 0) {
+                write(folder.resolve("pids.max"), Long.toString(isolation.limits().processes()));
+            }
+            return new ControlGroup(folder, limits);
+        } catch (IOException refused) {
+            folder.toFile().delete();
+            return null;
+        }
+    }
+
+    /** What a process writes 0 to that joins. */
+    Path joinFile() {
+        return folder.resolve(PROCESSES);
+    }
+
+    /** Whether it holds memory and processes. */
+    boolean limits() {
+        return limits;
+    }
+
+    /** Stops all its processes, or lets them go on; returns whether that was possible. */
+    public boolean pause(boolean stop) {
+        try {
+            write(folder.resolve("cgroup.freeze"), stop ? "1" : "0");
+            return true;
+        } catch (IOException refused) {
+            return false;
+        }
+    }
+
+    /** Kills what is left in it and removes it; blocks until its processes have gone, at most half a second. */
+    public void remove() {
+        try {
+            if (Files.exists(folder.resolve("cgroup.kill"))) {
+                write(folder.resolve("cgroup.kill"), "1");
+            }
+        } catch (IOException gone) {
+            // The group has no processes any more, or has gone.
+        }
+        for (int attempt = 0; attempt < ATTEMPTS && Files.exists(folder); attempt++) {
+            if (folder.toFile().delete()) {
+                return;
+            }
+            try {
+                Thread.sleep(PAUSE_MS);
+            } catch (InterruptedException interrupted) {
+                Thread.currentThread().interrupt();
+                return;
+            }
+        }
+    }
+
+    private static Set<String> words(Path file) throws IOException {
+        Set<String> words = new TreeSet<>(List.of(Files.readString(file).split("\\s+")));
+        words.remove("");
+        return words;
+    }
+
+    private static void write(Path file, String text) throws IOException {
+        Files.writeString(file, text, StandardOpenOption.WRITE);
+    }
+}

@@ -1,0 +1,40 @@
+package steward.bot.isolation;
+
+import java.nio.file.Path;
+import java.util.List;
+
+/**
+ * How bots are started: at which level, and what they get in it.
+ *
+ * @param level        which works on this machine, see {@link SandboxSupport}
+ * @param network      whether the loopback device of a network namespace is brought up
+ * @param limits       what a bot may use at most; none at {@link SandboxLevel#OFF}
+ * @param environment  which variables it inherits
+ * @param visible      files and folders that {@link SandboxLevel#STRICT} lets it see besides its own; absolute
+ * @param pauseWaiting whether it is stopped while it is not asked
+ */
+public record Isolation(SandboxLevel level, boolean network, ResourceLimits limits, BotEnvironment environment,
+                        List<Path> visible, boolean pauseWaiting) {
+
+    /** Nothing but a process group of its own, and an environment without secrets. */
+    public static final Isolation OFF = at(SandboxLevel.OFF);
+
+    /** @throws IllegalArgumentException if there are limits and nothing that holds them */
+    public Isolation {
+        visible = List.copyOf(visible);
+        if (level == SandboxLevel.OFF && !limits.isNone()) {
+            throw new IllegalArgumentException("limits at level off, expected light or strict with them");
+        }
+    }
+
+    /** The usual at a level. */
+    public static Isolation at(SandboxLevel level) {
+        return new Isolation(level, false, level == SandboxLevel.STRICT ? ResourceLimits.STRICT : ResourceLimits.NONE,
+            BotEnvironment.USUAL, List.of(), false);
+    }
+
+    /** The usual at the level that is usual on this machine; the first call may try it, which starts a program. */
+    public static Isolation usual() {
+        return at(SandboxSupport.usual());
+    }
+}

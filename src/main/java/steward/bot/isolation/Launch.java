@@ -1,0 +1,100 @@
+package steward.bot.isolation;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import steward.bot.command.ProgramFinder;
+
+/**
+ * A program that is to be started as a bot.
+ *
+ * @param command   the program and its arguments
+ * @param isolation how it is kept apart
+ * @param others    the commands of the bots it plays against, whose files it is not to see
+ */
+public record Launch(List<String> command, Isolation isolation, List<List<String>> others) {
+
+    private static final String END = "--";
+
+    /** Copies the lists. */
+    public Launch {
+        command = List.copyOf(command);
+        others = List.copyOf(others);
+    }
+
+    /** Without a sandbox. */
+    public static Launch plain(List<String> command) {
+        return new Launch(command, Isolation.OFF, List.of());
+    }
+
+    private static final class Setsid {
+        static final List<String> WORDS = find();
+
+        private static List<String> find() {
+            Path program = ProgramFinder.find("setsid");
+            return program == null ? List.of() : List.of(program.toString());
+        }
+    }
+
+    /** The prefix of a command that gives it a session of its own; empty where that is not possible. */
+    public static List<String> ownSession() {
+        return Setsid.WORDS;
+    }
+
+    /**
+     * What to start, with its variables; streams are left to the caller.
+     *
+     * @param controlGroup that it joins, or {@code null}
+     * @throws IOException if a file of the bot cannot be looked at
+     */
+    public ProcessBuilder builder(ControlGroup controlGroup) throws IOException {
+        ProcessBuilder builder = new ProcessBuilder(words(isolation, command, others, controlGroup));
+        isolation.environment().apply(builder.environment(), isolation.level());
+        return builder;
+    }
+
+    static List<String> words(Isolation isolation, List<String> command, List<List<String>> others,
+                              ControlGroup controlGroup) {
+        Path join = controlGroup == null ? null : controlGroup.joinFile();
+        Path program = NativeLauncher.program();
+        List<String> words = new ArrayList<>();
+        switch (isolation.level()) {
+            case OFF -> words.addAll(ShellLauncher.off(join));
+            case LIGHT -> {
+                if (program == null) {
+                    words.addAll(ShellLauncher.light(isolation, join));
+                    break;
+                }
+                words.addAll(List.of(program.toString(), "light", "-u", "" + UserNumbers.userInside(), "-g",
+                    "" + UserNumbers.groupInside()));
+                if (isolation.network()) {
+                    words.add("-l");
+                }
+                words.addAll(NativeLauncher.options(isolation.limits(), join));
+                words.add(END);
+            }
+            case STRICT -> {
+                ResourceLimits limits = controlGroup != null && controlGroup.limits()
+                    ? isolation.limits().withoutControlGroup() : isolation.limits();
+                if (program == null) {
+                    words.addAll(ShellLauncher.outside(join));
+                } else {
+                    words.addAll(List.of(program.toString(), "outside"));
+                    words.addAll(NativeLauncher.options(ResourceLimits.NONE, join));
+                    words.add(END);
+                }
+                words.addAll(StrictSandbox.words(isolation, command, others, program));
+                if (program == null) {
+                    words.addAll(ShellLauncher.inside(limits));
+                } else {
+                    words.addAll(List.of(StrictSandbox.LAUNCHER, "inside"));
+                    words.addAll(NativeLauncher.options(limits, null));
+                    words.add(END);
+                }
+            }
+        }
+        words.addAll(command);
+        return words;
+    }
+}

@@ -1,0 +1,153 @@
+package steward.bot.isolation;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.attribute.PosixFilePermission;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.ArrayList;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Set;
+import steward.bot.command.ProgramFinder;
+import steward.bot.command.ProgramTrial;
+
+/**
+ * The small program that starts bots in a sandbox, {@value #SOURCE}: compiled once for each user by the C compiler of
+ * the machine and kept in the user's cache. Where there is no compiler a shell does the same, see
+ * {@link ShellLauncher}, but that starts several programs for every bot.
+ *
+ * <p>The program is used only if it belongs to this user and others cannot write to it or to its folder.
+ */
+final class NativeLauncher {
+
+    /** The system property that does without the program if it is {@code false}. */
+    static final String PROPERTY = "steward.sandbox.native";
+
+    private static final String SOURCE = "/steward/sandbox/launch.c";
+    private static final List<String> COMPILERS = List.of("cc", "gcc", "clang");
+    private static final long PATIENCE_MS = 60_000;
+    private static final int DIGEST = 8;
+    private static final String OWNER_ONLY = "rwx------";
+    private static final Set<PosixFilePermission> OTHERS_WRITE
+        = Set.of(PosixFilePermission.GROUP_WRITE, PosixFilePermission.OTHERS_WRITE);
+
+    private NativeLauncher() {
+    }
+
+    private static final class Found {
+        static final Path PROGRAM = find();
+    }
+
+    /** The program, or {@code null} where there is none. The first call may compile it. */
+    static Path program() {
+        return Boolean.parseBoolean(System.getProperty(PROPERTY, "true")) ? Found.PROGRAM : null;
+    }
+
+    private static Path find() {
+        if (!System.getProperty("os.name", "").equals("Linux")) {
+            return null;
+        }
+        try (InputStream stream = NativeLauncher.class.getResourceAsStream(SOURCE)) {
+            if (stream == null) {
+                return null;
+            }
+            byte[] source = stream.readAllBytes();
+            return in(folder(), source);
+        } catch (IOException | UnsupportedOperationException | LinkageError none) {
+            return null;
+        } catch (InterruptedException interrupted) {
+            Thread.currentThread().interrupt();
+            return null;
+        }
+    }
+
+    private static Path folder() {
+        String cache = System.getenv("XDG_CACHE_HOME");
+        return (cache != null && cache.startsWith("/") ? Path.of(cache)
+            : Path.of(System.getProperty("user.home"), ".cache")).resolve("steward");
+    }
+
+    /** The program in a folder; compiled if it is not there. */
+    static Path in(Path folder, byte[] source) throws IOException, InterruptedException {
+        Path program = folder.resolve("launch-" + System.getProperty("os.arch") + "-" + digest(source));
+        if (Files.exists(program)) {
+            return isOurs(folder) && isOurs(program) && Files.isExecutable(program) ? program : null;
+        }
+        String compiler = COMPILERS.stream().filter(name -> ProgramFinder.find(name) != null).findFirst().orElse(null);
+        if (compiler == null) {
+            return null;
+        }
+        Files.createDirectories(folder.getParent());
+        if (!Files.exists(folder)) {
+            Files.createDirectory(folder,
+                PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString(OWNER_ONLY)));
+        }
+        if (!isOurs(folder)) {
+            return null;
+        }
+        Path work = Files.createTempDirectory(folder, "build-");
+        try {
+            Path text = Files.write(work.resolve("launch.c"), source);
+            Path made = work.resolve("launch");
+            boolean compiled = compile(compiler, text, made, "-static") || compile(compiler, text, made, "-O2");
+            if (!compiled) {
+                return null;
+            }
+            // Another process may be doing the same: whoever is last replaces it by an equal one.
+            return Files.move(made, program, StandardCopyOption.ATOMIC_MOVE);
+        } finally {
+            for (Path each : List.of(work.resolve("launch.c"), work.resolve("launch"), work)) {
+                Files.deleteIfExists(each);
+            }
+        }
+    }
+
+    private static boolean compile(String compiler, Path source, Path program, String option)
+            throws InterruptedException {
+        List<String> command = new ArrayList<>(List.of(compiler, "-O2", option, "-o", program.toString(),
+            source.toString()));
+        return ProgramTrial.of(command, PATIENCE_MS).works() && Files.isExecutable(program);
+    }
+
+    private static boolean isOurs(Path file) throws IOException {
+        return Files.getOwner(file, LinkOption.NOFOLLOW_LINKS).equals(Files.getOwner(Path.of("/proc/self")))
+            && Files.getPosixFilePermissions(file,
+            LinkOption.NOFOLLOW_LINKS).stream().noneMatch(OTHERS_WRITE::contains);
+    }
+
+    private static String digest(byte[] source) {
+        try {
+            byte[] all = MessageDigest.getInstance("SHA-256").digest(source);
+            return HexFormat.of().formatHex(all, 0, DIGEST);
+        } catch (NoSuchAlgorithmException impossible) {
+            throw new UncheckedIOException(new IOException(impossible));
+        }
+    }
+
+    /** The options of a launch, without the mode. */
+    static List<String> options(ResourceLimits limits, Path controlGroup) {
+        List<String> words = new ArrayList<>();
+        add(words, "-m", limits.memory());
+        add(words, "-p", ResourceLimits.processesAreCountedApart(System.getProperty("os.version", ""))
+            ? limits.processes() : 0);
+        add(words, "-f", limits.fileSize());
+        add(words, "-o", limits.openFiles());
+        if (controlGroup != null) {
+            words.addAll(List.of("-c", controlGroup.toString()));
+        }
+        return words;
+    }
+
+    private static void add(List<String> words, String option, long value) {
+        if (value > 0) {
+            words.addAll(List.of(option, Long.toString(value)));
+        }
+    }
+}

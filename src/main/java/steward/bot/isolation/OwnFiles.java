@@ -1,0 +1,146 @@
+package steward.bot.isolation;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import steward.bot.command.ProgramFinder;
+
+/**
+ * The files that belong to a bot, found in its command: the folder of its program, or all of its interpreter's
+ * installation; folders and files that its arguments name, class paths included; the interpreter that a script names
+ * in its first line; and what symbolic links on the way lead to.
+ *
+ * <p>A folder that is the home directory, or holds it, is not a bot's own: then only the file is.
+ */
+final class OwnFiles {
+
+    /** Programs of an installation are in such a folder, and need what is beside it. */
+    private static final Set<String> PROGRAM_FOLDERS = Set.of("bin", "sbin", "shims", "libexec");
+
+    /** Installations in the home directory that also hold what is nobody else's business. */
+    private static final Set<String> MIXED = Set.of(".local", ".cargo", ".config", ".cache");
+
+    private static final int MOST_LINKS = 20;
+    private static final int FIRST_LINE = 256;
+
+    private final Set<Path> found = new LinkedHashSet<>();
+
+    private OwnFiles() {
+    }
+
+    /** Files and folders, absolute; also such as need not be hidden anywhere. */
+    static Set<Path> of(List<String> command) {
+        OwnFiles own = new OwnFiles();
+        own.program(ProgramFinder.find(command.get(0)), true);
+        for (Path file : named(command.subList(1, command.size()))) {
+            if (Files.isDirectory(file)) {
+                own.folder(file);
+            } else {
+                own.program(file, false);
+            }
+        }
+        return own.found;
+    }
+
+    /** The files and folders that words name, also several in one word with colons between. */
+    static Set<Path> named(List<String> words) {
+        Set<Path> files = new LinkedHashSet<>();
+        for (String word : words) {
+            for (String piece : word.split("[:=]")) {
+                try {
+                    Path file = Path.of(piece).toAbsolutePath().normalize();
+                    if (!piece.isBlank() && Files.exists(file)) {
+                        files.add(file);
+                    }
+                } catch (InvalidPathException noFile) {
+                    continue;
+                }
+            }
+        }
+        return files;
+    }
+
+    static Path home() {
+        return Path.of(System.getProperty("user.home")).toAbsolutePath().normalize();
+    }
+
+    /** A program or script with its folder, the links to it, and its interpreter. */
+    private void program(Path start, boolean interpreter) {
+        Path file = start == null ? null : start.toAbsolutePath().normalize();
+        for (int links = 0; file != null && links < MOST_LINKS; links++) {
+            add(file);
+            try {
+                Path next = Files.isSymbolicLink(file) ? file.resolveSibling(Files.readSymbolicLink(file)).normalize()
+                    : file.toRealPath();
+                if (next.equals(file)) {
+                    break;
+                }
+                file = next;
+            } catch (IOException gone) {
+                return;
+            }
+        }
+        if (file != null && interpreter) {
+            interpreter(file);
+        }
+    }
+
+    /** {@code #!/usr/bin/env python3} finds {@code python3} along the path. */
+    private void interpreter(Path script) {
+        String[] words = firstLine(script).split("\\s+");
+        if (words.length > 0 && words[0].startsWith("/")) {
+            program(Path.of(words[0]), false);
+        }
+        for (int k = 1; k < words.length && words[0].endsWith("/env"); k++) {
+            if (!words[k].startsWith("-") && words[k].indexOf('=') < 0) {
+                program(ProgramFinder.find(words[k]), false);
+                break;
+            }
+        }
+    }
+
+    private static String firstLine(Path script) {
+        try (InputStream file = Files.newInputStream(script)) {
+            String text = new String(file.readNBytes(FIRST_LINE), StandardCharsets.ISO_8859_1);
+            return text.startsWith("#!") ? text.substring(2).lines().findFirst().orElse("").strip() : "";
+        } catch (IOException unreadable) {
+            return "";
+        }
+    }
+
+    /** A file with its folder, or with the installation that it is a program of. */
+    private void add(Path file) {
+        Path folder = file.getParent();
+        if (folder == null || isWide(folder)) {
+            found.add(file);
+            return;
+        }
+        Path above = folder.getParent();
+        boolean installed = PROGRAM_FOLDERS.contains(folder.getFileName().toString());
+        if (!installed) {
+            found.add(folder);
+        } else if (above == null || isWide(above) || MIXED.contains(above.getFileName().toString())) {
+            found.add(file);
+        } else {
+            found.add(above);
+        }
+    }
+
+    private void folder(Path folder) {
+        if (!isWide(folder)) {
+            found.add(folder);
+        }
+    }
+
+    /** Whether a folder is the home directory or holds it, or others' folders. */
+    private static boolean isWide(Path folder) {
+        return home().startsWith(folder) || folder.getNameCount() < 2
+            || folder.equals(Path.of(System.getProperty("java.io.tmpdir")));
+    }
+}

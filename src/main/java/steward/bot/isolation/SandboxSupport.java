@@ -1,0 +1,102 @@
+package steward.bot.isolation;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import steward.bot.command.ProgramFinder;
+import steward.bot.command.ProgramTrial;
+import steward.text.TextFormat;
+
+/** Which levels work on this machine. Each is tried once in a JVM, when it is asked for. */
+public final class SandboxSupport {
+
+    /** How long a trial may take, in milliseconds. */
+    private static final long PATIENCE_MS = 10_000;
+
+    private static final int SHOWN = 100;
+
+    private SandboxSupport() {
+    }
+
+    private static final class Light {
+        static final String PROBLEM = tried(isNative() ? List.of("setsid", "sh")
+            : List.of("setsid", "sh", "unshare", "setpriv", "env"), SandboxLevel.LIGHT);
+    }
+
+    private static final class Strict {
+        static final String PROBLEM = tried(List.of("setsid", "bwrap", "sh"), SandboxLevel.STRICT);
+    }
+
+    /** Why a level does not work here, or {@code null} if it does. */
+    public static String problem(SandboxLevel level) {
+        return switch (level) {
+            case OFF -> null;
+            case LIGHT -> Light.PROBLEM;
+            case STRICT -> Strict.PROBLEM;
+        };
+    }
+
+    /** {@link SandboxLevel#LIGHT} where it works, otherwise {@link SandboxLevel#OFF}. */
+    public static SandboxLevel usual() {
+        return problem(SandboxLevel.LIGHT) == null ? SandboxLevel.LIGHT : SandboxLevel.OFF;
+    }
+
+    /** Whether bots are started by the small program that starts faster than a shell and others. */
+    public static boolean isNative() {
+        return NativeLauncher.program() != null;
+    }
+
+    /** Whether this program runs as root, whose files are a bot's own at level light. */
+    public static boolean isRoot() {
+        return UserNumbers.isRoot();
+    }
+
+    private static String tried(List<String> programs, SandboxLevel level) {
+        for (String program : programs) {
+            if (ProgramFinder.find(program) == null) {
+                return "there is no program '" + program + "'";
+            }
+        }
+        // A bot that is one of the first processes of its namespace, and finds itself there.
+        List<String> bot = List.of(ProgramFinder.find("sh").toString(), "-c", "[ $$ -lt 10 ] && [ -d /proc/$$ ]");
+        try {
+            ProgramTrial tried = ProgramTrial.of(Launch.words(Isolation.at(level), bot, List.of(), null), PATIENCE_MS);
+            return tried.works() ? null : reason(TextFormat.shorten(TextFormat.plain(tried.line()), SHOWN),
+                tried.status());
+        } catch (InterruptedException interrupted) {
+            Thread.currentThread().interrupt();
+            return "interrupted while it was tried";
+        } catch (LinkageError problem) {
+            // The JDK's class for processes refuses to load where jdk.lang.Process.launchMechanism is not a known one.
+            return "this JVM cannot start programs";
+        }
+    }
+
+    /** What the system says, and what is known to cause it. */
+    private static String reason(String line, int status) {
+        String said = line.isEmpty() ? "status " + status : line;
+        if (line.contains("unrecognized option") || line.contains("Unknown option")) {
+            return said + "; it is too old";
+        }
+        if (isNumber("/proc/sys/user/max_user_namespaces", "0")
+            || isNumber("/proc/sys/kernel/unprivileged_userns_clone", "0")) {
+            return "user namespaces are switched off on this machine (" + said + ")";
+        }
+        if (isNumber("/proc/sys/kernel/apparmor_restrict_unprivileged_userns", "1")) {
+            return "AppArmor does not let programs make user namespaces (" + said + ")";
+        }
+        if (Files.exists(Path.of("/.dockerenv")) || Files.exists(Path.of("/run/.containerenv"))) {
+            return "this is a container that does not let programs make namespaces (" + said + ")";
+        }
+        return said;
+    }
+
+    private static boolean isNumber(String file, String number) {
+        try {
+            return Files.readString(Path.of(file)).strip().equals(number);
+        } catch (IOException none) {
+            return false;
+        }
+    }
+}

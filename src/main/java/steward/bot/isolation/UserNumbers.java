@@ -1,0 +1,37 @@
+package steward.bot.isolation;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+/** What this user is in the namespaces of a bot: the same as outside, but root is nobody in particular. */
+final class UserNumbers {
+
+    private static final int NOBODY = 65534;
+
+    private UserNumbers() {
+    }
+
+    /** Whether this program runs as root, whose files and rights a bot would share. */
+    static boolean isRoot() {
+        return number("unix:uid") == 0;
+    }
+
+    static int userInside() {
+        int own = number("unix:uid");
+        return own == 0 ? NOBODY : own;
+    }
+
+    static int groupInside() {
+        int own = number("unix:gid");
+        return own == 0 ? NOBODY : own;
+    }
+
+    private static int number(String attribute) {
+        try {
+            return (Integer) Files.getAttribute(Path.of("/proc/self"), attribute);
+        } catch (IOException | UnsupportedOperationException | IllegalArgumentException unknown) {
+            return NOBODY;
+        }
+    }
+}

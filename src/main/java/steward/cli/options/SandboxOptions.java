@@ -1,0 +1,188 @@
+package steward.cli.options;
+
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import picocli.CommandLine.Option;
+import steward.bot.command.ProgramFinder;
+import steward.bot.isolation.BotEnvironment;
+import steward.bot.isolation.Isolation;
+import steward.bot.isolation.ResourceLimits;
+import steward.bot.isolation.SandboxLevel;
+import steward.bot.isolation.SandboxSupport;
+import steward.cli.shared.Streams;
+import steward.files.InputException;
+
+/** The options that say how far bots are kept from this machine and from each other. */
+public final class SandboxOptions {
+
+    /** How the warning begins that the usual level does not work here. */
+    public static final String NOT_APART = "bots are not kept apart from this machine and each other";
+
+    private static final String AUTO = "auto";
+    private static final Pattern SIZE = Pattern.compile("([0-9]{1,18})([KMGT]?)B?", Pattern.CASE_INSENSITIVE);
+    private static final String UNITS = "KMGT";
+    private static final int UNIT_BITS = 10;
+    private static final Pattern VARIABLE = Pattern.compile("[A-Za-z_][A-Za-z0-9_]*");
+
+    private final CallCheck check = CallCheck.withHelp();
+
+    /** The words of {@code --sandbox}. */
+    static final class Levels extends ArrayList<String> {
+        private static final long serialVersionUID = 1;
+
+        Levels() {
+            super(List.of(AUTO, "strict", "light", "off"));
+        }
+    }
+
+    @Option(names = "--sandbox", paramLabel = "LEVEL", completionCandidates = Levels.class,
+        description = "How far bots are kept apart: strict, light, off; or auto, which is light where that works and "
+            + "off elsewhere (default: auto).")
+    private String level;
+
+    @Option(names = "--network", description = "Brings up the loopback device in the sandbox; there is no other.")
+    private boolean network;
+
+    @Option(names = "--memory", paramLabel = "SIZE", description = "How much memory a bot may use, such as 512M or 2G. "
+        + "Where there is no control group for that, it is a limit of each process's addresses, of which programs of "
+        + "the JVM and Node need many gigabytes: less ends them at once.")
+    private String memory;
+
+    @Option(names = "--processes", paramLabel = "N",
+        description = "How many processes and threads a bot may have (strict: 512).")
+    private Long processes;
+
+    @Option(names = "--file-size", paramLabel = "SIZE", description = "How long its files may become (strict: 1G).")
+    private String fileSize;
+
+    @Option(names = "--open-files", paramLabel = "N",
+        description = "How many files each process may have open (strict: 4096).")
+    private Long openFiles;
+
+    @Option(names = "--env", paramLabel = "NAME", description = "Passes this variable to bots, also if it looks like a "
+        + "secret or is not on the short list; can be repeated.")
+    private List<String> variables = new ArrayList<>();
+
+    @Option(names = "--clean-env", description = "Passes a short list of variables only (PATH, HOME, LANG and the "
+        + "like), as strict does anyway.")
+    private boolean cleanEnvironment;
+
+    @Option(names = "--visible", paramLabel = "PATH",
+        description = "Lets bots read this file or folder, which strict would hide; can be repeated.")
+    private List<String> visible = new ArrayList<>();
+
+    @Option(names = "--pause-waiting", description = "Stops a bot while it is not asked, so that it cannot compute in "
+        + "others' time. Where there is no control group, a process that has left the bot's group is not stopped.")
+    private boolean pauseWaiting;
+
+    /** Whether any is there. */
+    public boolean isAny() {
+        return level != null || network || pauseWaiting || cleanEnvironment || memory != null || processes != null
+            || fileSize != null || openFiles != null || !variables.isEmpty() || !visible.isEmpty();
+    }
+
+    /**
+     * What they say; warns if bots are not kept apart because that does not work here.
+     *
+     * @throws InputException if it cannot be had on this machine
+     */
+    public Isolation isolation(Streams streams) {
+        String word = level == null ? AUTO : level;
+        check.that(new Levels().contains(word),
+            "--sandbox: found '" + word + "', expected auto, strict, light or off");
+        ResourceLimits limits = limits();
+        BotEnvironment environment = environment();
+        List<Path> shown = visiblePaths();
+        SandboxLevel used = used(word);
+        check.that(used != SandboxLevel.OFF || limits.isNone(), limitName() + ": found no way to hold it at level off, "
+            + "expected --sandbox light or strict" + (word.equals(AUTO) ? ", which do not work here" : ""));
+        check.that(used == SandboxLevel.STRICT || shown.isEmpty(),
+            "--visible: expected --sandbox strict with it: " + used.word() + " hides no files");
+        check.that(!network || used != SandboxLevel.LIGHT || ProgramFinder.find("ip") != null
+            || SandboxSupport.isNative(), "--network: there is no program 'ip', which brings up the loopback device");
+        String problem = word.equals(AUTO) ? SandboxSupport.problem(SandboxLevel.LIGHT) : null;
+        if (problem != null) {
+            streams.warn(NOT_APART + ": " + problem + "; run only bots you trust ('steward doctor' says more, "
+                + "--sandbox off says nothing)");
+        }
+        return new Isolation(used, network, used == SandboxLevel.STRICT ? limits.orElse(ResourceLimits.STRICT) : limits,
+            environment, shown, pauseWaiting);
+    }
+
+    private static SandboxLevel used(String word) {
+        if (word.equals(AUTO)) {
+            return SandboxSupport.usual();
+        }
+        SandboxLevel wanted = SandboxLevel.valueOf(word.toUpperCase(Locale.ROOT));
+        String problem = SandboxSupport.problem(wanted);
+        if (problem != null) {
+            throw new InputException("--sandbox " + word + " does not work here: " + problem);
+        }
+        return wanted;
+    }
+
+    private ResourceLimits limits() {
+        range("--memory", size("--memory", memory), ResourceLimits.LEAST_MEMORY, ResourceLimits.MOST_BYTES);
+        range("--processes", processes, ResourceLimits.LEAST_PROCESSES, ResourceLimits.MOST_PROCESSES);
+        range("--file-size", size("--file-size", fileSize), ResourceLimits.LEAST_FILE_SIZE, ResourceLimits.MOST_BYTES);
+        range("--open-files", openFiles, ResourceLimits.LEAST_OPEN_FILES, ResourceLimits.MOST_OPEN_FILES);
+        return new ResourceLimits(number(size("--memory", memory)), number(processes),
+            number(size("--file-size", fileSize)), number(openFiles));
+    }
+
+    private void range(String option, Long found, long least, long most) {
+        check.range(option, found, least, most);
+    }
+
+    private static long number(Long value) {
+        return value == null ? 0 : value;
+    }
+
+    private String limitName() {
+        return memory != null ? "--memory" : processes != null ? "--processes" : fileSize != null ? "--file-size"
+            : "--open-files";
+    }
+
+    /** Bytes, or {@code null} where the option is not there. */
+    private Long size(String option, String text) {
+        if (text == null) {
+            return null;
+        }
+        Matcher matcher = SIZE.matcher(text);
+        check.that(matcher.matches(), option + ": found '" + text + "', expected a size such as 512M or 2G");
+        int shift = matcher.group(2).isEmpty() ? 0
+            : UNIT_BITS * (1 + UNITS.indexOf(matcher.group(2).toUpperCase(Locale.ROOT)));
+        long number = Long.parseLong(matcher.group(1));
+        return number > Long.MAX_VALUE >> shift ? Long.MAX_VALUE : number << shift;
+    }
+
+    private BotEnvironment environment() {
+        for (String name : variables) {
+            check.that(VARIABLE.matcher(name).matches(),
+                "--env: found '" + name + "', expected the name of a variable");
+            check.that(System.getenv(name) != null, "--env: there is no variable '" + name + "'");
+        }
+        return new BotEnvironment(cleanEnvironment, variables);
+    }
+
+    private List<Path> visiblePaths() {
+        List<Path> paths = new ArrayList<>();
+        for (String text : visible) {
+            try {
+                Path path = Path.of(text).toAbsolutePath().normalize();
+                check.that(!text.isBlank() && Files.exists(path),
+                    "--visible: there is no file or folder '" + text + "'");
+                paths.add(path);
+            } catch (InvalidPathException problem) {
+                check.that(false, "--visible: there is no file or folder '" + text + "'");
+            }
+        }
+        return paths;
+    }
+}
