@@ -16,6 +16,7 @@ import steward.bot.FaultMessages;
 import steward.bot.TimeBasis;
 import steward.bot.TimeSpent;
 import steward.cli.Cli;
+import steward.cli.shared.Colour;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
 import steward.cli.shared.Streams;
@@ -69,7 +70,7 @@ class StarvedReportTest {
 
     private static String text(SeriesPlay play, Series series) {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
-        SeriesText.print(new PrintStream(out, true, StandardCharsets.UTF_8), series, play.standings());
+        SeriesText.print(new PrintStream(out, true, StandardCharsets.UTF_8), Colour.NONE, series, play.standings());
         return out.toString(StandardCharsets.UTF_8);
     }
 
