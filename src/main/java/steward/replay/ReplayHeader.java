@@ -41,7 +41,8 @@ public record ReplayHeader(String game, String scene, long seed, List<String> na
         protocols = List.copyOf(protocols);
     }
 
-    /** A match of which is not known how bots were kept apart. */
+    /** A match of which it is not known how bots were kept apart. */
+    @Internal
     public ReplayHeader(String game, String scene, long seed, List<String> names, List<String> bots,
                         List<Protocol> protocols, double timeFactor, Angles angles, String signer) {
         this(game, scene, seed, names, bots, protocols, timeFactor, angles, signer, null);
@@ -55,8 +56,7 @@ public record ReplayHeader(String game, String scene, long seed, List<String> na
 
     /** The same, signed; or unsigned for {@code null}. */
     ReplayHeader signedBy(String key) {
-        return new ReplayHeader(game, scene, seed, names, bots, protocols, timeFactor, angles, key,
-            sandbox);
+        return new ReplayHeader(game, scene, seed, names, bots, protocols, timeFactor, angles, key, sandbox);
     }
 
     /** A match between players that all use JSON. */

@@ -115,6 +115,6 @@ class SeriesTest {
     void onATerminalThereIsProgressOnTheErrorStream() {
         Cli cli = Cli.run(true, "match", "--scene", "duel", "--bot", "false", "--bot", "false", "--games", "2");
         assertTrue(cli.err().contains("games 100%"), cli.err());
-        assertTrue(cli.out().startsWith("2 games of duel, seeds "), cli.out());
+        assertTrue(cli.out().lines().findFirst().orElse("").contains("2 games of duel"), cli.out());
     }
 }
