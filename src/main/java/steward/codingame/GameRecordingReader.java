@@ -61,8 +61,8 @@ final class GameRecordingReader {
         for (int k = 1; k < frames.size(); k++) {
             JsonNode frame = frames.get(k);
             if (!frame.isObject()) {
-                throw new IllegalArgumentException(source + ": frame " + k + ": found " + frame
-                    + ", expected an object");
+                throw new IllegalArgumentException(source + ": frame " + k + ": found "
+                    + TextFormat.beginning(frame.toString(), SHOWN) + ", expected an object");
             }
             view(frame, k);                           // the number of every frame, not only of key frames
             if (isReferee(frame, k, commands.size())) {
@@ -169,7 +169,7 @@ final class GameRecordingReader {
     }
 
     private IllegalArgumentException wrong(int frame, String where, String found, String expected) {
-        return new IllegalArgumentException(source + ": frame " + frame + ", " + where + ": found " + found
-            + ", expected " + expected);
+        return new IllegalArgumentException(source + ": frame " + frame + ", " + where + ": found "
+            + TextFormat.beginning(found, SHOWN) + ", expected " + expected);
     }
 }

@@ -1,8 +1,9 @@
 package steward.cli.shared;
 
 import java.io.BufferedInputStream;
-import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
 import steward.files.InputException;
 import steward.replay.ReplayReader;
 
@@ -23,17 +24,39 @@ public final class StandardFiles {
     }
 
     /** All of the standard input; by a buffer, since a file's own way to be read whole fails on pipes. */
-    public static byte[] readAll(Streams streams) {
+    public static byte[] readAll(Streams streams, int most, String expected) {
         try {
-            return new BufferedInputStream(streams.in()).readAllBytes();
+            return readAll(new BufferedInputStream(streams.in()), INPUT, most, expected);
         } catch (IOException problem) {
             throw unreadable(problem);
         }
     }
 
-    /** A replay that comes on the standard input. */
+    /**
+     * All that an input holds, if that is not too much.
+     *
+     * @param source   names it in errors
+     * @param most     how many bytes there may be
+     * @param expected says in errors what it should be, such as {@code a recording}
+     * @throws IOException    if it cannot be read
+     * @throws InputException if it holds more
+     */
+    public static byte[] readAll(InputStream in, String source, int most, String expected) throws IOException {
+        byte[] bytes = in.readNBytes(most + 1);
+        if (bytes.length > most) {
+            throw new InputException(source + ": found more than " + most + " bytes, expected " + expected
+                + ", which is shorter");
+        }
+        return bytes;
+    }
+
+    /** A replay that comes on the standard input; read line by line. */
     public static ReplayReader openReplay(Streams streams) {
-        return new ReplayReader(new ByteArrayInputStream(readAll(streams)), INPUT);
+        try {
+            return new ReplayReader(streams.in(), INPUT);
+        } catch (UncheckedIOException problem) {
+            throw unreadable(problem.getCause());
+        }
     }
 
     /** The refusal of a standard input that cannot be read, such as a folder. */
