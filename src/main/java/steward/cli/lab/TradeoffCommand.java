@@ -63,7 +63,8 @@ public final class TradeoffCommand implements Callable<Integer> {
     public Integer call() throws InterruptedException {
         if (calibrate.isAsked()) {
             if (quick || !scenes.isEmpty()) {
-                throw new InputException("--calibrate: found " + (quick ? "--quick" : "--scene") + " with it");
+                throw new InputException("--calibrate: found " + (quick ? "--quick" : "--scene")
+                    + " with it, expected neither --quick nor --scene");
             }
             return calibrate.run(streams, out, tables.overwrite());
         }

@@ -110,7 +110,8 @@ public final class DemoCommand implements Callable<Integer> {
                 Files.createDirectories(folder);
             }
         } catch (IOException problem) {
-            throw new InputException(folder + ": found no folder, and it cannot be made: " + problem.getMessage());
+            throw new InputException(folder + ": found no folder, and it cannot be made: "
+                + OutputFiles.reason(folder, problem));
         }
     }
 }

@@ -2,11 +2,13 @@ package steward.cli.play;
 
 import java.util.Arrays;
 import java.util.Iterator;
+import java.util.List;
 import java.util.Optional;
 import picocli.CommandLine.Option;
 import steward.cli.options.CallCheck;
 import steward.cli.shared.Streams;
 import steward.contest.Keep;
+import steward.text.NearestName;
 
 /** The options of many matches. */
 final class SeriesOptions {
@@ -16,10 +18,11 @@ final class SeriesOptions {
 
         @Override
         public Iterator<String> iterator() {
-            return Arrays.stream(Keep.values()).map(Keep::word).iterator();
+            return KEEPS.iterator();
         }
     }
 
+    private static final List<String> KEEPS = Arrays.stream(Keep.values()).map(Keep::word).toList();
     private static final String AUTO = "auto";
 
     private final CallCheck check = CallCheck.withHelp();
@@ -55,7 +58,8 @@ final class SeriesOptions {
         check.that(isAny() || threads == null, "--threads is for many games, expected --games or --swap with it");
         check.that(isAny() || keep == null, "--keep is for many games, expected --games or --swap with it");
         check.that(keep == null || Keep.of(keep).isPresent(),
-            "--keep: found '" + keep + "', expected all, lost, failed or none");
+            "--keep: found '" + keep + "', expected all, lost, failed or none"
+                + (keep == null ? "" : NearestName.question(keep, KEEPS, "'")));
         check.that(keep == null || out, "--keep: expected --out with it");
     }
 

@@ -1,6 +1,7 @@
 package steward.cli.replay;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -12,6 +13,7 @@ import steward.cli.shared.Streams;
 import steward.files.OutputFiles;
 import steward.replay.sign.SignerKey;
 import steward.replay.sign.SigningKey;
+import steward.text.NearestName;
 
 /** {@code steward key}: makes and shows the keys that replays are signed with. */
 @Command(name = "key", description = "Makes or shows a key that replays are signed with.",
@@ -58,7 +60,8 @@ public final class KeyCommand implements Callable<Integer> {
             }
             case "show" -> streams.out().println((SigningKey.isPrivate(path) ? SigningKey.read(path).publicKey()
                 : SignerKey.read(path)).fingerprint());
-            default -> throw new ParameterException(spec.commandLine(), "found '" + what + "', expected new or show");
+            default -> throw new ParameterException(spec.commandLine(), "new|show: found '" + what
+                + "', expected new or show" + NearestName.question(what, List.of("new", "show"), "'"));
         }
         return ExitStatus.DONE;
     }

@@ -1,6 +1,8 @@
 package steward.cli.shared;
 
 import java.io.UncheckedIOException;
+import java.util.List;
+import java.util.regex.Pattern;
 import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
 import picocli.CommandLine.IParameterExceptionHandler;
@@ -15,6 +17,26 @@ import steward.text.TextFormat;
 /** Turns an exception into a message and an exit status. */
 public final class ErrorHandler implements IParameterExceptionHandler, IExecutionExceptionHandler {
 
+    private static final String OPTION = "'(--?[^'=]+)[^']*'(?: \\([^)]*\\))?";
+
+    /** What the library says of options, and what is said in its place. */
+    private static final List<Translation> TRANSLATIONS = List.of(
+        Translation.of("^Invalid value for option " + OPTION + ": ('.*') is not a boolean$",
+            "$1: found $2, expected no value"),
+        Translation.of("^Invalid value for option " + OPTION + ": ", "$1: "),
+        Translation.of("^option " + OPTION + " should be specified only once$", "$1: found twice, expected once"),
+        Translation.of("^Missing required parameter for option '(--?[^']+)' \\(([^)]*)\\)$",
+            "$1: found nothing, expected $2"),
+        Translation.of("^Expected parameter for option '(--?[^']+)' but found ('.*')$",
+            "$1: found $2, expected its value"));
+
+    private record Translation(Pattern message, String words) {
+
+        static Translation of(String message, String words) {
+            return new Translation(Pattern.compile(message, Pattern.DOTALL), words);
+        }
+    }
+
     private final Streams streams;
 
     public ErrorHandler(Streams streams) {
@@ -26,8 +48,17 @@ public final class ErrorHandler implements IParameterExceptionHandler, IExecutio
     public int handleParseException(ParameterException problem, String[] arguments) {
         CommandLine command = problem.getCommandLine();
         say(problem instanceof UnmatchedArgumentException unknown ? UnknownWord.message(unknown)
-            : problem.getMessage());
+            : translated(problem.getMessage()));
         return pointToHelp(command);
+    }
+
+    /** A message of the library in the words that all other messages have; one that is ours already as it is. */
+    static String translated(String message) {
+        String words = message;
+        for (Translation each : TRANSLATIONS) {
+            words = each.message().matcher(words).replaceFirst(each.words());
+        }
+        return words;
     }
 
     private int pointToHelp(CommandLine command) {
