@@ -14,6 +14,10 @@ import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -34,6 +38,9 @@ class BadInputTableTest {
 
     /** What the whole table must have at least. */
     private static final int LEAST_ENTRIES = 260;
+
+    /** How long a call is waited for when the table is written anew: refusals take milliseconds. */
+    private static final long PATIENCE_S = 5;
 
     @TempDir
     private Path folder;
@@ -102,7 +109,7 @@ class BadInputTableTest {
 
     @Test
     @EnabledIfSystemProperty(named = "steward.recordBadInput", matches = ".+")
-    void writesTheTableAnew() throws IOException {
+    void writesTheTableAnew() throws IOException, InterruptedException {
         Path target = Files.createDirectories(Path.of(System.getProperty("steward.recordBadInput")));
         int calls = 0;
         for (String command : Main.commands()) {
@@ -110,10 +117,25 @@ class BadInputTableTest {
             for (BadInputEntry entry : entries(command).stream().sorted(Comparator.comparing(BadInputEntry::key))
                     .toList()) {
                 Path own = Files.createDirectory(folder.resolve(String.valueOf(calls++))).toRealPath();
-                blocks.add(entry.text(entry.run(own)));
+                blocks.add(entry.text(recorded(entry, own)));
+                Files.writeString(target.resolve(command + ".txt"), String.join("\n", blocks));
             }
-            Files.writeString(target.resolve(command + ".txt"), String.join("\n", blocks));
         }
         assertTrue(calls > 0);
+    }
+
+    /** A call that is accepted after all may take long: what comes of it then is not waited for. */
+    private static List<String> recorded(BadInputEntry entry, Path own) throws InterruptedException {
+        FutureTask<List<String>> run = new FutureTask<>(() -> entry.run(own));
+        Thread thread = new Thread(run, "bad input");
+        thread.setDaemon(true);
+        thread.start();
+        try {
+            return run.get(PATIENCE_S, TimeUnit.SECONDS);
+        } catch (TimeoutException accepted) {
+            return List.of("= accepted, and still running after " + PATIENCE_S + " s");
+        } catch (ExecutionException problem) {
+            return List.of("= " + problem.getCause().toString().replace('\n', ' '));
+        }
     }
 }
