@@ -52,7 +52,9 @@ final class BadInputFiles {
 
     /** What is made once. */
     private static final class Bases {
-        static final String REPLAY = bytes(Recorded.duel(7).bytes());
+        /** All answers took as long: columns are the same every time. */
+        static final String REPLAY = bytes(Recorded.duel(7).bytes())
+            .replaceAll("\"answerNanos\":\\[[^]]*]", "\"answerNanos\":[1000,2000]");
         static final String RECORDING = OfficialGame.play(12).json();
     }
 

@@ -36,7 +36,7 @@ public final class TradeoffCommand implements Callable<Integer> {
 
     private final Streams streams;
 
-    @Option(names = "--scene", paramLabel = "F", completionCandidates = TradeoffScenes.Names.class,
+    @Option(names = "--scene", paramLabel = "FILE|NAME", completionCandidates = TradeoffScenes.Names.class,
         description = "Only this scene; can be repeated. A scene file, a "
         + "shipped scene, or one of official-race, brawl, dense-box, gas, bullets, grazing; headings for what "
         + "trigonometry costs.")

@@ -6,6 +6,9 @@ import java.util.regex.Pattern;
 import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
 import picocli.CommandLine.IParameterExceptionHandler;
+import picocli.CommandLine.MissingParameterException;
+import picocli.CommandLine.Model.ArgSpec;
+import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
@@ -27,6 +30,8 @@ public final class ErrorHandler implements IParameterExceptionHandler, IExecutio
         Translation.of("^option " + OPTION + " should be specified only once$", "$1: found twice, expected once"),
         Translation.of("^Missing required parameter for option '(--?[^']+)' \\(([^)]*)\\)$",
             "$1: found nothing, expected $2"),
+        Translation.of("^Missing required parameters: '([^']+)', '([^']+)'$",
+            "found no $1 and no $2, expected both"),
         Translation.of("^Expected parameter for option '(--?[^']+)' but found ('.*')$",
             "$1: found $2, expected its value"));
 
@@ -46,10 +51,35 @@ public final class ErrorHandler implements IParameterExceptionHandler, IExecutio
     /** A wrong call: the problem, similar names that exist, and where help is. */
     @Override
     public int handleParseException(ParameterException problem, String[] arguments) {
+        say(said(problem));
+        return pointToHelp(problem.getCommandLine());
+    }
+
+    private static String said(ParameterException problem) {
         CommandLine command = problem.getCommandLine();
-        say(problem instanceof UnmatchedArgumentException unknown ? UnknownWord.message(unknown)
-            : translated(problem.getMessage()));
-        return pointToHelp(command);
+        if (problem instanceof UnmatchedArgumentException unknown) {
+            return UnknownWord.message(command, unknown.getUnmatched().get(0));
+        }
+        if (problem instanceof MissingParameterException missing) {
+            for (String word : command.getUnmatchedArguments()) {
+                if (word.startsWith("-")) {
+                    return UnknownWord.message(command, word);         // the right name is probably what is missing
+                }
+            }
+            String words = translated(missing.getMessage());
+            return words.equals(missing.getMessage()) ? missing(missing.getMissing().get(0)) : words;
+        }
+        return translated(problem.getMessage());
+    }
+
+    private static String missing(ArgSpec argument) {
+        String name = name(argument);
+        return "found no " + name + ", expected " + (argument.isPositional() ? "one"
+            : argument.arity().max() > 0 ? name + " " + argument.paramLabel() : "it");
+    }
+
+    private static String name(ArgSpec argument) {
+        return argument instanceof OptionSpec option ? option.longestName() : argument.paramLabel();
     }
 
     /** A message of the library in the words that all other messages have; one that is ours already as it is. */

@@ -182,7 +182,7 @@ class RefereeCommandTest {
         "-p1 cat -p2 cat -r /no/such/folder/x | there is no folder /no/such/folder",
         "-p1 cat -p2 cat -l /tmp/x -r /tmp/./x | expected two files",
         "-p1 cat -p2 cat -scene nowhere | nowhere: found no such file",
-        "-p1 cat -p2 cat --time-factor 0 | expected a number above 0",
+        "-p1 cat -p2 cat --time-factor 0 | expected a finite number above 0",
         "-p1 cat -p2 cat --time-factor 2 --no-deadline | exclude each other",
         "-p1 cat -p2 cat extra | 'extra': found more than",
         "--old -p1 cat | --old: expected no -p1",
