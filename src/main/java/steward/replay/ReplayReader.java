@@ -137,8 +137,8 @@ public final class ReplayReader implements AutoCloseable {
 
     private static Angles angles(JsonLine line) {
         String word = line.text("angles");
-        return Angles.of(word).orElseThrow(() -> new ReplayException(line.where() + ": angles: found " + JsonLine.quoted(word)
-            + ", expected " + Angles.words() + "; a newer version of Steward may know others"));
+        return Angles.of(word).orElseThrow(() -> new ReplayException(line.where() + ": angles: found "
+            + JsonLine.quoted(word) + ", expected " + Angles.words() + "; a newer version of Steward may know others"));
     }
 
     private static String signer(JsonLine line) {

@@ -70,7 +70,8 @@ class RefusedReplayTest {
 
     @Test
     void aHeaderWithoutPlayers() {
-        String header = Recorded.of("duel", 1).lines().get(0).replaceFirst("\"players\":\\[.*?]", "\"players\":[]");
+        String header = Recorded.of("duel", 1).lines().get(0)
+            .replaceFirst("\"players\":\\[.*?]", "\"players\":[]");
         assertEquals("r.jsonl:1: players: found none, expected at least one", refusal(header + "\n"));
     }
 
