@@ -85,7 +85,7 @@ final class GameRecordingFile {
             return "the game result that 'steward referee -l' writes (its -r writes a replay)";
         }
         if (frames != null) {
-            return frames.isArray() ? "an array \"frames\" without any" : "\"frames\" that is no array";
+            return frames.isArray() ? "an empty array \"frames\"" : "\"frames\" that is no array";
         }
         if (!result.isObject()) {
             return "no frames: " + "the file is " + JsonProblem.kind(result.asToken());

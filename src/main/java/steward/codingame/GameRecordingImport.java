@@ -30,6 +30,9 @@ import tools.jackson.databind.node.ObjectNode;
  */
 public final class GameRecordingImport {
 
+    /** How long a recording may be, in bytes: some fifty times what the longest games of the site take. */
+    public static final int MOST_BYTES = 1 << 24;
+
     private static final String SCENE = "mad-pod-racing";
 
     private final GameRecording recording;

@@ -36,12 +36,29 @@ final class GameRecordingReader {
     private GameRecording read(String json) {
         JsonNode result = GameRecordingFile.gameResult(json, source);
         JsonNode frames = result.get("frames");
+        requireStart(frames.get(0));
         FrameView first = view(frames.get(0), 0);
         double[][] checkpoints = first.checkpoints();
         checkpointCount = checkpoints.length;
         GameRecording.State start = first.start(checkpointCount);
         List<Integer> ranks = ranks(result.get("ranks"));
         return new GameRecording(checkpoints, start, turns(frames, !ranks.isEmpty()), ranks);
+    }
+
+    /** Frame 0 must have a view: without the checkpoints nothing makes sense. */
+    private void requireStart(JsonNode frame) {
+        requireObject(frame, 0);
+        JsonNode view = frame.get("view");
+        if (view == null || view.isNull()) {
+            throw wrong(0, "view", view == null ? "nothing" : "null", "a text");
+        }
+    }
+
+    private void requireObject(JsonNode frame, int number) {
+        if (!frame.isObject()) {
+            throw new IllegalArgumentException(source + ": frame " + number + ": found "
+                + TextFormat.beginning(frame.toString(), SHOWN) + ", expected an object");
+        }
     }
 
     private FrameView view(JsonNode frame, int number) {
@@ -60,10 +77,7 @@ final class GameRecordingReader {
         List<List<String>> commands = new ArrayList<>();
         for (int k = 1; k < frames.size(); k++) {
             JsonNode frame = frames.get(k);
-            if (!frame.isObject()) {
-                throw new IllegalArgumentException(source + ": frame " + k + ": found " + frame
-                    + ", expected an object");
-            }
+            requireObject(frame, k);
             view(frame, k);                           // the number of every frame, not only of key frames
             if (isReferee(frame, k, commands.size())) {
                 continue;
@@ -169,7 +183,7 @@ final class GameRecordingReader {
     }
 
     private IllegalArgumentException wrong(int frame, String where, String found, String expected) {
-        return new IllegalArgumentException(source + ": frame " + frame + ", " + where + ": found " + found
-            + ", expected " + expected);
+        return new IllegalArgumentException(source + ": frame " + frame + ", " + where + ": found "
+            + TextFormat.beginning(found, SHOWN) + ", expected " + expected);
     }
 }

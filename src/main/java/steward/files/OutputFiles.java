@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
@@ -116,7 +117,8 @@ public final class OutputFiles {
         return new InputException(file + ": exists already, and is kept; --overwrite would replace it");
     }
 
-    private static String reason(Path file, IOException problem) {
+    /** Why a file or folder cannot be written, without its name. */
+    public static String reason(Path file, IOException problem) {
         Path folder = file.toAbsolutePath().getParent();
         if (problem instanceof AccessDeniedException) {
             return "no permission";
@@ -127,6 +129,8 @@ public final class OutputFiles {
         if (folder != null && !Files.isDirectory(folder)) {
             return folder + " is not a folder";
         }
-        return problem instanceof NoSuchFileException ? "there is no such place" : problem.getMessage();
+        return problem instanceof NoSuchFileException ? "there is no such place"
+            : problem instanceof FileSystemException named && named.getReason() != null ? named.getReason()
+            : problem.getMessage();
     }
 }

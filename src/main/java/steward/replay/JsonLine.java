@@ -46,7 +46,8 @@ public final class JsonLine {
         this.bytes = bytes;
         try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), bytes, 0, bytes.length)) {
             if (in.nextToken() != JsonToken.START_OBJECT) {
-                throw new ReplayException(where + ": found no object, expected one object a line");
+                throw new ReplayException(where + ": found " + (in.currentToken() == null ? "an empty line"
+                    : JsonProblem.kind(in.currentToken())) + ", expected one object a line");
             }
             while (in.nextToken() == JsonToken.PROPERTY_NAME) {
                 String name = in.currentName();
@@ -184,7 +185,8 @@ public final class JsonLine {
             for (JsonToken token = in.nextToken(); token != JsonToken.END_ARRAY; token = in.nextToken()) {
                 String place = where + ": " + name + "[" + objects.size() + "]";
                 if (token != JsonToken.START_OBJECT) {
-                    throw new ReplayException(place + ": found " + token + ", expected an object");
+                    throw new ReplayException(place + ": found " + JsonProblem.kind(token)
+                        + ", expected an object");
                 }
                 int from = (int) in.currentTokenLocation().getByteOffset();
                 in.skipChildren();
@@ -217,8 +219,14 @@ public final class JsonLine {
         return value;
     }
 
+    /** A text as errors show it: its beginning, in double quotes. */
+    static String quoted(String text) {
+        return "\"" + TextFormat.beginning(text, SHOWN) + "\"";
+    }
+
     private ReplayException wrong(String name, Value value, String expected) {
-        String found = value == null ? "nothing" : value.text() != null ? value.text()
+        String found = value == null ? "nothing" : value.token() == JsonToken.VALUE_STRING ? quoted(value.text())
+            : value.text() != null ? TextFormat.beginning(value.text(), SHOWN)
             : value.token() == JsonToken.VALUE_NULL ? "null"
             : TextFormat.beginning(new String(slice(value), StandardCharsets.UTF_8), SHOWN);
         return new ReplayException(where + ": " + name + ": found " + found + ", expected " + expected);

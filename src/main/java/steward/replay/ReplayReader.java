@@ -118,8 +118,9 @@ public final class ReplayReader implements AutoCloseable {
         String[] bots = line.textsOf("players", "bot");
         for (int player = 0; player < Math.max(1, names.length); player++) {
             if (player == names.length || names[player] == null || bots[player] == null) {
-                throw new ReplayException(line.where() + ": players[" + player + "]: found nothing of the kind, "
-                    + "expected an object with name and bot");
+                throw new ReplayException(line.where() + ": players" + (player == names.length
+                    ? ": found none, expected at least one" : "[" + player + "]: found "
+                    + (names[player] == null ? "no name" : "no bot") + ", expected an object with name and bot"));
             }
         }
         long seed;
@@ -137,8 +138,8 @@ public final class ReplayReader implements AutoCloseable {
 
     private static Angles angles(JsonLine line) {
         String word = line.text("angles");
-        return Angles.of(word).orElseThrow(() -> new ReplayException(line.where() + ": angles: found " + word
-            + ", expected " + Angles.words() + "; a newer version of Steward may know others"));
+        return Angles.of(word).orElseThrow(() -> new ReplayException(line.where() + ": angles: found "
+            + JsonLine.quoted(word) + ", expected " + Angles.words() + "; a newer version of Steward may know others"));
     }
 
     private static String signer(JsonLine line) {
@@ -160,8 +161,9 @@ public final class ReplayReader implements AutoCloseable {
         for (int player = 0; player < players; player++) {
             protocols.add(Protocol.of(words[player]).orElse(null));
             if (protocols.get(player) == null) {
-                throw new ReplayException(line.where() + ": players[" + player + "].protocol: found " + words[player]
-                    + ", expected json or codingame");
+                throw new ReplayException(line.where() + ": players[" + player + "].protocol: found "
+                    + (words[player] == null ? "no text" : JsonLine.quoted(words[player]))
+                    + ", expected \"json\" or \"codingame\"");
             }
         }
         return protocols;
@@ -240,8 +242,8 @@ public final class ReplayReader implements AutoCloseable {
                 readSignature();
                 return null;
             }
-            default -> throw new ReplayException(line.where() + ": type: found " + line.text("type")
-                + ", expected turn or result");
+            default -> throw new ReplayException(line.where() + ": type: found "
+                + JsonLine.quoted(line.text("type")) + ", expected \"turn\" or \"result\"");
         }
     }
 
@@ -255,7 +257,8 @@ public final class ReplayReader implements AutoCloseable {
                 return;
             }
             if (!line.text("type").equals("signature")) {
-                throw new ReplayException(line.where() + ": type: found " + line.text("type") + ", expected signature");
+                throw new ReplayException(line.where() + ": type: found "
+                    + JsonLine.quoted(line.text("type")) + ", expected \"signature\"");
             }
             LineFields.SIGNATURE.check(line, format());
             signature = line;

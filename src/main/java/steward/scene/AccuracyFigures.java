@@ -2,6 +2,7 @@ package steward.scene;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -44,6 +45,8 @@ public record AccuracyFigures(String source, String physics, String key, String 
     /** In place of an error: in a state the rung, or the oracle it was compared with, did not finish. */
     public static final String UNKNOWN = "unknown";
 
+    /** What the file is called in errors. */
+    private static final String WHAT = "the figures of a scene's accuracy";
     private static final String SUFFIX = ".json";
     private static final String FIGURES = ".accuracy.json";
 
@@ -84,7 +87,7 @@ public record AccuracyFigures(String source, String physics, String key, String 
      * @throws SceneException if it does not hold such figures, or is of another format
      */
     public static AccuracyFigures read(String text, String source) {
-        Block root = new Block(source, "", JsonTree.read(text, source, "the figures of a scene's accuracy"));
+        Block root = new Block(source, "", JsonTree.read(text, source, WHAT));
         int format = root.integer("format", 0, Integer.MAX_VALUE);
         if (format != FORMAT) {
             throw root.error("format", Integer.toString(format), FORMAT + ", the one that this version reads");
@@ -176,10 +179,14 @@ public record AccuracyFigures(String source, String physics, String key, String 
 
     private static AccuracyFigures load(Path file) {
         try {
-            return read(SceneFiles.decode(Files.readAllBytes(file), file.toString()), file.toString());
+            if (Files.isDirectory(file)) {
+                throw new SceneException(file + ": found a folder, expected " + WHAT);
+            }
+            return read(SceneFiles.decode(SceneFiles.bytes(file, file.toString(), WHAT), file.toString()),
+                file.toString());
         } catch (IOException problem) {
-            throw new SceneException(file + ": found a file that cannot be read (" + problem.getMessage()
-                + "), expected the figures of a scene's accuracy");
+            String why = problem instanceof AccessDeniedException ? "no permission" : problem.getMessage();
+            throw new SceneException(file + ": found a file that cannot be read (" + why + "), expected " + WHAT);
         }
     }
 

@@ -41,7 +41,7 @@ public final class SceneFiles {
             Path path = Path.of(pathOrName);
             folder = Files.isDirectory(path) && !pathOrName.isEmpty();
             if (Files.exists(path) && !Files.isDirectory(path)) {
-                return new SceneText(decode(bytes(path, pathOrName), pathOrName), pathOrName,
+                return new SceneText(decode(bytes(path, pathOrName, "a scene"), pathOrName), pathOrName,
                     Optional.of(AccuracyFigures.beside(path)));
             }
         } catch (InvalidPathException e) {
@@ -62,18 +62,19 @@ public final class SceneFiles {
             + (shipped.isEmpty() ? "" : " or " + Wording.choice(name, shipped)));
     }
 
-    private static byte[] bytes(Path path, String source) throws IOException {
+    /** @param what says in the error what the file should be, as in {@code a scene} */
+    static byte[] bytes(Path path, String source, String what) throws IOException {
         try (InputStream in = Files.newInputStream(path)) {
-            return bytes(in, source);
+            return bytes(in, source, what);
         }
     }
 
     /** Reads at most one byte beyond the limit: the size of a pipe is not known before. */
-    private static byte[] bytes(InputStream in, String source) throws IOException {
+    private static byte[] bytes(InputStream in, String source, String what) throws IOException {
         byte[] bytes = in.readNBytes(JsonLimits.BYTES + 1);
         if (bytes.length > JsonLimits.BYTES) {
             throw new SceneException(source + ": found a file of more than " + JsonLimits.BYTES
-                + " bytes, expected a scene of at most " + JsonLimits.BYTES);
+                + " bytes, expected " + what + " of at most " + JsonLimits.BYTES);
         }
         return bytes;
     }
@@ -87,7 +88,7 @@ public final class SceneFiles {
      * @throws SceneException if it is too long, or not in UTF-8
      */
     public static SceneText read(InputStream in, String source) throws IOException {
-        return new SceneText(decode(bytes(in, source), source), source);
+        return new SceneText(decode(bytes(in, source, "a scene"), source), source);
     }
 
     /**

@@ -9,15 +9,13 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.Arguments;
-import org.junit.jupiter.params.provider.MethodSource;
-import steward.scene.SceneFiles;
 
-/** Calls and inputs that cannot be used: each with its message on stderr, status 2, and nothing played or written. */
+/**
+ * Calls that cannot be used play, write and lose nothing. Their messages are held to the letter by
+ * {@link BadInputTableTest}.
+ */
 class BadInputTest {
 
     @TempDir
@@ -25,72 +23,6 @@ class BadInputTest {
 
     private static void refused(String message, String... arguments) {
         Cli.run(arguments).assertRefused(message);
-    }
-
-    static Stream<Arguments> calls() {
-        return Stream.of(
-            Arguments.of("found no such file", "match --scene nowhere --bot sh --bot sh"),
-            Arguments.of("did you mean \"duel\"", "match --scene duell --bot sh --bot sh"),
-            Arguments.of("found 1 bot, expected 2 bots", "match --bot sh"),
-            Arguments.of("found 3 bots, expected 2 bots", "match --bot sh --bot sh --bot sh"),
-            Arguments.of("there is no program 'no-such-program'", "match --bot sh --bot no-such-program"),
-            Arguments.of("there is no file './no-such-file'", "match --bot sh --bot ./no-such-file"),
-            Arguments.of("there is no builtin bot 'nobody'", "match --bot sh --bot builtin:nobody"),
-            Arguments.of("there is no command", "match --bot sh --bot name="),
-            Arguments.of("column 1: the single quote is never closed", "match --bot sh --bot \"'sh\""),
-            Arguments.of("--json and --quiet exclude each other", "match --bot sh --bot sh --json --quiet"),
-            Arguments.of("--games: found 0, expected 1", "match --bot sh --bot sh --games 0"),
-            Arguments.of("--threads: found '0', expected 1 to 256, or auto",
-                "match --bot sh --bot sh --games 2 --threads 0"),
-            Arguments.of("--threads: found '257', expected 1 to 256, or auto",
-                "match --bot sh --bot sh --games 2 --threads 257"),
-            Arguments.of("--threads is for many games", "match --bot sh --bot sh --threads 2"),
-            Arguments.of("--time-factor: found 0.0, expected", "match --bot sh --bot sh --time-factor 0"),
-            Arguments.of("--time-factor: found NaN, expected", "match --bot sh --bot sh --time-factor NaN"),
-            Arguments.of("exclude each other", "match --bot sh --bot sh --time-factor 2 --no-deadline"),
-            Arguments.of("found 'x', expected a whole number of 64 bits", "match --bot sh --bot sh --seed x"),
-            Arguments.of("9223372036854775808", "match --bot sh --bot sh --seed 9223372036854775808"),
-            Arguments.of("--overwrite: expected --out", "match --bot sh --bot sh --overwrite"),
-            Arguments.of("unknown option '--sead'; did you mean '--seed'?", "match --bot sh --bot sh --sead=1"),
-            Arguments.of("Missing required parameter: 'FILE'", "replay"),
-            Arguments.of("found no such file, expected a replay", "replay nowhere.jsonl"),
-            Arguments.of("found no such file, expected a replay", "replay nowhere.jsonl --verify"),
-            Arguments.of("found a folder, expected a replay file", "replay /"),
-            Arguments.of("--frames: expected --player P", "replay x --frames"),
-            Arguments.of("--player is for --frames", "replay x --player 0"),
-            Arguments.of("--turn and --from or --to exclude", "replay x --turn 1 --to 2"),
-            Arguments.of("--turn: found 0, expected 1 or more", "replay x --turn 0"),
-            Arguments.of("--to: found 1, expected at least --from, which is 2", "replay x --from 2 --to 1"),
-            Arguments.of("--from: found -1, expected 0 or more", "replay x --from -1"),
-            Arguments.of("--verify takes the whole match", "replay x --verify --turn 2"),
-            Arguments.of("found no such file", "explain nowhere"),
-            Arguments.of("found 'x', expected a whole number", "demo --seed x"));
-    }
-
-    @ParameterizedTest
-    @MethodSource("calls")
-    void aWrongCall(String message, String call) {
-        refused(message, "--cli", call);
-    }
-
-    static Stream<Arguments> scenes() {
-        return Stream.of(
-            Arguments.of("{\"name\": ", "\"name\" \"x\",", ":2:"),
-            Arguments.of("\"players\": 2", "\"players\": \"two\"", "players"),
-            Arguments.of("\"players\": 2", "\"players\": 99", "players"),
-            Arguments.of("\"drag\"", "\"drgg\"", "did you mean \"drag\""),
-            Arguments.of("\"game\": \"pod-race\"", "\"game\": \"pot-race\"", "did you mean \"pod-race\""),
-            Arguments.of("\"radius\": 400", "\"radius\": -400", "radius"));
-    }
-
-    @ParameterizedTest
-    @MethodSource("scenes")
-    void aWrongScene(String right, String wrong, String message) throws IOException {
-        String duel = SceneFiles.load("duel").text();
-        String text = duel.contains(right) ? duel.replace(right, wrong) : "{\n" + wrong + duel.substring(1);
-        Path file = Files.writeString(folder.resolve("scene.json"), text);
-        refused(file + ":", "match", "--scene", file.toString(), "--bot", "sh", "--bot", "sh");
-        refused(message, "explain", file.toString());
     }
 
     @Test

@@ -51,20 +51,36 @@ class RefusedReplayTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
-        "\"format\":3 | \"format\":\"x\" | format: found x, expected a whole number",
+        "\"format\":3 | \"format\":\"x\" | format: found \"x\", expected a whole number",
         "\"seed\":\"1\" | \"seed\":\"one\" | seed: found \"one\", expected a whole number of 64 bits",
         "\"seed\":\"1\" | \"seed\":1 | seed: found 1, expected a string",
         "\"seed\":\"1\", | `` | seed: found nothing, expected a string",
-        "\"timeFactor\":null | \"timeFactor\":\"x\" | timeFactor: found x, expected a number or null",
+        "\"timeFactor\":null | \"timeFactor\":\"x\" | timeFactor: found \"x\", expected a number or null",
         "{\"name\":\"P1\", | {\"n\":\"P1\", | "
-            + "players[1]: found nothing of the kind, expected an object with name and bot",
+            + "players[1]: found no name, expected an object with name and bot",
+        "\"bot\":\"P0\", | `` | players[0]: found no bot, expected an object with name and bot",
         "\"players\":[{\"name\" | \"players\":[1,{\"name\" | players[0]: found a number, expected an object",
         "\"protocol\":\"json\"}] | \"protocol\":\"JSON\"}] | "
-            + "players[1].protocol: found JSON, expected json or codingame",
+            + "players[1].protocol: found \"JSON\", expected \"json\" or \"codingame\"",
         ",{\"name\":\"P1\",\"bot\":\"P1\",\"protocol\":\"json\"} | `` | players: found 1, expected 2 as in the scene",
-        "\"game\":\"pod-race\",\"s | \"game\":\"chess\",\"s | game: found chess, expected pod-race as in the scene"})
+        "\"game\":\"pod-race\",\"s | \"game\":\"chess\",\"s | game: found \"chess\", expected \"pod-race\" as in the scene"})
     void wrongHeaders(String from, String to, String message) {
         assertEquals("r.jsonl:1: " + message, refusal(0, from, to));
+    }
+
+    @Test
+    void aHeaderWithoutPlayers() {
+        String header = Recorded.of("duel", 1).lines().get(0)
+            .replaceFirst("\"players\":\\[.*?]", "\"players\":[]");
+        assertEquals("r.jsonl:1: players: found none, expected at least one", refusal(header + "\n"));
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
+        "[] | found an array", "`` | found an empty line", "17 | found a number", "null | found null"})
+    void aLineThatIsNoObject(String line, String found) {
+        String header = Recorded.of("duel", 1).lines().get(0);
+        assertEquals("r.jsonl:2: " + found + ", expected one object a line", refusal(header + "\n" + line + "\n"));
     }
 
     @Test
@@ -80,7 +96,7 @@ class RefusedReplayTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
-        "\"type\":\"turn\" | \"type\":\"tune\" | type: found tune, expected turn or result",
+        "\"type\":\"turn\" | \"type\":\"tune\" | type: found \"tune\", expected \"turn\" or \"result\"",
         "\"type\":\"turn\", | `` | type: found nothing, expected a string",
         "\"turn\":5 | \"turn\":5.5 | turn: found 5.5, expected a whole number",
         "\"turn\":5 | \"turn\":99999999999 | turn: found 99999999999, expected a whole number below 2^31",

@@ -278,7 +278,7 @@ class SceneErrorsTest {
         `  \t `             | s.json:1:1: found an empty file, expected a scene in JSON
         []                  | s.json:1:1: found an empty array, expected an object
         ` "scene"`          | s.json:1:2: found "scene", expected an object
-        {} {}               | s.json:1:4: found more after the end of the scene, expected the end of the file
+        {} {}               | s.json:1:4: found more after the end of a scene, expected the end of the file
         """)
     void aFileIsOneObject(String text, String message) {
         assertEquals(message, assertThrows(SceneException.class, () -> read(text)).getMessage());

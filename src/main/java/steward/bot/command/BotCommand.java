@@ -99,7 +99,7 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
         if (!program.isEmpty()) {
             all.add(0, program);
         }
-        if (all.isEmpty()) {
+        if (all.isEmpty() || first.isEmpty()) {
             throw new IllegalArgumentException("bot '" + first + "': there is no command; expected " + FORM);
         }
         return new BotCommand(name, written == null ? usual : written, all);

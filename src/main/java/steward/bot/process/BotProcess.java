@@ -11,6 +11,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import steward.bot.Answer;
 import steward.bot.AnswerReader;
 import steward.bot.FaultMessages;
@@ -54,6 +56,14 @@ public final class BotProcess implements Player {
     private static final long LAST_LINES_MS = 100;
 
     private static final String BROKEN_OFF = "asked again after its end";
+
+    /** What Java tells of the system's refusal to start a program: its number, and the system's words. */
+    private static final Pattern SYSTEM_ERROR = Pattern.compile("error[=:] ?(\\d+)[ ,(]+([^)]*)");
+    /** The number of "No such file or directory". */
+    private static final String NO_ENTRY = "2";
+    /** The statuses with which a shell, env or setsid ends that cannot find or execute a program. */
+    private static final int NOT_FOUND = 127;
+    private static final int NOT_EXECUTABLE = 126;
 
     /** How much of a faulty answer is shown, in bytes. */
     private static final int SHOWN = 1024;
@@ -156,7 +166,7 @@ public final class BotProcess implements Player {
         asking.enter();
         long limit = Math.max(1, limitNanos);
         if (first) {
-            String problem = start(limit);
+            String problem = start(limit, answer);
             if (problem != null) {
                 return fault(answer, problem);
             }
@@ -206,8 +216,8 @@ public final class BotProcess implements Player {
         return group == null ? List.of() : group.processes();
     }
 
-    /** Starts the process; returns the problem, or {@code null}. */
-    private String start(long limit) {
+    /** Starts the process and the clock; returns the problem, or {@code null}. */
+    private String start(long limit, Answer answer) {
         Sentinel.shared().start();
         try {
             stderr = StderrFile.create();
@@ -220,7 +230,7 @@ public final class BotProcess implements Player {
         try {
             started = ProcessGroup.start(launch, stderr);
         } catch (IOException e) {
-            throw new UncheckedIOException(name + " could not be started: " + e.getMessage(), e);
+            return unstarted(e, answer);
         } finally {
             stderr.unlink();
         }
@@ -235,6 +245,18 @@ public final class BotProcess implements Player {
             return BROKEN_OFF;
         }
         return null;
+    }
+
+    /**
+     * What is said of a program that the system refuses to start. Where bots have sessions of their own, {@code setsid}
+     * is what starts, and then fails in these very words: the verdict does not depend on it.
+     */
+    private String unstarted(IOException problem, Answer answer) {
+        String message = String.valueOf(problem.getMessage());
+        Matcher system = SYSTEM_ERROR.matcher(message);
+        boolean told = system.find();
+        answer.setStderr("failed to execute " + command.get(0) + ": " + (told ? system.group(2) : message));
+        return FaultMessages.exited(told && system.group(1).equals(NO_ENTRY) ? NOT_FOUND : NOT_EXECUTABLE);
     }
 
     /** Writes the queued lines and the frame in one piece. */

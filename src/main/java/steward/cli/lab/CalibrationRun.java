@@ -63,7 +63,7 @@ final class CalibrationRun {
             OutputFiles.open(unfinished, true).close();
             Files.delete(unfinished);
         } catch (IOException problem) {
-            throw new InputException(file + ": cannot be written: " + problem.getMessage());
+            throw new InputException(file + ": cannot be written: " + OutputFiles.reason(file, problem));
         }
     }
 

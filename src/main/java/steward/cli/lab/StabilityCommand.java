@@ -106,7 +106,7 @@ public final class StabilityCommand implements Callable<Integer> {
         RunLength size = full ? RunLength.LONG : quick ? RunLength.SMALL : RunLength.NORMAL;
         if (golden) {
             check.that(out == null && names.isEmpty() && rungNames.isEmpty() && impacts == null,
-                "--golden goes with --quick or --long only");
+                "--golden is about everything, expected no --out, --case, --rung or --impacts with it");
             return golden(size);
         }
         List<StabilityCase> cases = check.chosen("--case", names, StabilityCases.all(impacts == null ? 0 : impacts),

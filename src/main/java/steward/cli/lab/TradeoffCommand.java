@@ -42,7 +42,7 @@ public final class TradeoffCommand implements Callable<Integer> {
 
     private final Streams streams;
 
-    @Option(names = "--scene", paramLabel = "F", completionCandidates = TradeoffScenes.Names.class,
+    @Option(names = "--scene", paramLabel = "FILE|NAME", completionCandidates = TradeoffScenes.Names.class,
         description = "Only this scene; can be repeated. A scene file, a "
         + "shipped scene, or one of official-race, brawl, dense-box, gas, bullets, grazing; headings for what "
         + "trigonometry costs.")
@@ -69,7 +69,8 @@ public final class TradeoffCommand implements Callable<Integer> {
     public Integer call() throws InterruptedException {
         if (calibrate.isAsked()) {
             if (quick || !scenes.isEmpty()) {
-                throw new InputException("--calibrate: found " + (quick ? "--quick" : "--scene") + " with it");
+                throw new InputException("--calibrate: found " + (quick ? "--quick" : "--scene")
+                    + " with it, expected neither --quick nor --scene");
             }
             return calibrate.run(streams, out, tables.overwrite());
         }

@@ -3,6 +3,7 @@ package steward.cli.options;
 import java.util.Arrays;
 import java.util.Iterator;
 import steward.match.Protocol;
+import steward.text.NearestName;
 
 /** What {@code --protocol} takes. */
 public final class ProtocolWord {
@@ -22,7 +23,8 @@ public final class ProtocolWord {
     /** The protocol of that name; the call is refused if there is none. */
     public static Protocol parse(String word) {
         CallCheck.withHelp().that(Protocol.of(word).isPresent(),
-            "--protocol: found '" + word + "', expected json or codingame");
+            "--protocol: found '" + word + "', expected json or codingame"
+                + NearestName.question(word, Arrays.stream(Protocol.values()).map(Protocol::word).toList(), "'"));
         return Protocol.of(word).orElseThrow();
     }
 }

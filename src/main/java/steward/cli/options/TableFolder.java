@@ -31,7 +31,7 @@ public final class TableFolder {
 
     /** @param out the folder as it was called for, or {@code null} */
     public void check(String out) {
-        check.that(!overwrite || out != null, "--overwrite: expected --out");
+        check.that(!overwrite || out != null, "--overwrite: expected --out with it");
     }
 
     /**
@@ -52,7 +52,7 @@ public final class TableFolder {
             }
             return files.start();
         } catch (IOException problem) {
-            throw new InputException(folder + ": cannot be written into: " + problem.getMessage());
+            throw new InputException(folder + ": cannot be written into: " + OutputFiles.reason(folder, problem));
         }
     }
 }

@@ -38,7 +38,7 @@ public final class TimeLimitOptions {
     public double factor() {
         check.exclusive("--no-deadline", noDeadline, "--time-factor", timeFactor != null);
         check.that(timeFactor == null || timeFactor > 0 && timeFactor < Double.POSITIVE_INFINITY,
-            "--time-factor: found " + timeFactor + ", expected a number above 0");
+            "--time-factor: found " + timeFactor + ", expected a finite number above 0");
         return noDeadline ? Double.POSITIVE_INFINITY : timeFactor == null ? 1 : timeFactor;
     }
 

@@ -63,6 +63,7 @@ public final class DemoCommand implements Callable<Integer> {
         Path file = OutputFiles.path(out != null ? out : usualFile(Path.of("")));
         Contest contest = Contest.of(accuracy.open(SCENE, streams), BOTS, Protocol.JSON, TIME_FACTOR);
         makeFolder(file);
+        OutputFiles.check(file, true);
         streams.out().println("steward match --scene " + SCENE + " --bot " + BOTS.get(0) + " --bot " + BOTS.get(1)
             + " --seed " + seed + accuracy.words() + " \\");
         streams.out().println("    --time-factor " + TIME_FACTOR + " --out "
@@ -114,7 +115,8 @@ public final class DemoCommand implements Callable<Integer> {
                 Files.createDirectories(folder);
             }
         } catch (IOException problem) {
-            throw new InputException(folder + ": found no folder, and it cannot be made: " + problem.getMessage());
+            throw new InputException(folder + ": found no folder, and it cannot be made: "
+                + OutputFiles.reason(folder, problem));
         }
     }
 }

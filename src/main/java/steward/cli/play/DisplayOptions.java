@@ -36,6 +36,9 @@ final class DisplayOptions {
         if (!watch && (port != null || host != null)) {
             return (port != null ? "--port" : "--host") + " is for --watch, expected both";
         }
+        if (host != null && host.isEmpty()) {
+            return "--host: found an empty text, expected NAME";
+        }
         return port == null || CallCheck.isWithin(port, 0, MOST_PORT) ? null
             : CallCheck.outside("--port", port, 0, MOST_PORT);
     }

@@ -123,8 +123,8 @@ public final class RefereeCommand implements Callable<Integer> {
         List<String> bots = arguments.bots(setup.scene().players(), setup.scene().name());
         Contest contest = named(Contest.withFailing(setup, bots, Protocol.CODINGAME, factor), arguments)
             .limitedBy(basis);
-        check.that(log == null || !log.isBlank(), "-l: found no name of a file");
-        check.that(replay == null || !replay.isBlank(), "-r: found no name of a file");
+        check.that(log == null || !log.isBlank(), "-l: found no name of a file, expected one");
+        check.that(replay == null || !replay.isBlank(), "-r: found no name of a file, expected one");
         Path logFile = log == null ? null : OutputFiles.path(log);
         Path replayFile = replay == null ? null : OutputFiles.path(replay);
         check.that(logFile == null || replayFile == null

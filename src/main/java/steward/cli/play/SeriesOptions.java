@@ -9,6 +9,7 @@ import steward.cli.options.CallCheck;
 import steward.cli.shared.Streams;
 import steward.contest.Hiccups;
 import steward.contest.KeptReplays;
+import steward.text.NearestName;
 
 /** The options of many matches. */
 final class SeriesOptions {
@@ -18,7 +19,7 @@ final class SeriesOptions {
 
         @Override
         public Iterator<String> iterator() {
-            return Arrays.stream(KeptReplays.values()).map(KeptReplays::word).iterator();
+            return KEEPS.iterator();
         }
     }
 
@@ -40,6 +41,7 @@ final class SeriesOptions {
         }
     }
 
+    private static final List<String> KEEPS = Arrays.stream(KeptReplays.values()).map(KeptReplays::word).toList();
     private static final String AUTO = "auto";
 
     private final CallCheck check = CallCheck.withHelp();
@@ -84,7 +86,8 @@ final class SeriesOptions {
         check.that(hiccups == null || Hiccups.of(hiccups).isPresent(),
             "--hiccups: found '" + hiccups + "', expected replay or count");
         check.that(keep == null || KeptReplays.of(keep).isPresent(),
-            "--keep: found '" + keep + "', expected all, lost, failed or none");
+            "--keep: found '" + keep + "', expected all, lost, failed or none"
+                + (keep == null ? "" : NearestName.question(keep, KEEPS, "'")));
         check.that(keep == null || out, "--keep: expected --out with it");
     }
 

@@ -173,7 +173,8 @@ public final class FeedCommand implements Callable<Integer> {
         Protocol usual = protocol == null ? recorded : ProtocolWord.parse(protocol);
         BotCommand.Prefix prefix = usual == Protocol.CODINGAME ? BotCommand.Prefix.CODINGAME : BotCommand.Prefix.JSON;
         try {
-            return command.size() > 1 || Files.exists(OutputFiles.path(command.get(0)))
+            boolean isFile = !command.get(0).isEmpty() && Files.exists(OutputFiles.path(command.get(0)));
+            return command.size() > 1 || isFile
                 ? BotCommand.of(command, prefix) : BotCommand.parse(command.get(0), prefix);
         } catch (IllegalArgumentException problem) {
             throw new InputException(problem.getMessage());

@@ -1,6 +1,7 @@
 package steward.cli.replay;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
@@ -43,6 +44,7 @@ import steward.text.TextFormat;
         "frame and the line."})
 public final class ImportCommand implements Callable<Integer> {
 
+    private static final String RECORDING = "a recording";
     private static final String BYTE_ORDER_MARK = "\uFEFF";
 
     private final Streams streams;
@@ -101,7 +103,8 @@ public final class ImportCommand implements Callable<Integer> {
     private GameRecordingImport read(Path replay) {
         boolean piped = StandardFiles.is(file);
         String source = piped ? StandardFiles.INPUT : file;
-        byte[] bytes = piped ? StandardFiles.readAll(streams) : readFile(OutputFiles.path(file), replay);
+        byte[] bytes = piped ? StandardFiles.readAll(streams, GameRecordingImport.MOST_BYTES, RECORDING)
+            : readFile(OutputFiles.path(file), replay);
         try {
             String text = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
             return GameRecordingImport.of(text.startsWith(BYTE_ORDER_MARK) ? text.substring(1) : text, source,
@@ -121,8 +124,8 @@ public final class ImportCommand implements Callable<Integer> {
         if (Files.isDirectory(recorded)) {
             throw new InputException(recorded + ": found a folder, expected a recording");
         }
-        try {
-            return Files.readAllBytes(recorded);
+        try (InputStream in = Files.newInputStream(recorded)) {
+            return StandardFiles.readAll(in, recorded.toString(), GameRecordingImport.MOST_BYTES, RECORDING);
         } catch (IOException problem) {
             throw new InputException(recorded + (Files.exists(recorded)
                 ? ": cannot be read: no permission" : ": found no such file, expected a recording"));

@@ -14,6 +14,7 @@ import steward.cli.shared.Streams;
 import steward.files.OutputFiles;
 import steward.replay.sign.SignerKey;
 import steward.replay.sign.SigningKey;
+import steward.text.NearestName;
 
 /** {@code steward key}: makes and shows the keys that replays are signed with. */
 @Command(name = "key", description = "Makes or shows a key that replays are signed with.",
@@ -69,7 +70,8 @@ public final class KeyCommand implements Callable<Integer> {
             }
             case "show" -> streams.out().println((SigningKey.isPrivate(path) ? SigningKey.read(path).publicKey()
                 : SignerKey.read(path)).fingerprint());
-            default -> throw new ParameterException(spec.commandLine(), "found '" + what + "', expected new or show");
+            default -> throw new ParameterException(spec.commandLine(), "new|show: found '" + what
+                + "', expected new or show" + NearestName.question(what, List.of("new", "show"), "'"));
         }
         return ExitStatus.DONE;
     }

@@ -62,7 +62,7 @@ public final class NewCommand implements Callable<Integer> {
                 Files.write(path.resolve(file), starter.read(file));
             }
         } catch (IOException problem) {
-            throw new InputException(path + ": cannot be written into: " + problem.getMessage());
+            throw new InputException(path + ": cannot be written into: " + OutputFiles.reason(path, problem));
         }
         streams.out().println("Written: " + path.resolve(starter.files().get(0)) + ". To race it:");
         streams.out().println("  cd " + CommandLine.quote(List.of(folder)));

@@ -1,5 +1,6 @@
 package steward.cli.shared;
 
+import java.util.Collection;
 import java.util.Set;
 import picocli.CommandLine.IExecutionStrategy;
 import picocli.CommandLine.Model.ArgSpec;
@@ -10,19 +11,19 @@ import picocli.CommandLine.RunLast;
 
 /**
  * Runs a command unless an option or parameter that names a file is an empty text, as when a shell variable was not
- * set. Those that can be repeated check their values themselves.
+ * set.
  */
 public final class EmptyValues implements IExecutionStrategy {
 
     /** What stands for files and folders in the help. */
     private static final Set<String> FILES = Set.of("FILE", "FILE|NAME", "DIR", "REPLAY", "NEW", "HTML", "SCENE",
-        "PUB");
+        "PUB", "KEY");
 
     @Override
     public int execute(ParseResult call) {
         for (ParseResult each = call; each != null; each = each.hasSubcommand() ? each.subcommand() : null) {
             for (ArgSpec argument : each.matchedArgs()) {
-                if (FILES.contains(argument.paramLabel()) && "".equals(argument.getValue())) {
+                if (FILES.contains(argument.paramLabel()) && isEmpty(argument.getValue())) {
                     String name = argument.isOption() ? ((OptionSpec) argument).longestName() : argument.paramLabel();
                     throw new ParameterException(each.commandSpec().commandLine(),
                         name + ": found an empty text, expected " + argument.paramLabel());
@@ -30,5 +31,10 @@ public final class EmptyValues implements IExecutionStrategy {
             }
         }
         return new RunLast().execute(call);
+    }
+
+    /** Whether a value is an empty text, or one of those of an option that can be repeated is. */
+    private static boolean isEmpty(Object value) {
+        return "".equals(value) || value instanceof Collection<?> values && values.contains("");
     }
 }

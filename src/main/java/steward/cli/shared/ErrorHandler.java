@@ -1,9 +1,14 @@
 package steward.cli.shared;
 
 import java.io.UncheckedIOException;
+import java.util.List;
+import java.util.regex.Pattern;
 import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
 import picocli.CommandLine.IParameterExceptionHandler;
+import picocli.CommandLine.MissingParameterException;
+import picocli.CommandLine.Model.ArgSpec;
+import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
@@ -15,6 +20,28 @@ import steward.text.TextFormat;
 /** Turns an exception into a message and an exit status. */
 public final class ErrorHandler implements IParameterExceptionHandler, IExecutionExceptionHandler {
 
+    private static final String OPTION = "'(--?[^'=]+)[^']*'(?: \\([^)]*\\))?";
+
+    /** What the library says of options, and what is said in its place. */
+    private static final List<Translation> TRANSLATIONS = List.of(
+        Translation.of("^Invalid value for option " + OPTION + ": ('.*') is not a boolean$",
+            "$1: found $2, expected no value"),
+        Translation.of("^Invalid value for option " + OPTION + ": ", "$1: "),
+        Translation.of("^option " + OPTION + " should be specified only once$", "$1: found twice, expected once"),
+        Translation.of("^Missing required parameter for option '(--?[^']+)' \\(([^)]*)\\)$",
+            "$1: found nothing, expected $2"),
+        Translation.of("^Missing required parameters: '([^']+)', '([^']+)'$",
+            "found no $1 and no $2, expected both"),
+        Translation.of("^Expected parameter for option '(--?[^']+)' but found ('.*')$",
+            "$1: found $2, expected its value"));
+
+    private record Translation(Pattern message, String words) {
+
+        static Translation of(String message, String words) {
+            return new Translation(Pattern.compile(message, Pattern.DOTALL), words);
+        }
+    }
+
     private final Streams streams;
 
     public ErrorHandler(Streams streams) {
@@ -24,10 +51,44 @@ public final class ErrorHandler implements IParameterExceptionHandler, IExecutio
     /** A wrong call: the problem, similar names that exist, and where help is. */
     @Override
     public int handleParseException(ParameterException problem, String[] arguments) {
+        say(said(problem));
+        return pointToHelp(problem.getCommandLine());
+    }
+
+    private static String said(ParameterException problem) {
         CommandLine command = problem.getCommandLine();
-        say(problem instanceof UnmatchedArgumentException unknown ? UnknownWord.message(unknown)
-            : problem.getMessage());
-        return pointToHelp(command);
+        if (problem instanceof UnmatchedArgumentException unknown) {
+            return UnknownWord.message(command, unknown.getUnmatched().get(0));
+        }
+        if (problem instanceof MissingParameterException missing) {
+            for (String word : command.getUnmatchedArguments()) {
+                if (word.startsWith("-")) {
+                    return UnknownWord.message(command, word);         // the right name is probably what is missing
+                }
+            }
+            String words = translated(missing.getMessage());
+            return words.equals(missing.getMessage()) ? missing(missing.getMissing().get(0)) : words;
+        }
+        return translated(problem.getMessage());
+    }
+
+    private static String missing(ArgSpec argument) {
+        String name = name(argument);
+        return "found no " + name + ", expected " + (argument.isPositional() ? "one"
+            : argument.arity().max() > 0 ? name + " " + argument.paramLabel() : "it");
+    }
+
+    private static String name(ArgSpec argument) {
+        return argument instanceof OptionSpec option ? option.longestName() : argument.paramLabel();
+    }
+
+    /** A message of the library in the words that all other messages have; one that is ours already as it is. */
+    static String translated(String message) {
+        String words = message;
+        for (Translation each : TRANSLATIONS) {
+            words = each.message().matcher(words).replaceFirst(each.words());
+        }
+        return words;
     }
 
     private int pointToHelp(CommandLine command) {

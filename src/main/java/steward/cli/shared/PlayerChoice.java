@@ -21,7 +21,8 @@ public final class PlayerChoice {
         int named = names.indexOf(typed);
         boolean number = typed.matches("[0-9]{1,3}") && Integer.parseInt(typed) < names.size();
         if (!number && named < 0) {
-            throw new InputException("--player: found " + typed + ", expected 0 to " + (names.size() - 1) + " in "
+            String found = typed.matches("-?[0-9]+") ? typed : "'" + typed + "'";
+            throw new InputException("--player: found " + found + ", expected 0 to " + (names.size() - 1) + " in "
                 + source + ", or a name: " + String.join(", ", names));
         }
         return number ? Integer.parseInt(typed) : named;

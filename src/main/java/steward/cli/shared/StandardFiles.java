@@ -3,6 +3,8 @@ package steward.cli.shared;
 import java.io.BufferedInputStream;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
 import steward.files.InputException;
 import steward.replay.ReplayReader;
 import steward.scene.SceneFiles;
@@ -33,9 +35,40 @@ public final class StandardFiles {
         }
     }
 
-    /** A replay that comes on the standard input. */
+    /** The same, if it is not too much, see {@link #readAll(InputStream, String, int, String)}. */
+    public static byte[] readAll(Streams streams, int most, String expected) {
+        try {
+            return readAll(new BufferedInputStream(streams.in()), INPUT, most, expected);
+        } catch (IOException problem) {
+            throw unreadable(problem);
+        }
+    }
+
+    /**
+     * All that an input holds, if that is not too much.
+     *
+     * @param source   names it in errors
+     * @param most     how many bytes there may be
+     * @param expected says in errors what it should be, such as {@code a recording}
+     * @throws IOException    if it cannot be read
+     * @throws InputException if it holds more
+     */
+    public static byte[] readAll(InputStream in, String source, int most, String expected) throws IOException {
+        byte[] bytes = in.readNBytes(most + 1);
+        if (bytes.length > most) {
+            throw new InputException(source + ": found more than " + most + " bytes, expected " + expected
+                + ", which is shorter");
+        }
+        return bytes;
+    }
+
+    /** A replay that comes on the standard input; read line by line. */
     public static ReplayReader openReplay(Streams streams) {
-        return openReplay(readAll(streams));
+        try {
+            return new ReplayReader(streams.in(), INPUT);
+        } catch (UncheckedIOException problem) {
+            throw unreadable(problem.getCause());
+        }
     }
 
     /** A replay that came on the standard input. */

@@ -3,8 +3,8 @@ package steward.cli.shared;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
+import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.UnmatchedArgumentException;
 import steward.text.NearestName;
 
 /** The error messages for unknown words of a call. */
@@ -13,10 +13,9 @@ public final class UnknownWord {
     private UnknownWord() {
     }
 
-    /** Names the first such word, and the nearest that would mean something. */
-    static String message(UnmatchedArgumentException problem) {
-        CommandSpec spec = problem.getCommandLine().getCommandSpec();
-        String word = problem.getUnmatched().get(0);
+    /** Names such a word of a command, and the nearest that would mean something. */
+    static String message(CommandLine command, String word) {
+        CommandSpec spec = command.getCommandSpec();
         if (word.startsWith("-")) {
             String name = word.replaceFirst("=.*", "");
             return "unknown option '" + name + "'" + question(name, spec.optionsMap().keySet());

@@ -47,6 +47,9 @@ final class PemFile {
         } catch (NoSuchFileException problem) {
             throw new InputException(file + ": found no such file, expected " + expected);
         } catch (IOException problem) {
+            if (Files.isDirectory(file)) {
+                throw new InputException(file + ": found a folder, expected " + expected);
+            }
             throw new InputException(file + ": cannot be read: " + reason(problem) + ", expected " + expected);
         }
         Matcher form = FORM.matcher(text);

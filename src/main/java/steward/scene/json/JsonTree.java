@@ -83,7 +83,7 @@ public final class JsonTree {
         }
         if (json.nextToken() != null) {
             throw SceneException.at(source, place(), "",
-                "found more after the end of the scene, expected the end of the file");
+                "found more after the end of " + what + ", expected the end of the file");
         }
         return (JsonObject) value;
     }

@@ -104,7 +104,7 @@ class AccuracyOptionTest {
         assertEquals(ExitStatus.UNUSABLE, cli.status(), cli.err());
         assertEquals("", cli.out());
         for (String message : messages) {
-            assertTrue(cli.err().startsWith("steward: Invalid value for option '--accuracy': ")
+            assertTrue(cli.err().startsWith("steward: --accuracy: ")
                 && cli.err().contains(message), cli.err());
         }
     }

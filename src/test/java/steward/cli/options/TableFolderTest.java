@@ -68,7 +68,7 @@ class TableFolderTest {
     void overwritingIsForAFolder() {
         tables().check(null);
         tables("--overwrite").check("results");
-        assertEquals("--overwrite: expected --out",
+        assertEquals("--overwrite: expected --out with it",
             assertThrows(InputException.class, () -> tables("--overwrite").check(null)).getMessage());
     }
 }

@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -14,9 +16,11 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.cli.Cli;
+import steward.cli.ProcessTest;
 import steward.cli.ShellBots;
 import steward.cli.TextShellBots;
 import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
 
 /** {@code steward play} as rating tools call it. */
 class PlayCommandTest {
@@ -92,6 +96,26 @@ class PlayCommandTest {
         assertTrue(fault.startsWith("could not be started: " + reason), fault);
         assertEquals("[1,0]", play(bot, bots.idler(0)).get("errors").toString());
         assertEquals("[1,1]", play(bot, bot).get("errors").toString());
+    }
+
+    /** Without setsid the program is started by Java itself, which makes an exception of what is the bot's failure. */
+    @Test
+    @Tag("process")
+    void aBotThatTheSystemRefusesHasFailedWithSetsidAndWithout() throws IOException, InterruptedException {
+        Path broken = Files.writeString(folder.resolve("broken"), "#!/no/such/interpreter\n");
+        assumeTrue(broken.toFile().setExecutable(true) && Files.isExecutable(Path.of("/bin/sh")));
+        Path programs = Files.createDirectory(folder.resolve("programs"));
+        Files.createSymbolicLink(programs.resolve("sh"), Path.of("/bin/sh"));
+        String call = ProcessTest.steward("play", "--json-league", "--scene", "duel", "--seed", "1",
+            broken.toString(), bots.idler(0));
+        for (String path : List.of("", "PATH='" + programs + "' ")) {
+            String said = ProcessTest.shell(path + call);
+            assertTrue(said.endsWith("\nstatus 0\n"), said);
+            JsonNode json = JsonMapper.shared().readTree(said.substring(0, said.indexOf('\n')));
+            assertEquals("[1,0]", json.get("errors").toString(), said);
+            assertEquals("exited with status 127 before answering (127: a command was not found)",
+                json.get("faults").get(0).asString(), said);
+        }
     }
 
     @Test

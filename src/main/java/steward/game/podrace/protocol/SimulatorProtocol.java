@@ -31,6 +31,8 @@ public final class SimulatorProtocol {
     private static final int PODS = 4;
     private static final int STATE_FIELDS = 8;
     private static final int MAXIMUM_CHECKPOINTS = 1000;
+    /** In characters; eight numbers with all their digits take a fifth of it. */
+    private static final int LONGEST_LINE = 1000;
     /** Positions, speeds and angles beyond this are input errors; much larger ones would overflow. */
     private static final double MOST = 1e9;
 
@@ -187,8 +189,8 @@ public final class SimulatorProtocol {
     /** The words of the next line that has any, or {@code null} at the end. */
     private String[] words() throws IOException {
         for (;;) {
-            String line = in.readLine();
             lineNumber++;
+            String line = line();
             if (line == null) {
                 return null;
             }
@@ -196,6 +198,23 @@ public final class SimulatorProtocol {
                 return line.strip().split("\\s+");
             }
         }
+    }
+
+    /** The next line, or {@code null} at the end; one that goes on and on is refused before it fills the memory. */
+    private String line() throws IOException {
+        StringBuilder line = new StringBuilder();
+        int character = in.read();
+        if (character < 0) {
+            return null;
+        }
+        for (; character >= 0 && character != '\n'; character = in.read()) {
+            if (line.length() == LONGEST_LINE) {
+                throw wrong("a line of more than " + LONGEST_LINE + " characters", "at most " + STATE_FIELDS
+                    + " words");
+            }
+            line.append((char) character);
+        }
+        return line.toString();
     }
 
     private IllegalArgumentException wrong(String found, String expected) {

@@ -1,0 +1,141 @@
+package steward.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import picocli.CommandLine.Model.OptionSpec;
+import steward.cli.shared.ExitStatus;
+
+/**
+ * The table of bad inputs: calls of every command that cannot be used, each with its exit status and everything that it
+ * prints, to the letter. A file of resources for each command, {@code bad-input/COMMAND.txt}, see
+ * {@link BadInputEntry}. With {@code -Dsteward.recordBadInput=FOLDER} the files are written anew to a folder, with what
+ * the program prints now, to be read before they replace the old ones.
+ */
+class BadInputTableTest {
+
+    /** What the whole table must have at least. */
+    private static final int LEAST_ENTRIES = 590;
+
+    /** How long a call is waited for when the table is written anew: refusals take milliseconds. */
+    private static final long PATIENCE_S = 5;
+
+    @TempDir
+    private Path folder;
+
+    private static List<BadInputEntry> entries(String command) {
+        try (InputStream in = BadInputTableTest.class.getResourceAsStream("/bad-input/" + command + ".txt")) {
+            assertTrue(in != null, () -> "there is no table of bad inputs of the command " + command);
+            return BadInputEntry.read(command, new String(in.readAllBytes(), StandardCharsets.UTF_8));
+        } catch (IOException problem) {
+            throw new AssertionError(problem);
+        }
+    }
+
+    static Stream<BadInputEntry> table() {
+        return Main.commands().stream().flatMap(command -> entries(command).stream());
+    }
+
+    @ParameterizedTest
+    @MethodSource("table")
+    void isRefused(BadInputEntry entry) throws IOException {
+        assertEquals(String.join("\n", entry.expected()), String.join("\n", entry.run(folder.toRealPath())));
+    }
+
+    @ParameterizedTest
+    @MethodSource("table")
+    void isAsEveryRefusalShouldBe(BadInputEntry entry) {
+        int status = entry.status();
+        assertTrue(status == ExitStatus.UNUSABLE || status == ExitStatus.FAILED, "status " + status);
+        List<String> err = entry.lines('!');
+        if (status == ExitStatus.UNUSABLE) {
+            assertEquals(List.of(), entry.lines('>'), "standard output");
+            assertFalse(err.isEmpty(), "nothing is said");
+        }
+        for (String line : err) {
+            String problem = BadMessage.problem(line);
+            assertEquals(null, problem, line);
+        }
+    }
+
+    @Test
+    void hasManyEntriesForAllCommands() {
+        assertTrue(table().count() >= LEAST_ENTRIES, () -> table().count() + " entries");
+        Set<String> keys = new HashSet<>();
+        for (String command : Main.commands()) {
+            List<String> sorted = entries(command).stream().map(BadInputEntry::key).sorted().toList();
+            assertEquals(sorted, entries(command).stream().map(BadInputEntry::key).toList(),
+                () -> command + ": not sorted");
+            sorted.forEach(key -> assertTrue(keys.add(key), () -> "twice: " + key));
+            assertTrue(entries(command).stream().anyMatch(entry -> entry.words().get(0).equals(command)), command);
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("steward.cli.Main#commands")
+    void hasEveryOptionThatTakesAValue(String command) {
+        Set<String> used = entries(command).stream().flatMap(entry -> entry.words().stream())
+            .map(word -> word.replaceFirst("=.*", "")).collect(Collectors.toSet());
+        List<String> missing = new ArrayList<>();
+        for (OptionSpec option : Main.specOf(command).options()) {
+            if (option.arity().max() > 0 && Stream.of(option.names()).noneMatch(used::contains)) {
+                missing.add(option.longestName());
+            }
+        }
+        assertEquals(List.of(), missing);
+    }
+
+    @Test
+    @EnabledIfSystemProperty(named = "steward.recordBadInput", matches = ".+")
+    void writesTheTableAnew() throws IOException, InterruptedException {
+        Path target = Files.createDirectories(Path.of(System.getProperty("steward.recordBadInput")));
+        int calls = 0;
+        for (String command : Main.commands()) {
+            List<String> blocks = new ArrayList<>();
+            for (BadInputEntry entry : entries(command).stream().sorted(Comparator.comparing(BadInputEntry::key))
+                    .toList()) {
+                Path own = Files.createDirectory(folder.resolve(String.valueOf(calls++))).toRealPath();
+                blocks.add(entry.text(recorded(entry, own)));
+                Files.writeString(target.resolve(command + ".txt"), String.join("\n", blocks));
+            }
+        }
+        assertTrue(calls > 0);
+    }
+
+    /** A call that is accepted after all may take long: what comes of it then is not waited for. */
+    private static List<String> recorded(BadInputEntry entry, Path own) throws InterruptedException {
+        FutureTask<List<String>> run = new FutureTask<>(() -> entry.run(own));
+        Thread thread = new Thread(run, "bad input");
+        thread.setDaemon(true);
+        thread.start();
+        try {
+            return run.get(PATIENCE_S, TimeUnit.SECONDS);
+        } catch (TimeoutException accepted) {
+            return List.of("= accepted, and still running after " + PATIENCE_S + " s");
+        } catch (ExecutionException problem) {
+            return List.of("= " + problem.getCause().toString().replace('\n', ' '));
+        }
+    }
+}

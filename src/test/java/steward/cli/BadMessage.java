@@ -1,0 +1,39 @@
+package steward.cli;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.regex.Pattern;
+
+/** What a line of the standard error must not have: what only those who program in Java understand. */
+final class BadMessage {
+
+    private static final Map<Pattern, String> BAD = new LinkedHashMap<>();
+
+    static {
+        BAD.put(Pattern.compile("^\\s*at .*\\.java:"), "a line of a stack trace");
+        BAD.put(Pattern.compile("this should not have happened"), "an error of the program");
+        BAD.put(Pattern.compile("\\b(?:java|javax|jdk|sun|steward|tools|picocli)\\.[a-z]+[.A-Z]"), "a Java package");
+        BAD.put(Pattern.compile("\\b[A-Z][A-Za-z]*(?:Exception|Error|Node|Token|Path)\\b"), "a Java class");
+        BAD.put(Pattern.compile("\\b(?:VALUE|START|END|NOT|PROPERTY)_[A-Z_]+"), "a token of the parser");
+        BAD.put(Pattern.compile("\\bint\\b|\\blong value\\b|\\bdouble value\\b"), "a Java type");
+        BAD.put(Pattern.compile(": null$|\\bfound null, expected one of\\b|'null'|\\(null\\)"), "null");
+        BAD.put(Pattern.compile("line -1|column -1|:-1\\b|:0:|:0\\b"), "a place that there is not");
+        BAD.put(Pattern.compile("[\\x00-\\x08\\x0b-\\x1f\\x7f]"), "a control character");
+    }
+
+    /** A message is for one look. */
+    private static final int LONGEST = 1500;
+
+    private BadMessage() {
+    }
+
+    /** What is wrong with a line, or {@code null}. */
+    static String problem(String line) {
+        for (Map.Entry<Pattern, String> bad : BAD.entrySet()) {
+            if (bad.getKey().matcher(line).find()) {
+                return bad.getValue();
+            }
+        }
+        return line.length() > LONGEST ? "more than " + LONGEST + " characters" : null;
+    }
+}
