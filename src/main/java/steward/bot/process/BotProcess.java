@@ -255,7 +255,7 @@ public final class BotProcess implements Player {
         String message = String.valueOf(problem.getMessage());
         Matcher system = SYSTEM_ERROR.matcher(message);
         boolean told = system.find();
-        answer.setStderr("failed to execute " + command.get(0) + ": " + (told ? system.group(2) : message));
+        answer.setStderr("failed to execute " + launch.command().get(0) + ": " + (told ? system.group(2) : message));
         return FaultMessages.exited(told && system.group(1).equals(NO_ENTRY) ? NOT_FOUND : NOT_EXECUTABLE);
     }
 
