@@ -135,7 +135,7 @@ class PageTestTexts {
         String text = new String(replay, StandardCharsets.UTF_8);
         byte[] header = text.substring(0, text.indexOf('\n') + 1).getBytes(StandardCharsets.UTF_8);
         browser.open(pages.page(header, "t"), "#turn=57");
-        assertTrue(browser.text("#notice").contains("cut off after"), browser.text("#notice"));
+        assertTrue(browser.text("#notice").contains("cut off before the first turn"), browser.text("#notice"));
         assertEquals(0, browser.number("steward.lastTurn()"));
         assertHarmless();
         browser.open(pages.page(Arrays.copyOf(replay, 200), "t"), "");
