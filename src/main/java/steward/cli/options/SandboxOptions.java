@@ -51,7 +51,7 @@ public final class SandboxOptions {
 
     @Option(names = "--memory", paramLabel = "SIZE", description = "How much memory a bot may use, such as 512M or 2G. "
         + "Where there is no control group for that, it is a limit of each process's addresses, of which programs of "
-        + "the JVM and Node need many gigabytes: less ends them at once.")
+        + "the JVM and Node need gigabytes: 512M ends them at once.")
     private String memory;
 
     @Option(names = "--processes", paramLabel = "N",
