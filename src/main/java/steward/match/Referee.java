@@ -222,7 +222,7 @@ public final class Referee {
         String fault = answer.fault();
         if (ending == Player.Ending.ANSWERED && directs[player] == null) {
             String wrong = dialogues[player].readAnswer(player, answer.bytes(), answer.length());
-            fault = wrong == null ? null : wrong + "; received: " + SafeText.line(answer.bytes(), answer.length());
+            fault = wrong == null ? null : SafeText.fault(wrong, answer.bytes(), answer.length());
         }
         if (fault == null) {
             turn.answered[player] = true;

@@ -23,6 +23,15 @@ public final class SafeText {
         return TextFormat.beginning(printable(line), MOST);
     }
 
+    /**
+     * The fault of a player whose answer cannot be used. What is wrong may quote the answer, so it is made safe as well.
+     *
+     * @param wrong what is wrong with the answer
+     */
+    public static String fault(String wrong, byte[] answer, int length) {
+        return wellFormed(printable(wrong)) + "; received: " + line(answer, length);
+    }
+
     private static String printable(String line) {
         StringBuilder text = new StringBuilder(line.length());
         line.chars().forEach(c -> text.append(TextFormat.isUnsafe((char) c) ? '?' : (char) c));

@@ -16,6 +16,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -47,6 +49,7 @@ import steward.scene.SceneFiles;
 class BrokenInputTest {
 
     private static final int INPUTS = Integer.getInteger("steward.inputs", 60);
+    private static final Pattern QUOTED = Pattern.compile("\".*\"", Pattern.DOTALL);
     private static final long SEED = Long.getLong("steward.seed", 12);
 
     /** Whether the input is a replay whose lines get the hashes that belong to them, so that more of it is read. */
@@ -269,7 +272,10 @@ class BrokenInputTest {
                 faults++;
                 assertNotNull(fault, answer);
                 int input = number;
-                assertEquals(null, BadMessage.problem(fault), () -> "steward.seed " + SEED + ", input " + input + ": "
+                // What is quoted of the answer may look like a place.
+                String wrong = QUOTED.matcher(fault.replaceFirst("(?s); received: .*", ""))
+                    .replaceAll(quoted -> Matcher.quoteReplacement(quoted.group().replace(":", "")));
+                assertEquals(null, BadMessage.problem(wrong), () -> "steward.seed " + SEED + ", input " + input + ": "
                     + fault + "\n--- the answer:\n" + answer);
             }
         }

@@ -19,6 +19,13 @@ class SafeTextTest {
         assertEquals("x".repeat(119) + "...", line("x".repeat(119) + "\uD83D\uDE00 and more"));
     }
 
+    @Test
+    void whatIsWrongWithAnAnswerMayQuoteIt() {
+        byte[] answer = "0 \u000001 100".getBytes(StandardCharsets.UTF_8);
+        assertEquals("Y: found \"?01\uFFFD\", expected a finite number; received: 0 ?01 100",
+            SafeText.fault("Y: found \"\u000001\uD800\", expected a finite number", answer, answer.length));
+    }
+
     private static String line(String text) {
         byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
         return SafeText.line(bytes, bytes.length);

@@ -98,7 +98,7 @@ final class Conversation {
 
     private String read() {
         String wrong = dialogue.readAnswer(player, answer.bytes(), answer.length());
-        return wrong == null ? null : wrong + "; received: " + SafeText.line(answer.bytes(), answer.length());
+        return wrong == null ? null : SafeText.fault(wrong, answer.bytes(), answer.length());
     }
 
     /** The recorded command in the form that this program writes. */
