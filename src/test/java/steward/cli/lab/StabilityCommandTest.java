@@ -115,7 +115,7 @@ class StabilityCommandTest {
         refused("did you mean 'exact'?", "--rung", "exakt");
         refused("--impacts: found 0, expected 1 to ", "--impacts", "0");
         refused("expected --out", "--overwrite");
-        refused("--golden goes with", "--golden", "--case", "rounding");
+        refused("--golden is about everything", "--golden", "--case", "rounding");
         assertEquals("precious", Files.readString(file));
     }
 
