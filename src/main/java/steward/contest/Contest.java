@@ -3,6 +3,7 @@ package steward.contest;
 import java.io.OutputStream;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Supplier;
 import steward.Internal;
 import steward.bot.Player;
 import steward.bot.TimeBasis;
@@ -33,11 +34,10 @@ import steward.text.TextFormat;
  * @param time       how long they may take
  * @param timeFactor by which the scene's limits are multiplied; {@code POSITIVE_INFINITY} for no deadlines
  * @param key        what replays are signed with, or {@code null}
- * @param isolation  how bots are kept apart; {@code null} for what is usual on this machine, which is found out when
- *                   the first bot is started
+ * @param isolation  how bots are kept apart, asked for when bots are started
  */
 public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double timeFactor,
-                      @Internal SigningKey key, @Internal Isolation isolation) {
+                      @Internal SigningKey key, @Internal Supplier<Isolation> isolation) {
 
     /** A contest whose replays are signed with {@code key}, if there is one, and whose bots are isolated so. */
     @Internal
@@ -46,7 +46,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
 
     /** A contest whose replays are not signed, with the usual isolation. */
     public Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double timeFactor) {
-        this(setup, entrants, time, timeFactor, null, null);
+        this(setup, entrants, time, timeFactor, null, Isolation::usual);
     }
 
     /** The same, its replays signed. */
@@ -62,17 +62,13 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
 
     /** The same with bots kept apart in another way. */
     @Internal
-    public Contest isolatedBy(Isolation other) {
+    public Contest isolatedBy(Supplier<Isolation> other) {
         return new Contest(setup, entrants, time, timeFactor, key, other);
     }
 
     /** The level at which bots are started, {@code off}, {@code light} or {@code strict}. */
     public String sandbox() {
-        return usedIsolation().level().word();
-    }
-
-    private Isolation usedIsolation() {
-        return isolation == null ? Isolation.usual() : isolation;
+        return isolation.get().level().word();
     }
 
     /** The same, its limits those of something else. */
@@ -238,7 +234,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
             Entrant entrant = entrants.get(entrantOf(player, rotation));
             List<List<String>> others = entrants.stream().filter(each -> each != entrant && each.problem() == null)
                 .map(Entrant::words).toList();
-            seats.add(new Seat(entrant.player(usedIsolation(), others), entrant.protocol()));
+            seats.add(new Seat(entrant.player(isolation.get(), others), entrant.protocol()));
         }
         MatchListener listener = recording == null ? follower
             : new TeeListener(new ReplayWriter(recording, header(seed, rotation), key), follower);

@@ -81,7 +81,7 @@ public final class GameLog implements MatchListener {
         String received = turn.answer(player) == null ? "" : turn.answer(player);
         return new Failure(player, turn.number(), turn.fault(player), lines, FailureHints.of(
             contest.entrants().get(contest.entrantOf(player, rotation)).protocol(), contest::hasBothProtocols,
-            answers[player], turn.fault(player), received, lines, turn.timeSpent(player), contest.isolation()),
+            answers[player], turn.fault(player), received, lines, turn.timeSpent(player), contest.isolation().get()),
             turn.timeSpent(player));
     }
 

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Supplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import picocli.CommandLine.Option;
@@ -17,6 +18,7 @@ import steward.bot.isolation.SandboxLevel;
 import steward.bot.isolation.SandboxSupport;
 import steward.cli.shared.Streams;
 import steward.files.InputException;
+import steward.text.NearestName;
 
 /** The options that say how far bots are kept from this machine and from each other. */
 public final class SandboxOptions {
@@ -88,17 +90,27 @@ public final class SandboxOptions {
     }
 
     /**
-     * What they say; warns if bots are not kept apart because that does not work here.
+     * What they say. Of {@code auto} without more it is found out, and a warning given, only when bots are started: a call
+     * that is refused for another reason has tried nothing.
      *
      * @throws InputException if it cannot be had on this machine
      */
-    public Isolation isolation(Streams streams) {
+    public Supplier<Isolation> isolation(Streams streams) {
         String word = level == null ? AUTO : level;
-        check.that(new Levels().contains(word),
-            "--sandbox: found '" + word + "', expected auto, strict, light or off");
+        check.that(new Levels().contains(word), "--sandbox: found '" + word + "', expected auto, strict, light or off"
+            + NearestName.question(word, new Levels(), "'"));
         ResourceLimits limits = limits();
         BotEnvironment environment = environment();
         List<Path> shown = visiblePaths();
+        OneTime<Isolation> isolation = new OneTime<>(() -> found(streams, word, limits, environment, shown));
+        if (!word.equals(AUTO) || !limits.isNone() || !shown.isEmpty() || network) {
+            isolation.get();
+        }
+        return isolation;
+    }
+
+    private Isolation found(Streams streams, String word, ResourceLimits limits, BotEnvironment environment,
+                            List<Path> shown) {
         SandboxLevel used = used(word);
         check.that(used != SandboxLevel.OFF || limits.isNone(), limitName() + ": found no way to hold it at level off, "
             + "expected --sandbox light or strict" + (word.equals(AUTO) ? ", which do not work here" : ""));
@@ -113,6 +125,25 @@ public final class SandboxOptions {
         }
         return new Isolation(used, network, used == SandboxLevel.STRICT ? limits.orElse(ResourceLimits.STRICT) : limits,
             environment, shown, pauseWaiting);
+    }
+
+    /** Gives what another supplier gave when it was first asked. */
+    private static final class OneTime<T> implements Supplier<T> {
+
+        private final Supplier<T> source;
+        private T given;
+
+        OneTime(Supplier<T> source) {
+            this.source = source;
+        }
+
+        @Override
+        public synchronized T get() {
+            if (given == null) {
+                given = source.get();
+            }
+            return given;
+        }
     }
 
     private static SandboxLevel used(String word) {
@@ -177,10 +208,10 @@ public final class SandboxOptions {
             try {
                 Path path = Path.of(text).toAbsolutePath().normalize();
                 check.that(!text.isBlank() && Files.exists(path),
-                    "--visible: there is no file or folder '" + text + "'");
+                    "--visible: found '" + text + "', expected a file or folder that is there");
                 paths.add(path);
             } catch (InvalidPathException problem) {
-                check.that(false, "--visible: there is no file or folder '" + text + "'");
+                check.that(false, "--visible: found '" + text + "', expected a file or folder that is there");
             }
         }
         return paths;
