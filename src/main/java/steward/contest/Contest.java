@@ -4,6 +4,7 @@ import java.io.OutputStream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
+import java.util.regex.Pattern;
 import steward.Internal;
 import steward.bot.Player;
 import steward.bot.TimeBasis;
@@ -87,6 +88,9 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
      */
     public record Entrant(String name, String bot, Protocol protocol, List<String> words, String problem) {
 
+        private static final Pattern BUILTIN =
+            Pattern.compile("([^=\\s]*=)?" + BotCommand.Prefix.BUILTIN.written() + ".*");
+
         /** One that can be started, as far as is known. */
         public Entrant(String name, String bot, Protocol protocol, List<String> words) {
             this(name, bot, protocol, words, null);
@@ -97,9 +101,15 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
             return new Entrant(other, bot, protocol, words, problem);
         }
 
+        /** Builtin bots run in a JVM, which ends at once under a limit of addresses that suits a bot of strangers. */
+        private boolean isBuiltin() {
+            return BUILTIN.matcher(bot).matches();
+        }
+
         private Player player(Isolation isolation, List<List<String>> others) {
             return problem == null
-                ? new BotProcess(name, new Launch(words, isolation, others), BotProcess.DEFAULT_GRACE_MS)
+                ? new BotProcess(name, new Launch(words, isBuiltin() ? isolation.withoutMemoryLimit() : isolation,
+                    others), BotProcess.DEFAULT_GRACE_MS)
                 : new UnstartablePlayer(name, problem);
         }
     }

@@ -37,4 +37,9 @@ public record Isolation(SandboxLevel level, boolean network, ResourceLimits limi
     public static Isolation usual() {
         return at(SandboxSupport.usual());
     }
+
+    /** The same without a limit of memory. */
+    public Isolation withoutMemoryLimit() {
+        return new Isolation(level, network, limits.withoutMemory(), environment, visible, pauseWaiting);
+    }
 }

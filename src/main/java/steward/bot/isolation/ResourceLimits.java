@@ -71,6 +71,11 @@ public record ResourceLimits(long memory, long processes, long fileSize, long op
         return one == 0 ? other : one;
     }
 
+    /** The same without a limit of memory. */
+    ResourceLimits withoutMemory() {
+        return new ResourceLimits(0, processes, fileSize, openFiles);
+    }
+
     /** The same without those that a control group holds. */
     ResourceLimits withoutControlGroup() {
         return new ResourceLimits(0, 0, fileSize, openFiles);

@@ -68,8 +68,8 @@ public final class SandboxSupport {
             Thread.currentThread().interrupt();
             return "interrupted while it was tried";
         } catch (Error problem) {
-            // The JDK's class for processes refuses to load where jdk.lang.Process.launchMechanism is not a known one: at
-            // the first use by a plain Error, later by a NoClassDefFoundError.
+            // The JDK's class for processes refuses to load where jdk.lang.Process.launchMechanism is not a known one,
+            // at the first use by a plain Error, later by a NoClassDefFoundError.
             return "this JVM cannot start programs";
         }
     }

@@ -188,4 +188,12 @@ class SandboxOptionsTest {
     void aToolThatHasTheBotsHasTheirSandboxToo() {
         Cli.run("referee", "--old", "--sandbox", "off").assertRefused("option of the sandbox");
     }
+
+    /** Found by the example in docs/security.md: the builtin opponent could not start. */
+    @Test
+    void aBuiltinBotPlaysUnderALimitOfMemory() {
+        assumeWorks(SandboxLevel.LIGHT);
+        JsonNode json = match("builtin:racer", "--sandbox", "light", "--memory", "512M").json();
+        assertTrue(json.get("players").get(0).get("fault").isNull(), json.toString());
+    }
 }
