@@ -2,6 +2,7 @@ package steward.replay;
 
 import java.util.List;
 import java.util.Set;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import steward.text.NearestName;
 import steward.text.TextFormat;
@@ -38,6 +39,9 @@ enum LineFields {
     /** How much of an unknown name an error quotes, in characters. */
     private static final int SHOWN = 40;
 
+    /** A name that can stand in a message without quotes. */
+    private static final Pattern PLAIN = Pattern.compile("[A-Za-z_][A-Za-z_0-9]*");
+
     private final List<String> names;
     private final Set<String> later;
 
@@ -55,8 +59,9 @@ enum LineFields {
         for (String name : line.names()) {
             int place = known.indexOf(name);
             if (place < 0) {
-                throw new ReplayException(line.where() + ": " + TextFormat.beginning(name, SHOWN)
-                    + ": unknown field, expected one of " + known.stream().collect(Collectors.joining(", "))
+                String shown = TextFormat.beginning(name, SHOWN);
+                throw new ReplayException(line.where() + ": "
+                    + (PLAIN.matcher(name).matches() ? shown : '"' + shown + '"') + ": unknown field, expected one of " + known.stream().collect(Collectors.joining(", "))
                     + NearestName.of(name, known).map(near -> "; did you mean " + near + "?").orElse(""));
             }
             if (place < last) {

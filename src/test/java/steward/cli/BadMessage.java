@@ -17,9 +17,13 @@ final class BadMessage {
         BAD.put(Pattern.compile("\\b(?:VALUE|START|END|NOT|PROPERTY)_[A-Z_]+"), "a token of the parser");
         BAD.put(Pattern.compile("\\bint\\b|\\blong value\\b|\\bdouble value\\b"), "a Java type");
         BAD.put(Pattern.compile(": null$|\\bfound null, expected one of\\b|'null'|\\(null\\)"), "null");
-        BAD.put(Pattern.compile("line -1|column -1|:-1\\b|:0:|:0\\b"), "a place that there is not");
         BAD.put(Pattern.compile("[\\x00-\\x08\\x0b-\\x1f\\x7f]"), "a control character");
     }
+
+    private static final Pattern NO_PLACE = Pattern.compile("line -1|column -1|:-1\\b|:0:|:0\\b");
+
+    /** What a person wrote, which may hold anything. */
+    private static final Pattern QUOTED = Pattern.compile("\"[^\"]*\"|'[^']*'");
 
     /** A message is for one look. */
     private static final int LONGEST = 1500;
@@ -33,6 +37,9 @@ final class BadMessage {
             if (bad.getKey().matcher(line).find()) {
                 return bad.getValue();
             }
+        }
+        if (NO_PLACE.matcher(QUOTED.matcher(line).replaceAll("")).find()) {
+            return "a place that there is not";
         }
         return line.length() > LONGEST ? "more than " + LONGEST + " characters" : null;
     }
