@@ -216,6 +216,7 @@ class SandboxAttackTest {
     /** It could end the namespace, or keep it alive when the match is over. SEIZE, unlike ATTACH, stops nothing. */
     @ParameterizedTest
     @EnumSource(value = SandboxLevel.class, names = {"LIGHT", "STRICT"})
+    @SuppressWarnings("try")                           // closed before the end, to see what is left
     void theFirstProcessCannotBeTakenOver(SandboxLevel level) {
         ScriptedBots.assumeWorks(level);
         assumeTrue(SandboxSupport.isNative(), "skipped: there is no C compiler, so that a shell is the first process");
