@@ -20,10 +20,9 @@ final class BadMessage {
         BAD.put(Pattern.compile("[\\x00-\\x08\\x0b-\\x1f\\x7f]"), "a control character");
     }
 
-    private static final Pattern NO_PLACE = Pattern.compile("line -1|column -1|:-1\\b|:0:|:0\\b");
-
-    /** What a person wrote, which may hold anything. */
-    private static final Pattern QUOTED = Pattern.compile("\"[^\"]*\"|'[^']*'");
+    /** Only behind a file's name: elsewhere a message repeats what a person wrote, which may hold anything. */
+    private static final Pattern NO_PLACE =
+        Pattern.compile("^steward: (?:standard input|TMP/[\\w./-]+)(?::\\d+)?:(?:0|-\\d+)\\b");
 
     /** A message is for one look. */
     private static final int LONGEST = 1500;
@@ -38,7 +37,7 @@ final class BadMessage {
                 return bad.getValue();
             }
         }
-        if (NO_PLACE.matcher(QUOTED.matcher(line).replaceAll("")).find()) {
+        if (NO_PLACE.matcher(line).find()) {
             return "a place that there is not";
         }
         return line.length() > LONGEST ? "more than " + LONGEST + " characters" : null;
