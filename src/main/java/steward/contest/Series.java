@@ -18,7 +18,8 @@ import steward.match.MatchResult;
  * @param keep    which replays are kept when their games are over
  * @param hiccups what becomes of games that a bot lost on time while other programs used the processors
  */
-public record Series(Contest contest, long first, int seeds, boolean swap, Path folder, KeptReplays keep, Hiccups hiccups) {
+public record Series(Contest contest, long first, int seeds, boolean swap, Path folder, KeptReplays keep,
+                     Hiccups hiccups) {
 
     private static final int LEAST_DIGITS = 4;
 

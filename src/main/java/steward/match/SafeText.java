@@ -24,7 +24,8 @@ public final class SafeText {
     }
 
     /**
-     * The fault of a player whose answer cannot be used. What is wrong may quote the answer, so it is made safe as well.
+     * The fault of a player whose answer cannot be used. What is wrong may quote the answer, so it is made safe as
+     * well.
      *
      * @param wrong what is wrong with the answer
      */

@@ -61,7 +61,8 @@ enum LineFields {
             if (place < 0) {
                 String shown = TextFormat.beginning(name, SHOWN);
                 throw new ReplayException(line.where() + ": "
-                    + (PLAIN.matcher(name).matches() ? shown : '"' + shown + '"') + ": unknown field, expected one of " + known.stream().collect(Collectors.joining(", "))
+                    + (PLAIN.matcher(name).matches() ? shown : '"' + shown + '"') + ": unknown field, expected one of "
+                    + known.stream().collect(Collectors.joining(", "))
                     + NearestName.of(name, known).map(near -> "; did you mean " + near + "?").orElse(""));
             }
             if (place < last) {

@@ -81,8 +81,8 @@ final class ProcessGroup {
     }
 
     /**
-     * Stops the bot if it is to be stopped while it is not asked: its control group, or else its process group, and then
-     * not those that have left it.
+     * Stops the bot if it is to be stopped while it is not asked: its control group, or else its process group, and
+     * then not those that have left it.
      */
     void pause() {
         halt(true);

@@ -90,8 +90,8 @@ public final class SandboxOptions {
     }
 
     /**
-     * What they say. Of {@code auto} without more it is found out, and a warning given, only when bots are started: a call
-     * that is refused for another reason has tried nothing.
+     * What they say. Of {@code auto} without more it is found out, and a warning given, only when bots are started: a
+     * call that is refused for another reason has tried nothing.
      *
      * @throws InputException if it cannot be had on this machine
      */

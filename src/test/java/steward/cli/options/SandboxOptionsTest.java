@@ -72,7 +72,7 @@ class SandboxOptionsTest {
         --sandbox off --memory 1G            | --memory: found no way to hold it at level off
         --sandbox off --processes 9          | --processes: found no way to hold it at level off
         --sandbox off --visible /            | --visible: expected --sandbox strict with it
-        --visible /no/such/folder            | --visible: found '/no/such/folder', expected a file or folder that is there
+        --visible /no/such/dir               | --visible: found '/no/such/dir', expected a file or folder that is there
         """)
     void whatCannotBeUsedIsRefused(String options, String message) {
         List<String> call = new ArrayList<>(List.of("match", "--scene", "duel", "--bot", "sh", "--bot", "sh"));
