@@ -63,7 +63,8 @@ class RefusedReplayTest {
         "\"protocol\":\"json\"}] | \"protocol\":\"JSON\"}] | "
             + "players[1].protocol: found \"JSON\", expected \"json\" or \"codingame\"",
         ",{\"name\":\"P1\",\"bot\":\"P1\",\"protocol\":\"json\"} | `` | players: found 1, expected 2 as in the scene",
-        "\"game\":\"pod-race\",\"s | \"game\":\"chess\",\"s | game: found \"chess\", expected \"pod-race\" as"})
+        "\"game\":\"pod-race\",\"s | \"game\":\"chess\",\"s | game: found \"chess\", "
+            + "expected \"pod-race\" as in the scene"})
     void wrongHeaders(String from, String to, String message) {
         assertEquals("r.jsonl:1: " + message, refusal(0, from, to));
     }
