@@ -10,6 +10,7 @@
  *
  *   -u UID -g GID   what the user is in the user namespace (light)
  *   -l              brings up the loopback device (light)
+ *   -r FOLDER       a mount point that the bot must not write to; can be repeated (light)
  *   -c FILE         joins the control group whose cgroup.procs this is
  *   -m -p -f -o N   limits: bytes of address space, processes, bytes of a file, open files
  *
@@ -36,6 +37,7 @@
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
+#include <sys/statvfs.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -47,6 +49,8 @@
 
 static const char *uid = "65534", *gid = "65534", *group;
 static int loopback;
+static const char *readOnly[64];
+static int readOnlyCount;
 static rlim_t limits[4];
 static const int resources[4] = {RLIMIT_AS, RLIMIT_NPROC, RLIMIT_FSIZE, RLIMIT_NOFILE};
 
@@ -135,6 +139,21 @@ static void dropCapabilities(void) {
     }
 }
 
+/* By writing to control groups a bot could kill and stop others. The other properties of the mount are kept. */
+static void closeForWriting(const char *point) {
+    struct statvfs now;
+    unsigned long flags = MS_REMOUNT | MS_BIND | MS_RDONLY;
+    if (statvfs(point, &now) != 0) {
+        return;                                     /* where this process cannot look, the bot cannot write */
+    }
+    flags |= (now.f_flag & ST_NOSUID ? MS_NOSUID : 0) | (now.f_flag & ST_NODEV ? MS_NODEV : 0)
+        | (now.f_flag & ST_NOEXEC ? MS_NOEXEC : 0) | (now.f_flag & ST_NOATIME ? MS_NOATIME : 0)
+        | (now.f_flag & ST_NODIRATIME ? MS_NODIRATIME : 0) | (now.f_flag & ST_RELATIME ? MS_RELATIME : 0);
+    if (!(now.f_flag & ST_RDONLY) && mount(NULL, point, NULL, flags, NULL) != 0) {
+        fail(point);
+    }
+}
+
 static void light(char **command) {
     unsigned realUser = geteuid(), realGroup = getegid();
     if (unshare(CLONE_NEWUSER | CLONE_NEWPID | CLONE_NEWNS | CLONE_NEWNET | CLONE_NEWIPC | CLONE_NEWUTS) != 0) {
@@ -155,6 +174,16 @@ static void light(char **command) {
     if (mount(NULL, "/", NULL, MS_REC | MS_PRIVATE, NULL) != 0
             || mount("proc", "/proc", "proc", MS_NOSUID | MS_NODEV | MS_NOEXEC, NULL) != 0) {
         fail("/proc");
+    }
+    for (int k = 0; k < readOnlyCount; k++) {
+        closeForWriting(readOnly[k]);
+    }
+    int namespaces = open("/proc/sys/user/max_cgroup_namespaces", O_WRONLY | O_CLOEXEC);
+    if (namespaces >= 0) {                          /* with one of its own the bot could mount them again */
+        if (write(namespaces, "0", 1) < 0) {
+            fail("control groups");
+        }
+        close(namespaces);
     }
     if (loopback) {
         bringUpLoopback();
@@ -222,6 +251,8 @@ int main(int count, char **words) {
             gid = value;
         } else if (letter == 'c') {
             group = value;
+        } else if (letter == 'r' && readOnlyCount < (int) (sizeof readOnly / sizeof *readOnly)) {
+            readOnly[readOnlyCount++] = value;
         } else if ((kind = strchr(kinds, letter)) != NULL) {
             limits[kind - kinds] = strtoull(value, NULL, 10);
         }

@@ -133,6 +133,26 @@ public final class ControlGroup {
         return Shared.BASE == null ? "no control group was delegated to this program" : null;
     }
 
+    /** Where control groups can be written to: a bot that could would kill and stop others there. */
+    static List<String> mountPoints() {
+        return Mounted.POINTS;
+    }
+
+    private static final class Mounted {
+        static final List<String> POINTS = find();
+
+        private static List<String> find() {
+            try {
+                return Files.readAllLines(Path.of("/proc/self/mounts"), StandardCharsets.ISO_8859_1).stream()
+                    .map(line -> line.split(" ")).filter(fields -> fields.length > 3
+                        && fields[2].matches("cgroup2?") && Files.isDirectory(Path.of(fields[1])))
+                    .map(fields -> fields[1]).distinct().toList();
+            } catch (IOException | RuntimeException none) {
+                return List.of();
+            }
+        }
+    }
+
     /** Whether groups hold memory and processes. */
     public static boolean holdsLimits() {
         return Shared.BASE != null && Shared.BASE.limits();
@@ -143,7 +163,9 @@ public final class ControlGroup {
      * and has no limits that a group would hold.
      */
     public static ControlGroup forBot(Isolation isolation) {
-        boolean useful = isolation.pauseWaiting() || isolation.level() == SandboxLevel.STRICT && holdsLimits();
+        // At light only the launcher keeps bots from writing to the groups of others.
+        boolean closed = isolation.level() != SandboxLevel.LIGHT || NativeLauncher.program() != null;
+        boolean useful = isolation.pauseWaiting() && closed || isolation.level() == SandboxLevel.STRICT && holdsLimits();
         return useful && Shared.BASE != null ? in(Shared.BASE, isolation) : null;
     }
 

@@ -71,6 +71,7 @@ public record Launch(List<String> command, Isolation isolation, List<List<String
                 if (isolation.network()) {
                     words.add("-l");
                 }
+                ControlGroup.mountPoints().forEach(point -> words.addAll(List.of("-r", point)));
                 words.addAll(NativeLauncher.options(isolation.limits(), join));
                 words.add(END);
             }

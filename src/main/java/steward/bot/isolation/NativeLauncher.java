@@ -77,7 +77,7 @@ final class NativeLauncher {
     /** The program in a folder; compiled if it is not there. */
     static Path in(Path folder, byte[] source) throws IOException, InterruptedException {
         Path program = folder.resolve("launch-" + System.getProperty("os.arch") + "-" + digest(source));
-        if (Files.exists(program)) {
+        if (Files.exists(program) && Files.size(program) > 0) {
             return isOurs(folder) && isOurs(program) && Files.isExecutable(program) ? program : null;
         }
         String compiler = COMPILERS.stream().filter(name -> ProgramFinder.find(name) != null).findFirst().orElse(null);

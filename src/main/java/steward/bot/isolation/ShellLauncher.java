@@ -69,7 +69,8 @@ final class ShellLauncher {
     }
 
     static List<String> inside(ResourceLimits limits) {
-        return List.of(program("sh"), "-c", String.format(INSIDE, limits.shell()), "steward-launch");
+        // Not by its path out here, which may be in a home and hidden.
+        return List.of("/bin/sh", "-c", String.format(INSIDE, limits.shell()), "steward-launch");
     }
 
     private static String join(Path controlGroup) {

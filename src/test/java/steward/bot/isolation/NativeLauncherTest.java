@@ -47,6 +47,15 @@ class NativeLauncherTest {
         }
     }
 
+    /** A machine that lost power can leave an empty file; that one ends with status 0 and starts nothing. */
+    @Test
+    void anEmptyOneIsCompiledAgain() throws IOException, InterruptedException {
+        Path cache = folder.resolve("steward");
+        Files.write(NativeLauncher.in(cache, SOURCE), new byte[0]);
+        Path program = NativeLauncher.in(cache, SOURCE);
+        assertEquals(7, ProgramTrial.of(List.of(program.toString()), 60_000).status());
+    }
+
     @Test
     void oneThatOthersCanChangeIsNotUsed() throws IOException, InterruptedException {
         Path cache = folder.resolve("steward");

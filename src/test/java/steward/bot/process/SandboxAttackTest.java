@@ -23,6 +23,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import steward.bot.command.ProgramFinder;
+import steward.bot.isolation.ControlGroup;
 import steward.bot.isolation.Isolation;
 import steward.bot.isolation.Launch;
 import steward.bot.isolation.SandboxLevel;
@@ -234,6 +235,29 @@ class SandboxAttackTest {
             List<Long> processes = bot.processes();
             bot.close();
             processes.forEach(ScriptedBots::assertGone);
+        }
+    }
+
+    /** There it could kill and stop an opponent that has a group of its own, or leave its own and not be paused. */
+    @ParameterizedTest
+    @EnumSource(value = SandboxLevel.class, names = {"LIGHT", "STRICT"})
+    void controlGroupsCannotBeWrittenTo(SandboxLevel level) {
+        ScriptedBots.assumeWorks(level);
+        assumeTrue(SandboxSupport.isNative(), "skipped: there is no C compiler, so that bots have no groups at light");
+        assumeTrue(ControlGroup.problem() == null, "skipped: " + ControlGroup.problem());
+        String mounts = "while read -r d p t o; do case $t in cgroup*) [ -w $p/cgroup.procs ] && ok=1;; esac; done"
+            + " </proc/mounts; [ \"$ok\" ]";
+        String script = "read -r l; { " + mounts + "; } && echo yes || echo no; read -r l;"
+            + " unshare -UrmC sh -c 'mount -t cgroup2 none /mnt && [ -w /mnt/cgroup.procs ]' 2>/dev/null"
+            + " && echo yes || echo no; read -r l";
+        Isolation usual = Isolation.at(level);
+        Isolation pausing = new Isolation(level, false, usual.limits(), usual.environment(), List.of(), true);
+        try (BotProcess bot = new BotProcess("bot", new Launch(List.of("sh", "-c", script), pausing, List.of()),
+                BotProcess.DEFAULT_GRACE_MS)) {
+            assertEquals("no", ScriptedBots.reply(bot, "a\n"), "writes to control groups");
+            if (level == SandboxLevel.LIGHT) {
+                assertEquals("no", ScriptedBots.reply(bot, "b\n"), "mounts control groups again");
+            }
         }
     }
 
