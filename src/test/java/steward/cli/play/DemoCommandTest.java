@@ -37,6 +37,13 @@ class DemoCommandTest {
         assertTrue(map.get(map.size() - 1).startsWith("a b veteran    C D racer"), cli.out());
     }
 
+    /** More than two bots come with the program, so the help says which two race. */
+    @Test
+    void theHelpNamesTheBotsThatRace() {
+        String help = Cli.run("demo", "--help").out().replaceAll("\\s+", " ");
+        assertTrue(help.contains("Plays two of the bots that come with the program, veteran and racer, "), help);
+    }
+
     @Test
     void onlyInTheProjectItWritesUnderBuild() {
         assertEquals("build/demo.jsonl", DemoCommand.usualFile(Path.of("")));
