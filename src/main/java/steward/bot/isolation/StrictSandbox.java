@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import steward.bot.command.ProgramFinder;
+import steward.bot.command.ProgramTrial;
 
 /** The call of {@code bwrap} for {@link SandboxLevel#STRICT}. */
 final class StrictSandbox {
@@ -18,9 +19,25 @@ final class StrictSandbox {
     /** How much fits into the private folder for temporary files, in bytes. */
     private static final long TEMPORARY_BYTES = 64L << 20;
 
+    private static final long PATIENCE_MS = 10_000;
     private static final long SHARED_BYTES = 64L << 20;
 
     private StrictSandbox() {
+    }
+
+    /** From bwrap 0.8 on. In a user namespace of its own a bot could mount control groups, and end the match there. */
+    private static final class NoUserNamespaces {
+        static final boolean POSSIBLE = find();
+
+        private static boolean find() {
+            try {
+                return ProgramFinder.find("bwrap") != null && ProgramTrial.of(List.of("bwrap", "--unshare-user",
+                    "--disable-userns", "--ro-bind", "/", "/", "true"), PATIENCE_MS).works();
+            } catch (InterruptedException interrupted) {
+                Thread.currentThread().interrupt();
+                return false;
+            }
+        }
     }
 
     /**
@@ -40,6 +57,9 @@ final class StrictSandbox {
             "--size", "" + TEMPORARY_BYTES, "--tmpfs", TEMPORARY));
         if (launcher != null) {
             words.add("--as-pid-1");
+        }
+        if (NoUserNamespaces.POSSIBLE) {
+            words.add("--disable-userns");
         }
         StrictView view = StrictView.of(command, others, isolation.visible());
         for (Path hidden : view.hidden()) {
