@@ -165,7 +165,8 @@ public final class ControlGroup {
     public static ControlGroup forBot(Isolation isolation) {
         // At light only the launcher keeps bots from writing to the groups of others.
         boolean closed = isolation.level() != SandboxLevel.LIGHT || NativeLauncher.program() != null;
-        boolean useful = isolation.pauseWaiting() && closed || isolation.level() == SandboxLevel.STRICT && holdsLimits();
+        boolean useful = isolation.pauseWaiting() && closed
+            || isolation.level() == SandboxLevel.STRICT && holdsLimits();
         return useful && Shared.BASE != null ? in(Shared.BASE, isolation) : null;
     }
 

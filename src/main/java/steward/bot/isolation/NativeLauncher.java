@@ -84,6 +84,9 @@ final class NativeLauncher {
         if (compiler == null) {
             return null;
         }
+        if (!Files.isDirectory(folder.toAbsolutePath().getParent().getParent())) {
+            return null;                               // a home that is not there is not made
+        }
         Files.createDirectories(folder.getParent());
         if (!Files.exists(folder)) {
             Files.createDirectory(folder,

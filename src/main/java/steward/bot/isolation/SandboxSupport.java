@@ -66,8 +66,8 @@ public final class SandboxSupport {
             "[ $$ -lt 10 ] && [ -d /proc/$$ ] && echo " + INSIDE);
         try {
             ProgramTrial tried = ProgramTrial.of(Launch.words(Isolation.at(level), bot, List.of(), null), PATIENCE_MS);
-            return tried.works() && tried.line().equals(INSIDE) ? null : reason(TextFormat.shorten(TextFormat.plain(tried.line()), SHOWN),
-                tried.status());
+            return tried.works() && tried.line().equals(INSIDE) ? null
+                : reason(TextFormat.shorten(TextFormat.plain(tried.line()), SHOWN), tried.status());
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
             return "interrupted while it was tried";

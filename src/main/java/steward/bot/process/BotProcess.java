@@ -49,8 +49,11 @@ public final class BotProcess implements Player {
 
     private static final long ABANDON_AFTER_MS = 100;
 
-    /** How long a process may take to exit after closing its output, in milliseconds, to be reported as exited. */
-    private static final long EXIT_MS = 200;
+    /**
+     * How long a process may take to exit after closing its output, in milliseconds, to be reported as exited. In a
+     * sandbox the status passes two more processes, each of which may have to wait for a processor.
+     */
+    private static final long EXIT_MS = 1000;
 
     /** How long the last lines may take to be written, in milliseconds. */
     private static final long LAST_LINES_MS = 100;

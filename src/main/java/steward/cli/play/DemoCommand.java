@@ -26,8 +26,9 @@ import steward.replay.verify.Verification;
 import steward.text.TextFormat;
 
 /** {@code steward demo}: a match between two bots that come with the program, recorded, verified and drawn. */
-@Command(name = "demo", description = "Plays two of the bots that come with the program, veteran and racer, against each "
-    + "other, verifies the replay and draws a map of the race.", footer = {"", "Example:", "  steward demo --seed 7"})
+@Command(name = "demo", description = "Plays two of the bots that come with the program, veteran and racer, against "
+    + "each other, verifies the replay and draws a map of the race.",
+    footer = {"", "Example:", "  steward demo --seed 7"})
 public final class DemoCommand implements Callable<Integer> {
 
     private static final String SCENE = "mad-pod-racing";
