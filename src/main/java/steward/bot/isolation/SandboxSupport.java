@@ -16,8 +16,11 @@ public final class SandboxSupport {
 
     private static final int SHOWN = 100;
 
-    /** What the bot of a trial says: a launcher that was cut to nothing ends with status 0, and starts none. */
-    private static final String INSIDE = "inside";
+    /**
+     * With what the bot of a trial exits: a launcher that was cut to nothing ends with status 0, and starts none. It is
+     * no word on the output, which a full disk would swallow.
+     */
+    private static final int INSIDE = 42;
 
     private SandboxSupport() {
     }
@@ -63,10 +66,10 @@ public final class SandboxSupport {
         }
         // A bot that is one of the first processes of its namespace, and finds itself there.
         List<String> bot = List.of(ProgramFinder.find("sh").toString(), "-c",
-            "[ $$ -lt 10 ] && [ -d /proc/$$ ] && echo " + INSIDE);
+            "[ $$ -lt 10 ] && [ -d /proc/$$ ] && exit " + INSIDE);
         try {
             ProgramTrial tried = ProgramTrial.of(Launch.words(Isolation.at(level), bot, List.of(), null), PATIENCE_MS);
-            return tried.works() && tried.line().equals(INSIDE) ? null
+            return tried.status() == INSIDE ? null
                 : reason(TextFormat.shorten(TextFormat.plain(tried.line()), SHOWN), tried.status());
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
