@@ -39,7 +39,7 @@ class OutOfMemoryTest {
         };
         Streams streams = new Streams(out, err, false, false);
         assertEquals(ExitStatus.FAILED, Main.run(streams, "match", "--scene", "duel", "--bot", "builtin:racer",
-            "--bot", "builtin:racer", "--seed", "1", "--no-deadline"));
+            "--bot", "builtin:racer", "--seed", "1", "--no-deadline", "--sandbox", "off"));
         assertTrue(said().matches(LINE), said());
     }
 

@@ -76,7 +76,8 @@ public class ProcessTest {
         String stuck = "stuck=sh -c 'echo $$ >>" + pids + "; read -r setup; read -r turn; "
             + "echo \"{\\\"pods\\\":[{\\\"x\\\":1,\\\"y\\\":1,\\\"thrust\\\":0}]}\"; sleep 60'";
         Process match = new ProcessBuilder("sh", "-c", "exec " + steward("match", "--scene", "duel", "--no-deadline",
-            "--out", file.toString(), "--bot", bots.driver("a", ShellBots.CHECKPOINT), "--bot", stuck))
+            "--sandbox", "off", "--out", file.toString(), "--bot", bots.driver("a", ShellBots.CHECKPOINT),
+            "--bot", stuck))
             .redirectErrorStream(true).start();
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(20);
         try {

@@ -45,7 +45,7 @@ class RefereeProcessTest {
         assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
         TextShellBots bots = new TextShellBots(folder);
         Process process = start("-scene", "duel", "--no-deadline", "-p1", bots.driver(), "-p2", bots.idler(2), "-d",
-            "seed=4");
+            "seed=4", "--sandbox", "off");
         String out = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         assertEquals("1\n-1\n", out);
         assertEquals("status 0", end(process));

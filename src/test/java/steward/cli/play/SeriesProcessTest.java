@@ -67,7 +67,8 @@ class SeriesProcessTest {
     }
 
     private String call(String... more) throws IOException {
-        return ProcessTest.steward(Stream.concat(Stream.of("match", "--scene", "duel", "--no-deadline", "--seed", "5",
+        return ProcessTest.steward(Stream.concat(Stream.of("match", "--scene", "duel", "--no-deadline",
+            "--sandbox", "off", "--seed", "5",
             "--bot", bots.driver("near", ShellBots.CHECKPOINT), "--bot", sleeper(), "--games", "9", "--out",
             replays.toString()), Stream.of(more)).toArray(String[]::new));
     }
@@ -158,7 +159,7 @@ class SeriesProcessTest {
         Path file = folder.resolve("one.jsonl");
         String said = ProcessTest.shell("ulimit -f 0; exec " + ProcessTest.steward("match", "--scene", "duel", "--bot",
             bots.driver("near", ShellBots.CHECKPOINT), "--bot", bots.driver("far", ShellBots.NOWHERE), "--no-deadline",
-            "--out", file.toString()));
+            "--sandbox", "off", "--out", file.toString()));
         assertEquals("steward: the match could not be brought to a result: " + file + ": cannot be written: File too "
             + "large; it had no turn, and is removed\nstatus 1\n", said);
         assertFalse(Files.exists(file));

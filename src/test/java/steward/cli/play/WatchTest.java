@@ -53,7 +53,7 @@ class WatchTest {
     }
 
     private String[] match(String... more) {
-        String[] call = {"match", "--scene", "duel", "--no-deadline", "--watch",
+        String[] call = {"match", "--scene", "duel", "--no-deadline", "--sandbox", "off", "--watch",
             "--bot", bots.driver("near", ShellBots.CHECKPOINT), "--bot", bots.driver("far", ShellBots.NOWHERE)};
         String[] whole = Arrays.copyOf(call, call.length + more.length);
         System.arraycopy(more, 0, whole, call.length, more.length);
