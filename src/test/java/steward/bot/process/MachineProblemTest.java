@@ -11,6 +11,8 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import steward.bot.Answer;
 import steward.bot.Player;
 
@@ -44,6 +46,21 @@ class MachineProblemTest {
         bot.finish(new byte[] {'e', '\n'}, 2);
 
         assertEquals("[PDATA] last = 7\n", bot.finalStderr());
+    }
+
+    /** Messages of JDK 17 and 25. A machine without processes left was counted as a bot that is not executable. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "Cannot run program \"/a/b\": error=2, No such file or directory | 127",
+        "Cannot run program \"/a/b\": error=13, Permission denied | 126",
+        "Cannot run program \"/a/b\": error=8, Exec format error | 126",
+        "Cannot run program \"/a/b\": Exec failed, error: 2 (No such file or directory)  | 127",
+        "Cannot run program \"/a/b\": error=11, Resource temporarily unavailable | 0",
+        "Cannot run program \"/a/b\": error=12, Cannot allocate memory | 0",
+        "Cannot run program \"/a/b\": error=24, Too many open files | 0",
+        "Too many open files | 0"})
+    void onlyAProgramThatIsRefusedIsABotsFault(String message, int status) {
+        assertEquals(status, BotProcess.refusalStatus(message));
     }
 
     /** It was counted as both bots' fault, and a match without a result as a draw. */
