@@ -57,7 +57,7 @@ class SceneFilesTest {
             Scene scene = fromFolder(name);
             assertEquals(ImpactLaw.OFFICIAL_POD_RACE, scene.law());
             assertEquals(Arithmetic.OFFICIAL, scene.accuracy().arithmetic());
-            assertTrue(scene.truncateVelocity() && scene.roundPosition() && scene.field().isEmpty());
+            assertTrue(scene.roundsVelocity() && scene.roundsPosition() && scene.field().isEmpty());
         }
     }
 

@@ -107,7 +107,7 @@ final class TradeoffScenes {
 
     private static TradeoffScene played(String name, String about, GameSetup setup, SeededPlay play) {
         Motion motion = setup.plan().motion();
-        boolean rounds = motion.truncateVelocity() && motion.roundPosition();
+        boolean rounds = motion.endsInWholeNumbers();
         int pods = ((PodRaceType.PodRaceSetup) setup).settings().pods();
         int states = Math.max(LEAST_STATES, (int) (STATES * Math.min(1, 16.0 / (pods * pods))));
         return new TradeoffScene(name, about, setup.plan().physics(null), rounds ? motion : null, play::next, states,

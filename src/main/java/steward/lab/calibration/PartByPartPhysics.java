@@ -1,6 +1,7 @@
 package steward.lab.calibration;
 
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
 import steward.game.GameSetup;
 import steward.physics.Advance;
@@ -13,6 +14,7 @@ import steward.physics.ImpactLaw.ScanOrder;
 import steward.physics.Motion;
 import steward.physics.PhysicsParts;
 import steward.physics.Reaction;
+import steward.physics.TurnSink;
 import steward.physics.Wall;
 import steward.scene.Accuracy;
 import steward.scene.Part;
@@ -49,7 +51,8 @@ public final class PartByPartPhysics {
     private List<Wall> walls = List.of();
     private ImpactLaw law = ImpactLaw.PHYSICS;
     private boolean infiniteMasses;
-    private Motion motion = new Motion(false, false, false);
+    private final EnumSet<Motion.Of> moved = EnumSet.noneOf(Motion.Of.class);
+    private final Motion wholeMotion;
 
     /**
      * A turn made of a subset of the parts.
@@ -68,10 +71,11 @@ public final class PartByPartPhysics {
         bodies = setup.plan().bodies();
         this.someWalls = someWalls;
         boolean asks = setup.plan().parts().stream().anyMatch(part -> part.name().equals(Part.REACTIONS) && part.in());
+        wholeMotion = setup.plan().motion();
         full = setup.plan().physics(asks ? PartByPartPhysics::bounce : null);
     }
 
-    private static Reaction.Verdict bounce(double time, int a, int b, Bodies bodies) {
+    private static Reaction.Verdict bounce(double time, int a, int b, Bodies bodies, TurnSink sink) {
         return Reaction.Verdict.BOUNCE;
     }
 
@@ -104,7 +108,18 @@ public final class PartByPartPhysics {
         PhysicsParts parts = new PhysicsParts(law, full.arithmetic(), contacts(), walls,
             ask ? PartByPartPhysics::bounce : null, infiniteMasses);
         Accuracy rung = scene.accuracy();
-        return new Step(part, in, parts, broadPhase ? rung.advance(parts, bodies) : rung.advance(parts), motion);
+        return new Step(part, in, parts, broadPhase ? rung.advance(parts, bodies) : rung.advance(parts), motion());
+    }
+
+    /** The steps so far: those of the scene in its order, and typical ones in place of those it does not have. */
+    private Motion motion() {
+        List<Motion.Step> steps = new ArrayList<>(wholeMotion.only(moved.toArray(new Motion.Of[0])).steps());
+        for (Motion.Step typical : new Motion(true, true, true).steps()) {
+            if (moved.contains(typical.about()) && wholeMotion.step(typical.about()) == null) {
+                steps.add(typical);
+            }
+        }
+        return new Motion(steps);
     }
 
     /** The scene's contacts; simpler ones where the scene does not ask yet, or where nothing meets. */
@@ -147,9 +162,9 @@ public final class PartByPartPhysics {
             }
             case Part.PUSH_OUT -> law = law.withPushOut(in ? wanted.pushOut() : SOME_PUSH_OUT);
             case Part.INFINITE_MASSES -> infiniteMasses = true;
-            case Part.DRAG -> motion = new Motion(true, motion.truncateVelocity(), motion.roundPosition());
-            case Part.VELOCITY_ROUNDING -> motion = new Motion(motion.drag(), true, motion.roundPosition());
-            case Part.POSITION_ROUNDING -> motion = new Motion(motion.drag(), motion.truncateVelocity(), true);
+            case Part.DRAG -> moved.add(Motion.Of.DRAG);
+            case Part.VELOCITY_ROUNDING -> moved.add(Motion.Of.VELOCITY);
+            case Part.POSITION_ROUNDING -> moved.add(Motion.Of.POSITION);
             case Part.REACTIONS -> ask = true;
             case Part.BROAD_PHASE -> broadPhase = true;
             default -> throw new IllegalArgumentException("no step for the part " + part);

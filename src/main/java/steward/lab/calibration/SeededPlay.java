@@ -7,6 +7,7 @@ import steward.game.GameSetup;
 import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 import steward.physics.Impact;
+import steward.physics.Motion;
 import steward.physics.TurnLog;
 
 /*
@@ -106,6 +107,6 @@ public final class SeededPlay {
 
     private double flown(double way, double velocityAfter) {
         boolean rests = way == 0 && velocityAfter == 0;
-        return rests || !setup.scene().roundPosition() ? way : way + random.nextDouble() - 0.5;
+        return rests || setup.plan().motion().step(Motion.Of.POSITION) == null ? way : way + random.nextDouble() - 0.5;
     }
 }

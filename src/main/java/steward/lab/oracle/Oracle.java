@@ -145,7 +145,7 @@ public final class Oracle {
             }
             sorted.add(place, touch);
         }
-        if (sorted.isEmpty() || law.batchWindow() > 0 || law.separatingPairsReact()) {
+        if (sorted.isEmpty() || law.batchWindow() > 0) {
             BigDecimal window = Decimals.of(law.batchWindow()).add(Decimals.SAME);
             return sorted.stream()
                 .filter(touch -> touch.until.subtract(sorted.get(0).until).compareTo(window) <= 0).toList();

@@ -66,6 +66,10 @@ final class PodRaceJson implements FrameCodec {
 
     private static void writeField(JsonGenerator out, Field field) {
         out.writeObjectPropertyStart("field");
+        if (field.x() != 0 || field.y() != 0) {
+            JsonNumbers.write(out, "x", field.x());
+            JsonNumbers.write(out, "y", field.y());
+        }
         JsonNumbers.write(out, "width", field.width());
         JsonNumbers.write(out, "height", field.height());
         out.writeBooleanProperty("walls", !field.walls().isEmpty());
@@ -213,7 +217,8 @@ final class PodRaceJson implements FrameCodec {
     /** The area to draw: the scene's field, or the official 16000 x 9000, enlarged to contain every checkpoint. */
     private double[] frame() {
         if (scene.field().isPresent()) {
-            return new double[] {0, 0, scene.field().get().width(), scene.field().get().height()};
+            Field field = scene.field().get();
+            return new double[] {field.x(), field.y(), field.width(), field.height()};
         }
         double right = 16000;
         double bottom = 9000;
