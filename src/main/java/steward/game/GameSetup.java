@@ -2,6 +2,8 @@ package steward.game;
 
 import java.util.List;
 import java.util.Optional;
+import steward.physics.Motion;
+import steward.physics.PhysicsParts;
 import steward.scene.Plan;
 import steward.scene.Scene;
 
@@ -27,6 +29,22 @@ public interface GameSetup {
 
     /** A game before its first turn. All random draws follow from the seed. */
     Game create(long seed);
+
+    /**
+     * The physics of a turn, for measurements of it on bodies alone. A game with contacts that ask overrides this with
+     * a reaction that needs no game.
+     */
+    default PhysicsParts physics() {
+        return plan().physics(null);
+    }
+
+    /** What happens to speeds and positions at the end of a turn; a game may have rules of its own. */
+    default Motion motion() {
+        return plan().motion();
+    }
+
+    /** Seeded commands for measuring. Where an aim means nothing in this game, it is that to win. */
+    Pilot pilot(Pilot.Aim aim);
 
     /** Reads and writes a game's frames; made by {@link #create} of the same setup. */
     FrameCodec codec(Game game);

@@ -5,8 +5,21 @@ import steward.scene.Scene;
 /** A kind of game, stateless; the command line lists them all. */
 public interface GameType {
 
+    /** The most players of any game. */
+    int MOST_PLAYERS = 16;
+
     /** The id of the game in scenes, such as {@code pod-race}. */
     String id();
+
+    /** The fewest players that a scene of this game can have. */
+    default int fewestPlayers() {
+        return 1;
+    }
+
+    /** The most players that a scene of this game can have, no more than a scene can have at all. */
+    default int mostPlayers() {
+        return MOST_PLAYERS;
+    }
 
     /**
      * Reads and checks the game's own blocks of a scene and says which parts it needs.

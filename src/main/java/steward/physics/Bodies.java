@@ -261,6 +261,13 @@ public final class Bodies {
         return passing;
     }
 
+    /** A copy with the same capacity and columns. */
+    public Bodies copy() {
+        Bodies copy = new Bodies(capacity(), columns.length);
+        copy.copyFrom(this);
+        return copy;
+    }
+
     /**
      * Copies another set of bodies exactly.
      *

@@ -55,7 +55,7 @@ final class PondRules implements Reaction {
         if (bodies.mass[heavy] < HEAVIER * bodies.mass[light]) {
             return Verdict.BOUNCE;
         }
-        pond.putOut(pond.ownerOf(bodies.id(light)), "eaten by player " + pond.ownerOf(bodies.id(heavy)));
+        pond.eaten(pond.ownerOf(bodies.id(light)), "eaten by player " + pond.ownerOf(bodies.id(heavy)));
         eat(time, heavy, light, bodies);
         return Verdict.CHANGED;
     }

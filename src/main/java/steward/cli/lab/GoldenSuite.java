@@ -2,14 +2,12 @@ package steward.cli.lab;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.StringJoiner;
 import java.util.regex.Matcher;
 import steward.cli.shared.Games;
 import steward.game.GameSetup;
-import steward.game.podrace.protocol.PodRaceType;
+import steward.game.Pilot;
 import steward.lab.stability.GoldenHash;
 import steward.lab.trial.RunLength;
-import steward.numerics.SplitMix64;
 import steward.physics.Arithmetic;
 import steward.scene.SceneFiles;
 
@@ -38,17 +36,6 @@ final class GoldenSuite {
     private static GoldenHash.Part play(String scene, String accuracy, String rung, int turns) {
         String text = SceneFiles.load(scene).text().replaceFirst(ACCURACY, Matcher.quoteReplacement(accuracy));
         GameSetup setup = Games.types().open(text, scene);
-        int pods = ((PodRaceType.PodRaceSetup) setup).settings().podsPerPlayer();
-        return GoldenHash.game(scene + ", " + rung, setup, (player, random) -> crowd(pods, random), turns);
-    }
-
-    /** Every pod heads for a random place near the middle, so that they meet; now and then one raises its shield. */
-    private static String crowd(int pods, SplitMix64 random) {
-        StringJoiner all = new StringJoiner(",", "{\"pods\":[", "]}");
-        for (int pod = 0; pod < pods; pod++) {
-            all.add("{\"x\":" + random.nextInt(6000, 10_000) + ",\"y\":" + random.nextInt(3000, 6000)
-                + (random.nextInt(20) == 0 ? ",\"shield\":true}" : ",\"thrust\":" + random.nextInt(50, 100) + "}"));
-        }
-        return all.toString();
+        return GoldenHash.game(scene + ", " + rung, setup, setup.pilot(Pilot.Aim.MINGLE), turns);
     }
 }

@@ -87,7 +87,10 @@ public final class Calibration {
         this.setup = setup;
         this.plays = plays;
         this.states = states;
-        parts = setup.plan().physics(null);
+        parts = setup.physics();
+        if (parts.contacts().containsAsk()) {
+            throw new IllegalArgumentException("contacts ask the game, and the oracle has no reactions");
+        }
         blocks = new Block[(states + BLOCK - 1) / BLOCK];
     }
 
@@ -134,7 +137,7 @@ public final class Calibration {
     private Block measure(int number, int count) {
         SeededPlay play = plays.apply(number);
         List<Advance> advances = rungs.stream().map(rung -> rung.advance(new PhysicsParts(parts.law(),
-            rung.arithmetic(), parts.contacts(), parts.walls(), null, parts.infiniteMasses()))).toList();
+            rung.arithmetic(), parts.contacts(), parts.walls(), parts.reaction(), parts.infiniteMasses()))).toList();
         double[][] errors = new double[rungs.size()][count];
         double[] work = new double[rungs.size()];
         int withImpacts = 0;
@@ -143,7 +146,7 @@ public final class Calibration {
             Bodies start = play.next();
             TurnTruth truth = TurnTruth.of(start, parts);
             withImpacts += truth.impacts() > 0 ? 1 : 0;
-            Bodies bodies = new Bodies(start.capacity());
+            Bodies bodies = start.copy();
             for (int r = 0; r < advances.size(); r++) {
                 bodies.copyFrom(start);
                 moments.clear();

@@ -3,6 +3,7 @@ package steward.lab.calibration;
 import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Set;
 import steward.game.GameSetup;
 import steward.physics.Advance;
 import steward.physics.Bodies;
@@ -33,6 +34,11 @@ public final class PartByPartPhysics {
 
     /** The first step: bodies fly without impacts. */
     public static final String EMPTY = "flying straight";
+
+    /** The parts of the physics; one that a game has of its own has no step. */
+    private static final Set<String> KNOWN = Set.of(Part.PAIR_IMPACTS, Part.WALLS, Part.RESTITUTION,
+        Part.MINIMUM_IMPULSE, Part.BATCH_WINDOW, Part.PUSH_OUT, Part.INFINITE_MASSES, Part.DRAG,
+        Part.VELOCITY_ROUNDING, Part.POSITION_ROUNDING, Part.REACTIONS, Part.BROAD_PHASE);
 
     /** A trial minimum impulse: it matters in weak impacts only. */
     private static final double SOME_IMPULSE = 1;
@@ -71,7 +77,7 @@ public final class PartByPartPhysics {
         bodies = setup.plan().bodies();
         this.someWalls = someWalls;
         boolean asks = setup.plan().parts().stream().anyMatch(part -> part.name().equals(Part.REACTIONS) && part.in());
-        wholeMotion = setup.plan().motion();
+        wholeMotion = setup.motion();
         full = setup.plan().physics(asks ? PartByPartPhysics::bounce : null);
     }
 
@@ -86,7 +92,7 @@ public final class PartByPartPhysics {
      */
     public static List<Step> of(GameSetup setup, List<Wall> someWalls) {
         List<Part> parts = setup.plan().parts().stream()
-            .filter(part -> part.when() == Part.When.PHYSICS && (part.in() || !part.name().equals(Part.BROAD_PHASE)))
+            .filter(part -> KNOWN.contains(part.name()) && (part.in() || !part.name().equals(Part.BROAD_PHASE)))
             .toList();
         PartByPartPhysics whole = new PartByPartPhysics(setup, someWalls);
         List<Step> steps = new ArrayList<>();

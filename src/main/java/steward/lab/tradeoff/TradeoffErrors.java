@@ -32,7 +32,7 @@ final class TradeoffErrors {
 
     /** Plays a turn and compares it with the true one. */
     void add(Bodies start, TurnTruth truth) {
-        Bodies after = new Bodies(start.capacity());
+        Bodies after = start.copy();
         after.copyFrom(start);
         log.clear();
         advance.turn(after, log);

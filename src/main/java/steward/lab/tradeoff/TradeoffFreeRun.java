@@ -32,7 +32,7 @@ final class TradeoffFreeRun {
         Bodies[] bodies = new Bodies[turns.length];
         Arrays.fill(turns, bound + 1);
         for (int r = 0; r < turns.length; r++) {
-            bodies[r] = new Bodies(start.capacity());
+            bodies[r] = start.copy();
             bodies[r].copyFrom(start);
         }
         boolean some = true;

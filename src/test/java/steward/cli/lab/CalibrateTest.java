@@ -23,7 +23,9 @@ import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
 import steward.cli.shared.Streams;
 import steward.game.GameSetup;
+import steward.game.Pilot;
 import steward.lab.calibration.Calibration;
+import steward.lab.calibration.SeededPlay;
 import steward.scene.AccuracyFigures;
 import steward.scene.PhysicsFingerprint;
 import steward.scene.SceneFiles;
@@ -131,13 +133,17 @@ class CalibrateTest {
         assertEquals(1200, AccuracyFigures.read(Files.readString(file), "d").states());
     }
 
+    private static SeededPlay race(GameSetup setup, long seed) {
+        return new SeededPlay(setup, setup.pilot(Pilot.Aim.WIN), seed);
+    }
+
     /** Fewer states than somebody had the patience for before do not take the place of more. */
     @Test
     void anInterruptedRunLeavesOlderFiguresWhereTheyAre() throws Exception {
         Path file = Files.writeString(folder.resolve("d.accuracy.json"), "older");
         ByteArrayOutputStream err = new ByteArrayOutputStream();
         Calibration calibration = new Calibration(Games.open("duel"),
-            seed -> SeededPilots.race(Games.open("duel"), seed), 1000);
+            seed -> race(Games.open("duel"), seed), 1000);
         calibration.run(1, () -> { });
         new CalibrationRun(new Streams(new ByteArrayOutputStream(), err, false, false), Games.open("duel"), file,
             calibration).interrupted();
@@ -161,7 +167,7 @@ class CalibrateTest {
         assertEquals(Calibration.STATES, figures.states());
         assertEquals(SceneKey.of(setup.scene()), figures.key());
         assertEquals(PhysicsFingerprint.text(), figures.physics());
-        Calibration sample = new Calibration(setup, seed -> SeededPilots.race(setup, seed), Calibration.BLOCK);
+        Calibration sample = new Calibration(setup, seed -> race(setup, seed), Calibration.BLOCK);
         sample.run(2, () -> { });
         assertEquals(sample.figures().sample(), figures.sample());
     }

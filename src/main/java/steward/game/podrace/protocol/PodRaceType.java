@@ -6,6 +6,7 @@ import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
 import steward.game.GameType;
+import steward.game.Pilot;
 import steward.game.TextCodec;
 import steward.game.podrace.PlaceCheck;
 import steward.game.podrace.PodRace;
@@ -77,7 +78,15 @@ public final class PodRaceType implements GameType {
 
         @Override
         public FrameCodec codec(Game game) {
-            return new PodRaceJson((PodRace) game, scene);
+            PodRace race = (PodRace) game;
+            PodJsonCache texts = new PodJsonCache(race);
+            return new FrameCodec(new PodRaceFrames(race, scene, texts), new PodRaceState(race, texts),
+                new PodRaceDrawing(race, scene));
+        }
+
+        @Override
+        public Pilot pilot(Pilot.Aim aim) {
+            return (game, player, random) -> PodPilot.answer((PodRace) game, player, random, aim);
         }
 
         /** CodinGame's protocols: that of the single-pod leagues where each player has one pod. */
