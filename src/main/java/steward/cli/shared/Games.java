@@ -3,6 +3,7 @@ package steward.cli.shared;
 import java.util.List;
 import steward.game.GameSetup;
 import steward.game.GameTypes;
+import steward.game.meanmax.protocol.MeanMaxType;
 import steward.game.podrace.protocol.PodRaceType;
 import steward.scene.Accuracy;
 import steward.scene.SceneFiles;
@@ -16,7 +17,7 @@ public final class Games {
 
     /** All games. */
     public static GameTypes types() {
-        return new GameTypes(List.of(new PodRaceType()));
+        return new GameTypes(List.of(new PodRaceType(), new MeanMaxType()));
     }
 
     /** Opens a scene by its path or shipped name. A scene whose games cannot begin is refused. */
