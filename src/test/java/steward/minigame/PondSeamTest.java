@@ -58,11 +58,13 @@ class PondSeamTest {
         assertTrue(prices.prices().size() > 1, prices.toString());
     }
 
+    /** Contacts that ask are measured with the reaction that the setup offers for it. */
     @Test
-    void calibrationRefusesContactsThatAskBeforeItBegins() {
-        assertEquals("contacts ask the game, and the oracle has no reactions",
-            assertThrows(IllegalArgumentException.class, () -> new Calibration(POND,
-                seed -> new SeededPlay(POND, POND.pilot(Pilot.Aim.WIN), seed), 1)).getMessage());
+    void aGameWithReactionsIsCalibrated() throws InterruptedException {
+        Calibration calibration = new Calibration(POND,
+            seed -> new SeededPlay(POND, POND.pilot(Pilot.Aim.WIN), seed), 5);
+        calibration.run(1, () -> { });
+        assertEquals(5, calibration.figures().states());
     }
 
     @Test

@@ -78,19 +78,15 @@ public final class Calibration {
     }
 
     /**
-     * @param setup  a scene whose contacts all bounce, opened on {@link #PLAYED_ON}
+     * @param setup  a scene, opened on {@link #PLAYED_ON}
      * @param plays  seeded play of it, from a seed
      * @param states how many states, at least 1
-     * @throws IllegalArgumentException if contacts ask the game: the oracle has no reactions
      */
     public Calibration(GameSetup setup, LongFunction<SeededPlay> plays, int states) {
         this.setup = setup;
         this.plays = plays;
         this.states = states;
         parts = setup.physics();
-        if (parts.contacts().containsAsk()) {
-            throw new IllegalArgumentException("contacts ask the game, and the oracle has no reactions");
-        }
         blocks = new Block[(states + BLOCK - 1) / BLOCK];
     }
 
@@ -136,8 +132,8 @@ public final class Calibration {
 
     private Block measure(int number, int count) {
         SeededPlay play = plays.apply(number);
-        List<Advance> advances = rungs.stream().map(rung -> rung.advance(new PhysicsParts(parts.law(),
-            rung.arithmetic(), parts.contacts(), parts.walls(), parts.reaction(), parts.infiniteMasses()))).toList();
+        List<Advance> advances = rungs.stream().map(rung -> rung.advance(parts.withArithmetic(rung.arithmetic())))
+            .toList();
         double[][] errors = new double[rungs.size()][count];
         double[] work = new double[rungs.size()];
         int withImpacts = 0;

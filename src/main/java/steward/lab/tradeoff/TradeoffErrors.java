@@ -33,7 +33,6 @@ final class TradeoffErrors {
     /** Plays a turn and compares it with the true one. */
     void add(Bodies start, TurnTruth truth) {
         Bodies after = start.copy();
-        after.copyFrom(start);
         log.clear();
         advance.turn(after, log);
         TurnError error = truth.error(after, log);
