@@ -33,7 +33,7 @@ class MotionTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"0.99999, 0", "0.999991, 1", "1.000009, 1", "1.5, 1", "-0.5, 0", "-1.999995, -2", "-1.99, -1", "7, 7"})
+    @CsvSource({"0.9999, 0", "0.999991, 1", "1.000009, 1", "1.5, 1", "-0.5, 0", "-1.999995, -2", "-1.99, -1", "7, 7"})
     void truncationSnapsToTheWholeNumberNextToIt(double value, double truncated) {
         assertEquals(truncated, Motion.truncateWithSnap(value));
     }
