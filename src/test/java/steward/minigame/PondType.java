@@ -57,7 +57,7 @@ final class PondType implements GameType {
 
         @Override
         public PhysicsParts physics() {
-            return plan.physics((time, a, b, bodies) -> Reaction.Verdict.BOUNCE);
+            return plan.physics((time, a, b, bodies, sink) -> Reaction.Verdict.BOUNCE);
         }
 
         @Override

@@ -62,13 +62,19 @@ public final class TurnTruth {
      * Plays the turn; the bodies are not changed.
      *
      * @param parts their law and walls are used; the arithmetic is not
-     * @throws IllegalArgumentException if not everything bounces: the oracle has no reactions
+     * @throws IllegalArgumentException unless everything bounces, or nothing meets anything: the oracle has no
+     *                                  reactions
      */
     public static TurnTruth of(Bodies start, PhysicsParts parts) {
+        List<OracleBody> bodies = OracleBody.of(start);
+        if (!parts.contacts().bodiesMeet() && !parts.contacts().wallsMeet()) {
+            Oracle alone = new Oracle(parts.law(), List.of());
+            bodies.forEach(body -> alone.turn(List.of(body)));
+            return new TurnTruth(start, bodies, List.of(), false);
+        }
         if (!parts.contacts().allBounce()) {
             throw new IllegalArgumentException("the oracle needs contacts that all bounce");
         }
-        List<OracleBody> bodies = OracleBody.of(start);
         Oracle oracle = new Oracle(parts.law(), parts.walls());
         List<OracleImpact> impacts = oracle.turn(bodies);
         return new TurnTruth(start, bodies, impacts, oracle.limited());
