@@ -28,7 +28,7 @@ final class House {
     static final List<String> ROOMS = List.of("", "numerics", "text", "files",
         "physics", "physics.time", "physics.impulse", "physics.event", "physics.queue",
         "scene.json", "scene", "game", "game.meanmax", "game.meanmax.protocol", "game.podrace",
-        "game.podrace.simulator", "game.podrace.protocol",
+        "game.podrace.simulator", "game.podrace.protocol", "game.searchrace", "game.searchrace.protocol",
         "bot", "bot.command", "bot.process", "match",
         "replay.sign", "replay", "replay.verify", "replay.feed", "replay.page", "contest", "live", "codingame",
         "lab.oracle", "lab.trial", "lab.stability.pairs", "lab.stability.crowds", "lab.stability",

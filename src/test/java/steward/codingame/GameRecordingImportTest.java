@@ -16,7 +16,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
-import steward.codingame.GameRecordingImport.Imported;
+import steward.codingame.RecordingImport.Imported;
 import steward.match.TestScenes;
 import steward.replay.verify.Difference;
 import steward.replay.verify.Verification;

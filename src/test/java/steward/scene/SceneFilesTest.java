@@ -118,7 +118,7 @@ class SceneFilesTest {
         assertTrue(message.startsWith("mad-pod-racign: found no such file, expected a scene file"), message);
         if (!SceneFiles.shipped().isEmpty()) {
             assertTrue(message.endsWith(" or one of \"duel\", \"mad-pod-racing-silver\", \"mad-pod-racing\", "
-                + "\"walled-race\"; did you mean \"mad-pod-racing\"?"), message);
+                + "\"walled-race\", \"search-race\"; did you mean \"mad-pod-racing\"?"), message);
         }
         assertTrue(refused("no\0name").startsWith("no\0name: found no such file"));
         assertTrue(refused("").startsWith("\"\": found no such file"));

@@ -111,6 +111,7 @@ class SceneSchemaTest {
         List<JsonNode> scenes = new ArrayList<>();
         scenes.add(JsonMapper.shared().readTree(ALL));
         SceneFiles.shipped().forEach(name -> scenes.add(JsonMapper.shared().readTree(SceneFiles.load(name).text())));
+        scenes.removeIf(scene -> !scene.get("game").stringValue().equals(Schemas.POD_RACE));
         SplitMix64 random = new SplitMix64(5);
         Set<Beyond> seen = EnumSet.noneOf(Beyond.class);
         List<String> differences = new ArrayList<>();

@@ -15,6 +15,7 @@ import java.util.List;
 final class Schemas {
 
     static final String POD_RACE = "pod-race";
+    static final String SEARCH_RACE = "search-race";
     static final String MEAN_MAX = "mean-max";
     static final List<String> NAMES = List.of("setup", "turn", "end", "answer", "replay", "scene");
 

@@ -19,10 +19,20 @@ final class GoldenSuite {
     private GoldenSuite() {
     }
 
+    /** The worlds and the scenes of the first game, whose hash no further game changes. */
     static List<GoldenHash.Part> parts(RunLength size) {
         List<GoldenHash.Part> parts = new ArrayList<>(GoldenHash.worlds(size));
+        parts.addAll(parts(Games.FIRST, size));
+        return parts;
+    }
+
+    /** The scenes of a game. */
+    static List<GoldenHash.Part> parts(String game, RunLength size) {
+        List<GoldenHash.Part> parts = new ArrayList<>();
         int turns = size == RunLength.SMALL ? 30 : 500;
-        for (String scene : SceneFiles.shipped()) {
+        List<String> scenes = SceneFiles.shipped().stream()
+            .filter(scene -> Games.open(scene).scene().gameId().equals(game)).toList();
+        for (String scene : scenes) {
             for (Arithmetic arithmetic : Arithmetic.OF_SCENES) {
                 parts.add(play(scene, "\"accuracy\": {\"advance\": \"event\", \"arithmetic\": \"" + arithmetic.text()
                     + "\"}", arithmetic.text(), turns));

@@ -11,6 +11,7 @@ import picocli.CommandLine.Option;
 import steward.cli.options.CallCheck;
 import steward.cli.options.TableFolder;
 import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Games;
 import steward.cli.shared.Interruption;
 import steward.cli.shared.ProgressLine;
 import steward.cli.shared.Streams;
@@ -121,12 +122,20 @@ public final class StabilityCommand implements Callable<Integer> {
     }
 
     private int golden(RunLength size) {
-        List<GoldenHash.Part> parts = GoldenSuite.parts(size);
+        for (String game : Games.ids()) {
+            if (!game.equals(Games.FIRST)) {
+                print(GoldenSuite.parts(game, size), "all of " + game);
+            }
+        }
+        print(GoldenSuite.parts(size), "all");
+        return ExitStatus.DONE;
+    }
+
+    private void print(List<GoldenHash.Part> parts, String all) {
         for (GoldenHash.Part part : parts) {
             streams.out().println(StateHash.toHex(part.hash()) + "  " + part.name());
         }
-        streams.out().println(StateHash.toHex(GoldenHash.total(parts)) + "  all");
-        return ExitStatus.DONE;
+        streams.out().println(StateHash.toHex(GoldenHash.total(parts)) + "  " + all);
     }
 
     private int table(List<StabilityCase> cases, List<Rung> rungs, RunLength size, StabilityTable table,

@@ -19,6 +19,7 @@ import steward.cli.shared.Verbosity;
 import steward.contest.Contest;
 import steward.contest.Series;
 import steward.files.OutputFiles;
+import steward.game.GameSetup;
 import steward.replay.sign.SigningKey;
 
 /** {@code steward match}: one match, or many. */
@@ -108,7 +109,12 @@ public final class MatchCommand implements Callable<Integer> {
         check.that(sign == null || out != null || show.isAny(), "--sign: expected --out with it");
         String problem = show.problem(many.isAny());
         check.that(problem == null, problem);
-        Contest contest = Contest.of(Games.warn(scene.open(), streams), bots, ProtocolWord.parse(protocol), factor);
+        GameSetup setup = Games.warn(scene.open(), streams);
+        boolean alone = setup.scene().players() == 1;
+        problem = alone ? many.problemAlone() : null;
+        check.that(problem == null, problem);
+        Contest contest = many.isAny() ? Contest.ofSeries(setup, bots, ProtocolWord.parse(protocol), factor)
+            : Contest.of(setup, bots, ProtocolWord.parse(protocol), factor);
         contest = sign == null ? contest : contest.signedWith(SigningKey.read(OutputFiles.path(sign)));
         long first = seed.orDrawn();
         Path path = out == null ? null : OutputFiles.path(out);

@@ -35,6 +35,11 @@ public final class MeanMaxType implements GameType {
     }
 
     @Override
+    public String about() {
+        return "Mean Max, the official rules, three players";
+    }
+
+    @Override
     public int fewestPlayers() {
         return MeanMaxSettings.PLAYERS;
     }
