@@ -43,9 +43,16 @@ final class Car {
      */
     double play(Course course, int degrees, int thrust) {
         heading += degrees;
-        double radians = StrictMath.toRadians(heading);
-        vx += thrust * StrictMath.cos(radians);
-        vy += thrust * StrictMath.sin(radians);
+        if (thrust > 0) {
+            double radians = StrictMath.toRadians(heading);
+            vx += thrust * StrictMath.cos(radians);
+            vy += thrust * StrictMath.sin(radians);
+        }
+        return coast(course);
+    }
+
+    /** Plays a turn without a command. */
+    double coast(Course course) {
         double now = 0;
         while (passed < course.toFinish()) {
             double time = timeTo(course, now);

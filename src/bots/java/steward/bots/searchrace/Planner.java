@@ -9,12 +9,12 @@ import java.io.IOException;
  */
 public final class Planner extends SearchRaceBot {
 
-    private static final int[] DEGREES = {-18, -12, -6, -2, 0, 2, 6, 12, 18};
-    private static final int[] THRUSTS = {0, 100, 200};
+    private static final int[] DEGREES = {-18, -9, -3, 0, 3, 9, 18};
+    private static final int[] THRUSTS = {0, 200};
     /** For how many turns a beginning is held. */
-    private static final int[] HELD = {1, 3, 6, 10};
+    private static final int[] HELD = {2, 5, 9};
     /** How many turns are looked ahead. */
-    private static final int HORIZON = 28;
+    private static final int HORIZON = 24;
     /** How many turns of coasting the rule predicts. */
     private static final int COAST_TURNS = 6;
     /** Worth of a checkpoint passed, in u: more than any distance. */
@@ -79,9 +79,14 @@ public final class Planner extends SearchRaceBot {
 
     /** Whether the car passes its next checkpoint without thrust within some turns. */
     private boolean coasts(Course race, Car car) {
+        int next = race.next(car.passed);
+        double reach = race.radius + COAST_TURNS * (Math.abs(car.vx) + Math.abs(car.vy));
+        if (car.distanceTo(race.x[next], race.y[next]) > reach) {
+            return false;
+        }
         coasting.set(car);
         for (int turn = 0; turn < COAST_TURNS; turn++) {
-            coasting.play(race, 0, 0);
+            coasting.coast(race);
             if (coasting.passed > car.passed) {
                 return true;
             }

@@ -158,7 +158,7 @@ class CalibrateTest {
      * --calibrate config/scenes/NAME.json --overwrite}.
      */
     @ParameterizedTest
-    @ValueSource(strings = {"duel", "mad-pod-racing-silver", "mad-pod-racing", "walled-race"})
+    @ValueSource(strings = {"duel", "mad-pod-racing-silver", "mad-pod-racing", "search-race", "walled-race"})
     void theFiguresOfAShippedSceneHold(String name) throws Exception {
         GameSetup setup = Games.open(name, Calibration.PLAYED_ON);
         String source = AccuracyFigures.resource(name);

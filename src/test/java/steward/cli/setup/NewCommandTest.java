@@ -112,6 +112,7 @@ class NewCommandTest {
 
     @Test
     void theStarterOfThisRepositoryIsTheSame() throws IOException {
-        assertArrayEquals(Files.readAllBytes(Path.of("src/bots/python/starter.py")), Starter.PYTHON.read("pod-race", "bot.py"));
+        assertArrayEquals(Files.readAllBytes(Path.of("src/bots/python/starter.py")),
+            Starter.PYTHON.read("pod-race", "bot.py"));
     }
 }

@@ -11,7 +11,7 @@ import math
 import sys
 
 FULL_THRUST = 200
-DRIFT_TURNS = 3       # how many turns of its own speed the car takes into account when it aims
+DRIFT_TURNS = 4       # how many turns of its own speed the car takes into account when it aims
 
 
 def command(car, checkpoints, full_thrust):
@@ -26,7 +26,7 @@ def command(car, checkpoints, full_thrust):
     # while it looks elsewhere.
     wanted = math.degrees(math.atan2(y - car["y"], x - car["x"]))
     angle = (wanted - car["heading"] + 180) % 360 - 180         # -180..180, 0 is straight ahead
-    thrust = full_thrust if abs(angle) < 80 else 0
+    thrust = full_thrust if abs(angle) < 75 else 0
 
     # Instead of "x" and "y" a command can say "turn": by how many degrees, a whole number -18..18.
     return {"x": x, "y": y, "thrust": thrust}
