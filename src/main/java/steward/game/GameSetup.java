@@ -1,5 +1,8 @@
 package steward.game;
 
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.PrintStream;
 import java.util.List;
 import java.util.Optional;
 import steward.physics.Motion;
@@ -45,6 +48,18 @@ public interface GameSetup {
 
     /** Seeded commands for measuring. Where an aim means nothing in this game, it is that to win. */
     Pilot pilot(Pilot.Aim aim);
+
+    /**
+     * Answers tests of simulators, states and commands by the states one turn later, in the lines of this game, until
+     * the end of the input or until the output is closed.
+     *
+     * @return whether this game has such lines
+     * @throws IllegalArgumentException if a line is missing or wrong; the message names it, what was found and what was
+     *                                  expected
+     */
+    default boolean simulate(BufferedReader in, PrintStream out) throws IOException {
+        return false;
+    }
 
     /** Reads and writes a game's frames; made by {@link #create} of the same setup. */
     FrameCodec codec(Game game);

@@ -50,6 +50,11 @@ public final class CarExpressions {
         return whole;
     }
 
+    /** A heading in radians from whole degrees. */
+    public static double radians(double degrees) {
+        return degrees * RADIANS;
+    }
+
     /** A heading in radians as players see it: whole degrees, 0..360. */
     public static int degrees(double heading) {
         return (int) Math.floor(heading * DEGREES + 0.5);

@@ -1,5 +1,8 @@
 package steward.game.podrace.protocol;
 
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.PrintStream;
 import java.util.List;
 import java.util.Optional;
 import steward.game.FrameCodec;
@@ -74,6 +77,12 @@ public final class PodRaceType implements GameType {
         /** A race on a given map, {@code [n][x, y]}, for tests against recordings and for simulators. */
         public PodRace create(double[][] checkpoints) {
             return new PodRace(settings, scene, plan, checkpoints);
+        }
+
+        @Override
+        public boolean simulate(BufferedReader in, PrintStream out) throws IOException {
+            new SimulatorProtocol(this, in, out).run();
+            return true;
         }
 
         @Override

@@ -1,5 +1,8 @@
 package steward.game.searchrace.protocol;
 
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.PrintStream;
 import java.util.List;
 import java.util.Optional;
 import steward.game.FrameCodec;
@@ -69,6 +72,19 @@ public final class SearchRaceType implements GameType {
         @Override
         public SearchRace create(long seed) {
             return new SearchRace(settings, scene, plan, seed);
+        }
+
+        /** A race on a given map, {@code [n][x, y]}, for tests and simulators. */
+        public SearchRace create(double[][] checkpoints) {
+            SearchRaceSettings given = new SearchRaceSettings(settings.laps(), settings.checkpointRadius(),
+                settings.maximumTurns(), checkpoints);
+            return new SearchRace(given, scene, plan, 0);
+        }
+
+        @Override
+        public boolean simulate(BufferedReader in, PrintStream out) throws IOException {
+            new CarSimulator(this, in, out).run();
+            return true;
         }
 
         @Override
