@@ -90,7 +90,7 @@ class MeanMaxSchemaTest {
         "harvest"           | "harvst"                     | false
         "radius": 6000      | "radius": 6001               | false
         "x": 0,             | "x": 1,                      | false
-        "type": "arena", "x": 0, "y": 0, "radius": 6000 | "type": "half-plane", "x": 0, "y": 0, "insideX": 1, "insideY": 0 | false
+        "type": "arena"     | "type": "ring"               | false
         "pushOut": 1e-5     | "pushOut": 2e-5              | false
         "minimumImpulse": 30| "minimumImpulse": 31         | false
         "pushOut": 1e-5     | "pushOut": 1e-5, "maximumImpactsPerTurn": 9 | true
