@@ -3,8 +3,8 @@ package steward.physics;
 import java.util.Arrays;
 
 /**
- * Records the impacts, path knots and facts of a turn, and whether the bound on impacts was reached, in flat arrays that are
- * reused from turn to turn.
+ * Records the impacts, path knots and facts of a turn, and whether the bound on impacts was reached, in flat arrays
+ * that are reused from turn to turn.
  */
 public final class TurnLog implements TurnSink {
 

@@ -4,7 +4,7 @@ const LOOTER_SIDES = { destroyer: 6, doof: 3 };       // a reaper is round
 const SKILL_RADIUS = 1000;
 const SKILL_OF = ['tar', 'grenade', 'oil'];
 const LOOTER_NAMES = ['reaper', 'destroyer', 'doof'];
-const NAME_PIXELS = 7;          // looters drawn smaller than this have no letter
+const NAME_PIXELS = 7;          // looters drawn smaller than this have no letters
 
 const MEAN_MAX_LOOK = {
   drawGround(scene) {
@@ -42,8 +42,8 @@ const MEAN_MAX_LOOK = {
     return scores.map((score, player) => ({
       rank: scores.filter(other => other > score).length,
       body: player * LOOTER_NAMES.length,
-      big: `${score} water`,
-      small: `${rages[player]} rage`,
+      big: `${score} water · ${rages[player]} rage`,
+      small: '',
       warning: '',
     }));
   },
@@ -124,7 +124,7 @@ function drawEffect(scene, skill, x, y, strength) {
   ctx.globalAlpha = 1;
 }
 
-/** The circle is the looter's true size; the form inside tells its kind, the letter too. */
+/** The circle is the looter's true size; the form inside tells its kind, the letters too. */
 function drawLooter(scene, body) {
   const { ctx, view, paint, theme, match, moment } = scene;
   const [x, y, radius] = [view.x(body.x), view.y(body.y), body.radius * view.scale];
@@ -138,7 +138,7 @@ function drawLooter(scene, body) {
   traceForm(ctx, x, y, 0.72 * radius, LOOTER_SIDES[body.kind]);
   ctx.fillStyle = colour;
   ctx.fill();
-  if (radius >= NAME_PIXELS) write({ ctx, paint }, body.label, x, y, Math.max(9, radius * 0.8), paint.ink, '800');
+  if (radius >= NAME_PIXELS) write({ ctx, paint }, body.label, x, y, Math.max(9, radius * 0.7), paint.ink, '800');
 }
 
 /** A regular form with a corner at the top; a circle if it has no sides. */

@@ -24,8 +24,8 @@ import steward.match.TestScenes;
 import steward.match.TimeControl;
 
 /**
- * Three Mean Max bots as contestants write them, in three languages, on the site's lines with seats rotated; those whose
- * language is not there leave their seat to the one in Java. More games: {@code -Dsteward.games=100}.
+ * Three Mean Max bots as contestants write them, in three languages, on the site's lines with seats rotated; those
+ * whose language is not there leave their seat to the one in Java. More games: {@code -Dsteward.games=100}.
  */
 @Tag("process")
 class MeanMaxContestantsTest {

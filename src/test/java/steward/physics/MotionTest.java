@@ -67,7 +67,8 @@ class MotionTest {
 
         assertTrue(motion.drag() && motion.endsInWholeNumbers());
         assertEquals(Step.SNAP_POSITION, motion.step(Of.POSITION));
-        assertEquals(new Motion(List.of(Step.SNAP_POSITION, Step.SNAP_VELOCITY)), motion.only(Of.VELOCITY, Of.POSITION));
+        assertEquals(new Motion(List.of(Step.SNAP_POSITION, Step.SNAP_VELOCITY)), motion.only(Of.VELOCITY,
+            Of.POSITION));
         assertNotEquals(new Motion(List.of(Step.DRAG, Step.SNAP_POSITION, Step.SNAP_VELOCITY)), motion);
         assertFalse(new Motion(true, true, false).endsInWholeNumbers());
         assertNull(new Motion(List.of()).step(Of.DRAG));

@@ -88,6 +88,12 @@ class MeanMaxSchemaTest {
         "harvest"           | "motion": {}, "harvest"      | false
         "harvest"           | "race": {}, "harvest"        | false
         "harvest"           | "harvst"                     | false
+        "radius": 6000      | "radius": 6001               | false
+        "x": 0,             | "x": 1,                      | false
+        "type": "arena"     | "type": "ring"               | false
+        "pushOut": 1e-5     | "pushOut": 2e-5              | false
+        "minimumImpulse": 30| "minimumImpulse": 31         | false
+        "pushOut": 1e-5     | "pushOut": 1e-5, "maximumImpactsPerTurn": 9 | true
         "x": -6000          | "x": "left"                  | false
         "arithmetic": "official" | "arithmetic": "exact"   | true
         """)

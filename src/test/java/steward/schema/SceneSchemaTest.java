@@ -55,7 +55,8 @@ class SceneSchemaTest {
         "17", "64", "100", "101", "651", "1000", "1001", "1024", "1025", "1e6", "1000001", "3600001", "1e-12", "9e-13",
         "1e12", "1.1e12", "-1e12", "-1.1e12", "1e999", "1e-5", "true", "false", "null", "[]", "{}", "[{}]", "[5]",
         "\"\"", "\" \"", "\"x\"", "\"400\"", "\"box\"", "\"official\"", "\"react\"", "\"ignore\"", "\"event\"",
-        "\"step\"", "\"exact\"", "\"truncate-snap\"", "\"position\"", "\"round-half-away\"", "\"truncate-snap\"", "\"position\"", "\"infinite\"", "\"pod-race\"", "\"a\\u0007b\"", "{\"type\":\"box\"}",
+        "\"step\"", "\"exact\"", "\"round-half-away\"", "\"truncate-snap\"", "\"position\"", "\"infinite\"",
+        "\"pod-race\"", "\"a\\u0007b\"", "{\"type\":\"box\"}",
         "{\"type\":\"box\",\"restitution\":0.5}", "{\"maxPositionError\":0.01,\"share\":0.999}",
         "{\"maxPositionError\":0,\"share\":1}", "{\"advance\":\"event\",\"arithmetic\":\"double\"}");
 
@@ -114,6 +115,10 @@ class SceneSchemaTest {
         scenes.removeIf(scene -> !scene.get("game").stringValue().equals(Schemas.POD_RACE));
         SplitMix64 random = new SplitMix64(5);
         Set<Beyond> seen = EnumSet.noneOf(Beyond.class);
+        JsonNode point = JsonMapper.shared().readTree(ALL.replace("\"bx\": 1", "\"bx\": 0"));
+        assertTrue(refusal(point.toString()).contains(Beyond.ENDS_OF_A_SEGMENT_APART.words));
+        assertEquals(List.of(), Schemas.problems(SCHEMA, point.toString()));
+        seen.add(Beyond.ENDS_OF_A_SEGMENT_APART);     // rare by lot
         List<String> differences = new ArrayList<>();
         int accepted = 0;
         for (int k = 0; k < MUTATIONS; k++) {

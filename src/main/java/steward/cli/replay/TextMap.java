@@ -12,8 +12,8 @@ import steward.text.TextFormat;
 
 /**
  * Draws the end of a recorded match with characters: the field, its zones with their labels, where every body of a
- * player was in the last turns, a letter per body, and where the others are in the end. It draws what the game described
- * and knows no game.
+ * player was in the last turns, a letter per body, and where the others are in the end. It draws what the game
+ * described and knows no game.
  */
 public final class TextMap {
 

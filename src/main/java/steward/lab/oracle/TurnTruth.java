@@ -147,8 +147,8 @@ public final class TurnTruth {
     }
 
     /**
-     * How many bodies end the turn with numbers that differ from the true ones, after the scene's rounding of both; all,
-     * if other bodies are there than in truth. The true drag is the decimal in the scene: 0.15 of 100 leaves 85.
+     * How many bodies end the turn with numbers that differ from the true ones, after the scene's rounding of both;
+     * all, if other bodies are there than in truth. The true drag is the decimal in the scene: 0.15 of 100 leaves 85.
      *
      * @param start  the bodies before the turn: their drag is used
      * @param ended  the bodies after the turn and after {@link Motion#endTurn}

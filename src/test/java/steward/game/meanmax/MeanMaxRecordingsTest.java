@@ -135,7 +135,8 @@ class MeanMaxRecordingsTest {
                     }
                 });
             MeanMaxType.MeanMaxSetup setup = new MeanMaxType().open(scene);
-            game = setup.create(Long.parseLong(json.get("refereeInput").asString().strip().substring("seed=".length())));
+            String input = json.get("refereeInput").asString().strip();
+            game = setup.create(Long.parseLong(input.substring("seed=".length())));
             lines = setup.textCodec(game).orElseThrow();
         }
 
@@ -183,7 +184,8 @@ class MeanMaxRecordingsTest {
                 known.add(bodies.id(k));
                 boolean tanker = game.world().isTanker(k);
                 found.add(bodies.id(k) + (tanker ? "@1" : "") + " " + (int) bodies.x[k] + " " + (int) bodies.y[k] + " "
-                    + (int) bodies.vx[k] + " " + (int) bodies.vy[k] + " " + bodies.kind[k] + " " + (int) bodies.radius[k]
+                    + (int) bodies.vx[k] + " " + (int) bodies.vy[k] + " " + bodies.kind[k] + " "
+                    + (int) bodies.radius[k]
                     + (tanker ? "" : " " + game.playerOf(bodies.id(k))));
             }
             comparison.same("start", recorded, found);

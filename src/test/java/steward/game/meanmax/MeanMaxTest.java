@@ -267,6 +267,8 @@ class MeanMaxTest {
     @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
         "winningScore": 50 | "winningScore": 0 | harvest.winningScore: found 0, expected a whole number 1..1000
         "harvest":         | "motion": {}, "harvest": | motion: found a block motion, expected none
+        "radius": 6000     | "radius": 5000 | field: found another field, expected the arena of Mean Max
+        "pushOut": 1e-5    | "pushOut": 1 | impacts: found another law of impact, expected that of the scene mean-max
         "harvest":         | "pods": {}, "harvest": | pods: found an unknown field
         """)
     void aSceneThatIsNotMeanMaxIsRefused(String part, String instead, String expected) {

@@ -59,7 +59,8 @@ class OfficialLoopTest {
             bodies.remove(bodies.size() - 1);
         }
         for (int k = 0; k < count; k++) {
-            int body = bodies.add(random.nextInt(0, 2500), random.nextInt(0, 2500), 400, random.nextInt(5) == 0 ? 10 : 1);
+            int body = bodies.add(random.nextInt(0, 2500), random.nextInt(0, 2500), 400, random.nextInt(5) == 0 ? 10
+                : 1);
             bodies.setVelocity(body, random.nextInt(-800, 800), random.nextInt(-800, 800));
         }
         if (random.nextInt(4) == 0 && count > 3) {    // a mirror image, so that two impacts are at the same time
@@ -139,7 +140,8 @@ class OfficialLoopTest {
     void onlyTheOfficialRungUsesThem() {
         Advance own = new PodRaceLoop();
         for (Accuracy rung : Accuracy.ladder()) {
-            PhysicsParts parts = new PhysicsParts(ImpactLaw.PHYSICS, rung.arithmetic(), new Contacts(1), List.of(), null,
+            PhysicsParts parts = new PhysicsParts(ImpactLaw.PHYSICS, rung.arithmetic(), new Contacts(1), List.of(),
+                null,
                 false, of -> own);
             boolean official = rung.equals(Accuracy.event(Arithmetic.OFFICIAL));
             for (int bodies : new int[] {0, 4, 100}) {

@@ -151,7 +151,8 @@ class OwnDistanceTest {
                 return Reaction.Verdict.ALTERED;
             }, false)).turn(bodies, log);
 
-        assertEquals(List.of("2,1 at 0.05", "1,0 at 0.05"), asked, "in one batch: that 2 is gone does not matter to 1 and 0");
+        assertEquals(List.of("2,1 at 0.05", "1,0 at 0.05"), asked,
+            "in one batch: that 2 is gone does not matter to 1 and 0");
     }
 
     /** As a change: the rest of the batch would be about other bodies. */

@@ -13,7 +13,8 @@ import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
 
 /**
- * The commands of a player's three looters as JSON, in answers and replays: an array of reaper, destroyer and doof, each
+ * The commands of a player's three looters as JSON, in answers and replays: an array of reaper, destroyer and doof,
+ * each
  * <pre>{"x":1,"y":2,"power":300}   {"x":1,"y":2,"skill":true}   {"wait":true}</pre>
  * An error is returned as a sentence, because a wrong answer is frequent and not an exception.
  */

@@ -31,8 +31,9 @@ final class MeanMaxDrawing implements Drawing {
         out.writeArrayPropertyStart("bodies");
         Bodies bodies = game.bodies();
         for (int unit = 0; unit < game.players() * UnitKind.LOOTERS; unit++) {
-            DrawingJson.body(out, bodies.id(unit), UnitKind.of(bodies.kind[unit]).text(), bodies.radius[unit],
-                game.playerOf(bodies.id(unit)), UnitKind.of(bodies.kind[unit]).name().substring(0, 1));
+            String kind = UnitKind.of(bodies.kind[unit]).text();
+            DrawingJson.body(out, bodies.id(unit), kind, bodies.radius[unit], game.playerOf(bodies.id(unit)),
+                kind.substring(0, 2));
         }
         out.writeEndArray();
     }
