@@ -24,8 +24,8 @@ import steward.game.GameSetup;
         "and then for each test",
         "  x y vx vy angleDegrees nextCheckpointId shield boosted  for each of the 4 pods",
         "  targetX targetY thrust|SHIELD|BOOST                     for each of the 4 pods",
-        "Output after each test: the 4 new states in the same form. That is the pod race;",
-        "other games have lines of their own, which their pages in docs/ show.",
+        "Output after each test: the 4 new states in the same form. That is for the pod",
+        "race; other games have lines of their own, which their pages in docs/ show.",
         "", "Example:", "  steward simulate < tests.txt",
         "", "Exit status: 0 done; 2 a line is wrong or missing: the error names it."})
 public final class SimulateCommand implements Callable<Integer> {
