@@ -44,8 +44,9 @@ final class PriceList {
     /** With two clocks in nanoseconds: one for the prices, and the wall clock. */
     static PriceList measure(Streams streams, GameSetup setup, LongSupplier work, LongSupplier wall) {
         int[] told = {-1};
+        Pilot pilot = setup.pilot(Pilot.Aim.WIN);
         PartPrices.Prices prices = PartPrices.measure(setup.scene(), Games.types(),
-            new SeededPlay(setup, setup.pilot(Pilot.Aim.WIN), SEED), setup.pilot(Pilot.Aim.WIN), work, wall, BUDGET_NANOS, share -> {
+            new SeededPlay(setup, pilot, SEED), pilot, work, wall, BUDGET_NANOS, share -> {
                 int percent = (int) (100 * share);
                 if (streams.errTerminal() && percent > told[0]) {
                     streams.err().print("\rmeasuring prices: " + percent + "%");
