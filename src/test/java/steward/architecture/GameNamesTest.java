@@ -70,6 +70,6 @@ class GameNamesTest {
 
     @Test
     void theFirstGameIsFoundWhereItIsNamed() throws IOException {
-        assertTrue(filesThatName(FIRST).contains("java/steward/cli/play/SimulateCommand.java"), "it can find something");
+        assertTrue(filesThatName(FIRST).contains("java/steward/codingame/ObservedGame.java"), "it can find something");
     }
 }
