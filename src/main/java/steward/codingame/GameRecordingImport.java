@@ -28,10 +28,7 @@ import tools.jackson.databind.node.ObjectNode;
  * said them, and what the server saw is kept in place of our own outcomes, so that verifying the replay compares our
  * physics with the server's.
  */
-public final class GameRecordingImport {
-
-    /** How long a recording may be, in bytes: some fifty times what the longest games of the site take. */
-    public static final int MOST_BYTES = 1 << 24;
+public final class GameRecordingImport implements RecordingImport {
 
     private static final String SCENE = "mad-pod-racing";
 
@@ -41,15 +38,6 @@ public final class GameRecordingImport {
     private GameRecordingImport(GameRecording recording, GameSetup setup) {
         this.recording = recording;
         this.setup = setup;
-    }
-
-    /**
-     * What was imported.
-     *
-     * @param turns  how many turns the replay has
-     * @param ending how the game ended by our rules, or {@code null} if the recording ends before
-     */
-    public record Imported(int turns, String ending) {
     }
 
     /**
@@ -80,7 +68,7 @@ public final class GameRecordingImport {
         return scene.toString();
     }
 
-    /** Writes the replay. */
+    @Override
     public Imported write(OutputStream out) throws InterruptedException {
         List<Seat> seats = new ArrayList<>();
         List<String> names = new ArrayList<>();

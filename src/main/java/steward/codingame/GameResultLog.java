@@ -132,7 +132,7 @@ public final class GameResultLog implements MatchListener {
         StringWriter text = new StringWriter();
         try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), text)) {
             out.writeStartObject();
-            codec.writeState(out);
+            codec.state().writeState(out);
             out.writeEndObject();
         }
         return text.toString();

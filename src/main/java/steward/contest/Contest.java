@@ -31,7 +31,8 @@ import steward.text.TextFormat;
  * A scene and the bots that are to play in it, checked: any number of matches can be played, also at the same time.
  *
  * @param setup      the scene with its game
- * @param entrants   the bots, in the order of the call
+ * @param entrants   the bots, in the order of the call: as many as a game has players, or any number in a scene for one
+ *                   player, where each plays alone
  * @param time       how long they may take
  * @param timeFactor by which the scene's limits are multiplied; {@code POSITIVE_INFINITY} for no deadlines
  * @param key        what replays are signed with, or {@code null}
@@ -122,7 +123,16 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
      *                        have its protocol
      */
     public static Contest of(GameSetup setup, List<String> bots, Protocol usual, double timeFactor) {
-        Contest contest = withFailing(setup, bots, usual, timeFactor);
+        return withoutProblem(withFailing(setup, bots, usual, timeFactor));
+    }
+
+    /** As {@link #of}, for a series: in a scene for one player any number of bots can each play alone. */
+    public static Contest ofSeries(GameSetup setup, List<String> bots, Protocol usual, double timeFactor) {
+        return setup.scene().players() > 1 || bots.isEmpty() ? of(setup, bots, usual, timeFactor)
+            : withoutProblem(create(setup, bots, usual, timeFactor));
+    }
+
+    private static Contest withoutProblem(Contest contest) {
         for (Entrant entrant : contest.entrants()) {
             if (entrant.problem() != null) {
                 throw new InputException(entrant.problem());
@@ -140,9 +150,13 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         if (bots.size() != players) {
             throw new InputException("found " + TextFormat.count(bots.size(), "bot") + ", expected "
                 + TextFormat.count(players, "bot") + ", one --bot for each player of the scene \""
-                + setup.scene().name()
-                + "\"");
+                + setup.scene().name() + "\"" + (players > 1 || bots.isEmpty() ? ""
+                    : "; with --games several bots each play alone on the same maps"));
         }
+        return create(setup, bots, usual, timeFactor);
+    }
+
+    private static Contest create(GameSetup setup, List<String> bots, Protocol usual, double timeFactor) {
         List<Entrant> entrants = entrants(bots, usual);
         checkProtocols(setup, entrants);
         return new Contest(setup, entrants, timeControl(setup, timeFactor), timeFactor);
@@ -220,11 +234,29 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         return hasText(setup);
     }
 
+    /** The number of players of a game: that of the bots, or 1 where each of them plays alone. */
+    public int players() {
+        return setup.scene().players();
+    }
+
+    /** Whether each bot plays alone, and results on the same map are compared. */
+    public boolean isAlone() {
+        return players() == 1;
+    }
+
+    /** Whether lower scores are better in this game. */
+    boolean lowerScoreIsBetter() {
+        return setup.create(0).lowerScoreIsBetter();
+    }
+
     public String sceneName() {
         return setup.scene().name();
     }
 
-    /** Which bot plays as a player when the bots have moved up by {@code rotation} places. */
+    /**
+     * Which bot plays as a player when the bots have moved up by {@code rotation} places. Where each plays alone, the
+     * bots take turns so.
+     */
     public int entrantOf(int player, int rotation) {
         return (player + rotation) % entrants.size();
     }
@@ -240,7 +272,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
     public MatchResult play(long seed, int rotation, OutputStream recording, MatchListener follower)
             throws InterruptedException {
         List<Seat> seats = new ArrayList<>();
-        for (int player = 0; player < entrants.size(); player++) {
+        for (int player = 0; player < players(); player++) {
             Entrant entrant = entrants.get(entrantOf(player, rotation));
             List<List<String>> others = entrants.stream().filter(each -> each != entrant && each.problem() == null)
                 .map(Entrant::words).toList();
@@ -255,7 +287,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         List<String> names = new ArrayList<>();
         List<String> bots = new ArrayList<>();
         List<Protocol> protocols = new ArrayList<>();
-        for (int player = 0; player < entrants.size(); player++) {
+        for (int player = 0; player < players(); player++) {
             Entrant entrant = entrants.get(entrantOf(player, rotation));
             names.add(entrant.name());
             bots.add(entrant.bot());

@@ -32,7 +32,7 @@ public final class GameLog implements MatchListener {
     public GameLog(Contest contest, int rotation) {
         this.contest = contest;
         this.rotation = rotation;
-        int players = contest.entrants().size();
+        int players = contest.players();
         stderr = new String[players][Failure.LINES];
         asked = new int[players];
         answers = new int[players];

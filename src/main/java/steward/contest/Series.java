@@ -8,7 +8,8 @@ import steward.match.MatchResult;
 
 /**
  * Many games between the same bots. Game k, counted from 0, has the seed {@code first + k}; with {@code swap} each seed
- * is played once for every way to move the bots up, one after the other.
+ * is played once for every way to move the bots up, one after the other. In a scene for one player each seed is played
+ * by each bot alone, one after the other.
  *
  * @param contest what is played
  * @param first   seed of the first game
@@ -55,7 +56,7 @@ public record Series(Contest contest, long first, int seeds, boolean swap, Path 
             return contest.entrantOf(player, rotation);
         }
 
-        /** Which player a bot of the call was. */
+        /** Which player a bot of the call was, where all of them played. */
         public int playerOf(Contest contest, int entrant) {
             int player = 0;
             while (contest.entrantOf(player, rotation) != entrant) {
@@ -66,7 +67,7 @@ public record Series(Contest contest, long first, int seeds, boolean swap, Path 
 
         /** Whether there is a result, and all players failed in the same turn: then no player has earned it. */
         public boolean allFailed() {
-            return result != null && failures.size() == result.players().size()
+            return result != null && result.players().size() > 1 && failures.size() == result.players().size()
                 && failures.stream().allMatch(failure -> failure.turn() == failures.get(0).turn());
         }
 
@@ -95,7 +96,7 @@ public record Series(Contest contest, long first, int seeds, boolean swap, Path 
     }
 
     private int sides() {
-        return swap ? contest.entrants().size() : 1;
+        return swap || contest.isAlone() ? contest.entrants().size() : 1;
     }
 
     /** The seed of a game, counted from 1. */

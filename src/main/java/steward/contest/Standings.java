@@ -57,7 +57,7 @@ public final class Standings {
         if (result != null) {
             results++;
             failed += result.anyFault() ? 1 : 0;
-            for (int player = 0; player < result.players().size(); player++) {
+            for (int player = 0; player < result.players().size() && !contest.isAlone(); player++) {
                 points[game.entrantOf(contest, player)] += Tally.points(result, player);
             }
         }
@@ -80,7 +80,7 @@ public final class Standings {
 
     /** Points per game of a bot so far, by its place in the call; NaN without games. As {@link Tally#points}. */
     public synchronized double points(int entrant) {
-        return points[entrant] / results;
+        return contest.isAlone() ? tally(entrant).points() : points[entrant] / results;
     }
 
     /** How a bot did, by its place in the call. */

@@ -7,7 +7,8 @@ import steward.match.MatchResult;
  * How one bot did in many games.
  *
  * <p>Points of a game: the share of the others that are ranked below, with half of those on the same rank; between two
- * bots 1 for a win, 1/2 for a draw, 0 for a loss; alone 1.
+ * bots 1 for a win, 1/2 for a draw, 0 for a loss. Where each plays alone, the results on the same map count so; a bot
+ * without others has no points.
  *
  * <p>A game in which all bots failed in the same turn counts for its points as its result says, a draw between two; but
  * it is counted apart, since it does not tell which bot is better.
@@ -18,7 +19,7 @@ import steward.match.MatchResult;
  * @param losses    the rest
  * @param allFailed games in which all bots failed in the same turn, in none of the three above
  * @param faults    games in which the bot failed as a program
- * @param points    per game, 0..1; NaN without games
+ * @param points    per game, 0..1; NaN without games, and without other bots
  * @param score     the game's own, per game; NaN without games
  */
 public record Tally(int games, int wins, int draws, int losses, int allFailed, int faults, double points,
@@ -29,6 +30,9 @@ public record Tally(int games, int wins, int draws, int losses, int allFailed, i
 
     /** The tally of a bot, by its place in the call. */
     static Tally of(Contest contest, List<Series.Played> played, int entrant) {
+        if (contest.isAlone()) {
+            return AloneTally.of(contest, played, entrant);
+        }
         int games = 0;
         int wins = 0;
         int draws = 0;
@@ -62,7 +66,7 @@ public record Tally(int games, int wins, int draws, int losses, int allFailed, i
         for (MatchResult.PlayerResult other : result.players()) {
             points += other.rank() > rank ? 1 : other.rank() == rank ? 0.5 : 0;
         }
-        return others == 0 ? 1 : (points - 0.5) / others;
+        return (points - 0.5) / others;
     }
 
     /** The lower end of the 95% interval of {@link #points}. */

@@ -1,78 +1,13 @@
 package steward.game;
 
-import tools.jackson.core.JsonGenerator;
-import tools.jackson.core.JsonParser;
-
 /**
- * JSON of one game: the frames and answers of players, and what a replay keeps. Bound to one {@link Game}; the
- * {@code write} methods add fields to an object that the caller has opened and closes. Numbers go through
- * {@link JsonNumbers}.
+ * JSON of one game, bound to one {@link Game}: what its players read and write, what a replay keeps, and what is drawn.
+ * The {@code write} methods of all three add fields to an object that the caller has opened and closes; numbers go
+ * through {@link JsonNumbers}.
+ *
+ * @param frames  what bots are sent and answer
+ * @param state   commands and states, as a replay keeps them
+ * @param drawing what there is to draw
  */
-public interface FrameCodec {
-
-    /** Fields of the player's setup frame, beyond those every game has (type, game, player, players, time). */
-    void writeSetup(JsonGenerator out, int player);
-
-    /** Fields of the player's turn frame, beyond those every game has (type, turn). */
-    void writeTurn(JsonGenerator out, int player);
-
-    /**
-     * Reads a player's answer to a turn frame and, if it is valid, makes it the player's command.
-     *
-     * @param line   UTF-8, without line end
-     * @param length how many bytes count
-     * @return {@code null} if it is valid; otherwise what is wrong: field, value found, what was expected
-     */
-    String readAnswer(int player, byte[] line, int length);
-
-    /** The message that came with the player's last answer, or {@code null}. */
-    String message(int player);
-
-    /** One value: the player's command as it is about to be played, complete and in full precision. */
-    void writeCommand(JsonGenerator out, int player);
-
-    /**
-     * Whether a faulty answer has given the player commands before its fault, which take effect all the same; {@link
-     * #writeCommand} then writes them.
-     */
-    default boolean hasPartialCommand(int player) {
-        return false;
-    }
-
-    /** Takes back what commands were read for a player since the last turn. */
-    default void clearCommand(int player) {
-    }
-
-    /** As {@link #readCommand}, of what a faulty answer has given before its fault. */
-    default String readPartialCommand(JsonParser in, int player) {
-        return "found a command of a player who failed, expected null";
-    }
-
-    /**
-     * The inverse of {@link #writeCommand}; the parser stands on the first token of the value.
-     *
-     * @return {@code null} if it is valid; otherwise what is wrong, as {@link #readAnswer}
-     */
-    String readCommand(JsonParser in, int player);
-
-    /**
-     * Fields of the full state. One of them is {@code bodies}: an array with one object for every body that can move,
-     * each with at least {@code id}, {@code x} and {@code y}, which every viewer draws.
-     */
-    void writeState(JsonGenerator out);
-
-    /**
-     * Fields of a turn's outcome that not every game has, in this order: {@code zones} that are there after this turn,
-     * as in the drawing; {@code scores}, a number per player; {@code resources}, an object of numbers per player. They
-     * are to be shown; what the game needs to go on stands in its state.
-     */
-    default void writeProgress(JsonGenerator out) {
-        // Most games tell all by their bodies.
-    }
-
-    /**
-     * Fields that say what to draw, constant over the game: {@code field} (x, y, width, height), {@code walls},
-     * {@code zones} (x, y, radius, label) and {@code bodies} (id, radius, owner, kind, label).
-     */
-    void writeDrawing(JsonGenerator out);
+public record FrameCodec(BotFrames frames, StateCodec state, Drawing drawing) {
 }

@@ -6,7 +6,7 @@ import steward.physics.Bodies;
 import steward.physics.TurnLog;
 
 /**
- * One game in progress. The referee reads each player's command into it through the {@link FrameCodec}, eliminates
+ * One game in progress. The referee reads each player's command into it through the {@link BotFrames}, eliminates
  * players at fault, and plays the turn. Players are numbered from 0. Not thread-safe; deterministic: the same setup,
  * seed, commands and eliminations give the same bits.
  */
@@ -41,8 +41,16 @@ public interface Game {
     /** The standing, final once over: 0 for the best, players who tie share a rank (0, 1, 1, 3). */
     int[] ranks();
 
-    /** A score per player, in a measure of the game: a better rank never has the lower score. */
+    /**
+     * A score per player, in a measure of the game: a better rank never has the lower score, or where
+     * {@link #lowerScoreIsBetter} never the higher one.
+     */
     double[] scores();
+
+    /** Whether a lower score is better, as where it is a time. */
+    default boolean lowerScoreIsBetter() {
+        return false;
+    }
 
     /** One sentence that says how the game ended, without its full stop, or {@code null} while it goes on. */
     String ending();
@@ -55,6 +63,12 @@ public interface Game {
 
     /** Births, deaths and marks of the last turn, in order. */
     List<TurnEvent> events();
+
+    /**
+     * A game that goes on from this state independently: under the same commands it gives the same bits. To be called
+     * between two turns; the impacts and events of the last turn are not copied.
+     */
+    Game copy();
 
     /** A 64-bit hash of the full state: two games with the same hash continue alike under the same commands. */
     long hash();

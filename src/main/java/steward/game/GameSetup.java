@@ -1,7 +1,12 @@
 package steward.game;
 
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.PrintStream;
 import java.util.List;
 import java.util.Optional;
+import steward.physics.Motion;
+import steward.physics.PhysicsParts;
 import steward.scene.Plan;
 import steward.scene.Scene;
 
@@ -27,6 +32,34 @@ public interface GameSetup {
 
     /** A game before its first turn. All random draws follow from the seed. */
     Game create(long seed);
+
+    /**
+     * The physics of a turn, for measurements of it on bodies alone. A game with contacts that ask overrides this with
+     * a reaction that needs no game.
+     */
+    default PhysicsParts physics() {
+        return plan().physics(null);
+    }
+
+    /** What happens to speeds and positions at the end of a turn; a game may have rules of its own. */
+    default Motion motion() {
+        return plan().motion();
+    }
+
+    /** Seeded commands for measuring. Where an aim means nothing in this game, it is that to win. */
+    Pilot pilot(Pilot.Aim aim);
+
+    /**
+     * Answers tests of simulators, states and commands by the states one turn later, in the lines of this game, until
+     * the end of the input or until the output is closed.
+     *
+     * @return whether this game has such lines
+     * @throws IllegalArgumentException if a line is missing or wrong; the message names it, what was found and what was
+     *                                  expected
+     */
+    default boolean simulate(BufferedReader in, PrintStream out) throws IOException {
+        return false;
+    }
 
     /** Reads and writes a game's frames; made by {@link #create} of the same setup. */
     FrameCodec codec(Game game);

@@ -1,12 +1,40 @@
 package steward.game;
 
+import java.util.List;
 import steward.scene.Scene;
 
 /** A kind of game, stateless; the command line lists them all. */
 public interface GameType {
 
+    /** The most players of any game. */
+    int MOST_PLAYERS = 16;
+
     /** The id of the game in scenes, such as {@code pod-race}. */
     String id();
+
+    /** What the game is, in a few words for a list of its official scenes. */
+    default String about() {
+        return "the official rules of " + id();
+    }
+
+    /**
+     * The scene of a game for one player of which nothing is known but the lines of text that it was sent.
+     *
+     * @return as JSON; {@code null} if these are no lines of this game
+     */
+    default String sceneOfLines(List<String> lines) {
+        return null;
+    }
+
+    /** The fewest players that a scene of this game can have. */
+    default int fewestPlayers() {
+        return 1;
+    }
+
+    /** The most players that a scene of this game can have, no more than a scene can have at all. */
+    default int mostPlayers() {
+        return MOST_PLAYERS;
+    }
 
     /**
      * Reads and checks the game's own blocks of a scene and says which parts it needs.

@@ -38,11 +38,21 @@ public record GameTypes(List<GameType> types) {
         List<String> known = new ArrayList<>();
         for (GameType type : types) {
             if (type.id().equals(scene.gameId())) {
+                checkPlayers(type, scene);
                 return type.open(scene);
             }
             known.add(type.id());
         }
         throw scene.root().error("game", "unknown game \"" + scene.gameId() + "\"",
             "one of " + String.join(", ", known) + NearestName.question(scene.gameId(), known, "\""));
+    }
+
+    private static void checkPlayers(GameType type, Scene scene) {
+        int fewest = type.fewestPlayers();
+        int most = type.mostPlayers();
+        if (scene.players() < fewest || scene.players() > most) {
+            throw scene.root().error("players", Integer.toString(scene.players()), (fewest == most
+                ? Integer.toString(most) : fewest + ".." + most) + ", as many as " + type.id() + " is for");
+        }
     }
 }

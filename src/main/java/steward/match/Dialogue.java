@@ -2,6 +2,7 @@ package steward.match;
 
 import steward.Internal;
 import steward.bot.LineBuffer;
+import steward.game.BotFrames;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
@@ -26,7 +27,7 @@ public interface Dialogue {
     /** How many lines make an answer, at least 1. */
     int answerLines(int player);
 
-    /** As {@link FrameCodec#readAnswer} and {@link TextCodec#readAnswer}. */
+    /** As {@link BotFrames#readAnswer} and {@link TextCodec#readAnswer}. */
     String readAnswer(int player, byte[] answer, int length);
 
     /** The message that came with the player's last answer, or {@code null}. */
@@ -39,7 +40,7 @@ public interface Dialogue {
      */
     static Dialogue of(Protocol protocol, GameSetup setup, Game game, FrameCodec codec) {
         return switch (protocol) {
-            case JSON -> new JsonDialogue(setup, game, codec);
+            case JSON -> new JsonDialogue(setup, game, codec.frames());
             case CODINGAME -> new TextDialogue(setup.textCodec(game).orElseThrow(() -> new IllegalArgumentException(
                 "the scene \"" + setup.scene().name() + "\" has no codingame protocol, expected bots that speak"
                     + " json")));

@@ -1,7 +1,7 @@
 package steward.match;
 
 import steward.bot.LineBuffer;
-import steward.game.FrameCodec;
+import steward.game.BotFrames;
 import steward.game.Game;
 import steward.game.GameSetup;
 import steward.game.JsonNumbers;
@@ -16,15 +16,15 @@ final class JsonDialogue implements Dialogue {
 
     private final GameSetup setup;
     private final Game game;
-    private final FrameCodec codec;
+    private final BotFrames frames;
     private final LineBuffer buffer = new LineBuffer();
     /** Stays open across lines; opening one per line would cost time. */
     private final JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), buffer);
 
-    JsonDialogue(GameSetup setup, Game game, FrameCodec codec) {
+    JsonDialogue(GameSetup setup, Game game, BotFrames frames) {
         this.setup = setup;
         this.game = game;
-        this.codec = codec;
+        this.frames = frames;
     }
 
     @Override
@@ -37,7 +37,7 @@ final class JsonDialogue implements Dialogue {
         out.writeNumberProperty("firstAnswerMs", setup.scene().time().firstAnswerMs());
         out.writeNumberProperty("answerMs", setup.scene().time().answerMs());
         out.writeEndObject();
-        codec.writeSetup(out, player);
+        frames.writeSetup(out, player);
         return line();
     }
 
@@ -45,7 +45,7 @@ final class JsonDialogue implements Dialogue {
     public LineBuffer turn(int player) {
         begin("turn");
         out.writeNumberProperty("turn", game.turn() + 1);
-        codec.writeTurn(out, player);
+        frames.writeTurn(out, player);
         return line();
     }
 
@@ -75,12 +75,12 @@ final class JsonDialogue implements Dialogue {
 
     @Override
     public String readAnswer(int player, byte[] answer, int length) {
-        return codec.readAnswer(player, answer, length);
+        return frames.readAnswer(player, answer, length);
     }
 
     @Override
     public String message(int player) {
-        return codec.message(player);
+        return frames.message(player);
     }
 
     private void begin(String type) {

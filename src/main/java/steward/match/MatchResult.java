@@ -28,7 +28,7 @@ public record MatchResult(int turns, String ending, List<PlayerResult> players, 
      *
      * @param name         as displayed
      * @param rank         0 for the best; ties share a rank
-     * @param score        higher is better
+     * @param score        in the measure of the game, see {@link steward.game.Game#scores}
      * @param fault        how the player failed as a program (no answer in time, exit, invalid JSON, ...), or
      *                     {@code null}
      * @param out          why the player was eliminated, by a fault or by the rules, or {@code null}

@@ -3,11 +3,13 @@ package steward.numerics;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import steward.Internal;
 
 /**
  * Where a game's sines and cosines come from. A replay names them in its header, because a match can be played again to
  * the last bit only with the same ones.
  */
+@Internal
 public enum Angles {
     /** {@link SineCosine}: each the double that is nearest to the true value. */
     CORRECTLY_ROUNDED("correctly-rounded"),

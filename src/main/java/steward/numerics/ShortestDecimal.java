@@ -1,6 +1,7 @@
 package steward.numerics;
 
 import java.math.BigInteger;
+import steward.Internal;
 
 /**
  * The shortest decimal that reads back as the same double, of those the nearest to it, written without allocating:
@@ -11,6 +12,7 @@ import java.math.BigInteger;
  *
  * <p>Source: R. Giulietti, "The Schubfach way to render doubles" (2020), for the regular interval only.
  */
+@Internal
 public final class ShortestDecimal {
 
     /** The maximum number of characters that {@link #write} writes: sign, "0.00" and 17 digits. */

@@ -1,5 +1,7 @@
 package steward.numerics;
 
+import steward.Internal;
+
 /**
  * Sine and cosine, correctly rounded: of every finite double the double nearest to the true value. So the result has
  * the same bits everywhere without an algorithm to agree on. Of 0.0 and -0.0 the sine is the argument itself; of what
@@ -13,6 +15,7 @@ package steward.numerics;
  *
  * <p>Not thread-safe: sine and cosine are left in fields. Allocates nothing.
  */
+@Internal
 public final class SineCosine {
 
     private static final double[] TABLE = SineTable.rows();

@@ -3,7 +3,4 @@
  * correctly rounded sine and cosine, and arithmetic beyond doubles (errors of sums and products, double-doubles, exact
  * sums). This room knows nothing else of Steward.
  */
-@Internal
 package steward.numerics;
-
-import steward.Internal;

@@ -23,7 +23,7 @@ public final class Bodies {
     public final double[] vx;
     /** Velocities downwards, in u per turn. */
     public final double[] vy;
-    /** Radii, in u, above 0. */
+    /** Radii, in u, above 0; 0 for a point. */
     public final double[] radius;
     /** Masses, above 0; {@code POSITIVE_INFINITY} is a body that no impulse moves. Change with {@link #setMass}. */
     public final double[] mass;
@@ -33,6 +33,11 @@ public final class Bodies {
     public final double[] restitution;
     /** The share of its speed that a body loses at the end of a turn, 0..1. */
     public final double[] drag;
+    /**
+     * More quantities of a game, one array each, 0 for a new body: they move, die and are copied with their bodies. The
+     * physics does not read them.
+     */
+    public final double[][] columns;
     /** The kind of a body, 0..{@link Contacts#kinds()}-1: decides what a contact means. */
     public final int[] kind;
 
@@ -47,6 +52,18 @@ public final class Bodies {
      * @throws IllegalArgumentException if the capacity is below 1
      */
     public Bodies(int capacity) {
+        this(capacity, 0);
+    }
+
+    /**
+     * @param capacity maximum number of bodies at a time, at least 1
+     * @param columns  how many quantities of the game's own each body has
+     * @throws IllegalArgumentException if the capacity is below 1 or the number of columns below 0
+     */
+    public Bodies(int capacity, int columns) {
+        if (columns < 0) {
+            throw new IllegalArgumentException(columns + " columns, expected at least 0");
+        }
         if (capacity < 1) {
             throw new IllegalArgumentException("capacity " + capacity + ", expected at least 1");
         }
@@ -61,7 +78,10 @@ public final class Bodies {
         drag = new double[capacity];
         kind = new int[capacity];
         id = new int[capacity];
-        quantities = new double[][] {x, y, vx, vy, radius, mass, inverseMass, restitution, drag};
+        this.columns = new double[columns][capacity];
+        double[][] common = {x, y, vx, vy, radius, mass, inverseMass, restitution, drag};
+        quantities = Arrays.copyOf(common, common.length + columns);
+        System.arraycopy(this.columns, 0, quantities, common.length, columns);
     }
 
     /**
@@ -74,13 +94,24 @@ public final class Bodies {
      * @throws IllegalStateException    if the capacity is used up
      */
     public int add(double x, double y, double radius, double mass) {
+        requireRadius(size, radius);
+        return addOfAnyRadius(x, y, radius, mass);
+    }
+
+    /**
+     * Adds a point: a body of radius 0 at rest, for games without contacts between bodies. Otherwise as {@link #add}.
+     */
+    public int addPoint(double x, double y, double mass) {
+        return addOfAnyRadius(x, y, 0, mass);
+    }
+
+    private int addOfAnyRadius(double x, double y, double radius, double mass) {
         if (size == this.x.length) {
             throw new IllegalStateException("capacity of " + size + " bodies is used up");
         }
         int body = size;
         requireFinite(body, "x", x);
         requireFinite(body, "y", y);
-        requireRadius(body, radius);
         requireMass(body, mass);
         this.x[body] = x;
         this.y[body] = y;
@@ -92,6 +123,9 @@ public final class Bodies {
         restitution[body] = 1;
         drag[body] = 0;
         kind[body] = 0;
+        for (double[] column : columns) {
+            column[body] = 0;
+        }
         id[body] = nextId++;
         size++;
         return body;
@@ -214,20 +248,39 @@ public final class Bodies {
         return nextId;
     }
 
+    /**
+     * Takes the id that the next body would get, for a thing that is no body but is counted with them.
+     *
+     * @return the id
+     */
+    public int takeId() {
+        return nextId++;
+    }
+
     /** The pairs that pass through each other because a {@link Reaction} answered {@code PASS}; part of the state. */
     @Internal
     public PassingPairs passing() {
         return passing;
     }
 
+    /** A copy with the same capacity and columns. */
+    public Bodies copy() {
+        Bodies copy = new Bodies(capacity(), columns.length);
+        copy.copyFrom(this);
+        return copy;
+    }
+
     /**
      * Copies another set of bodies exactly.
      *
-     * @throws IllegalArgumentException if the capacities differ
+     * @throws IllegalArgumentException if the capacities or the numbers of columns differ
      */
     public void copyFrom(Bodies other) {
         if (capacity() != other.capacity()) {
             throw new IllegalArgumentException("capacity " + other.capacity() + ", expected " + capacity());
+        }
+        if (columns.length != other.columns.length) {
+            throw new IllegalArgumentException(other.columns.length + " columns, expected " + columns.length);
         }
         size = other.size;
         nextId = other.nextId;

@@ -19,6 +19,8 @@ public final class Contacts {
     private final int kinds;
     private final Meaning[] pairs;
     private final Meaning[] walls;
+    /** Distances of centres at which contacts begin, NaN where it is the sum of the radii; null if there are none. */
+    private double[] reaches;
 
     /**
      * All kinds bounce off each other and off walls.
@@ -41,6 +43,37 @@ public final class Contacts {
         pairs[kindA * kinds + kindB] = meaning;
         pairs[kindB * kinds + kindA] = meaning;
         return this;
+    }
+
+    /**
+     * Lets the {@link Reaction} decide contacts between two kinds that begin at a distance of their own instead of the
+     * sum of the radii: a pick-up, a goal. Where the reaction answers {@code BOUNCE}, the impact is one at this
+     * distance.
+     *
+     * @param distance of the centres, in u, above 0
+     * @throws IllegalArgumentException if the distance is out of range
+     */
+    public Contacts askWithin(int kindA, int kindB, double distance) {
+        if (!(distance > 0 && distance < Double.POSITIVE_INFINITY)) {
+            throw new IllegalArgumentException("distance " + distance + ", expected finite and above 0");
+        }
+        if (reaches == null) {
+            reaches = new double[kinds * kinds];
+            java.util.Arrays.fill(reaches, Double.NaN);
+        }
+        reaches[kindA * kinds + kindB] = distance;
+        reaches[kindB * kinds + kindA] = distance;
+        return set(kindA, kindB, Meaning.ASK);
+    }
+
+    /** Whether any contact begins at a distance of its own. */
+    public boolean hasReaches() {
+        return reaches != null;
+    }
+
+    /** The distance of centres at which contacts of two kinds begin, or NaN where it is the sum of the radii. */
+    public double reach(int kindA, int kindB) {
+        return reaches == null ? Double.NaN : reaches[kindA * kinds + kindB];
     }
 
     /** Sets what a contact between a kind and any wall means. */

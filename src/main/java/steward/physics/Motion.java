@@ -1,18 +1,34 @@
 package steward.physics;
 
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /**
- * The rules for speeds and positions at the end of a turn. Consists of the rules that a scene names; absent rules cost
- * nothing. Two with the same rules are equal.
+ * The rules for speeds and positions at the end of a turn: steps in the order in which they apply, each to every body.
+ * Absent steps cost nothing. Two with the same steps are equal. A game whose rules cannot be said so extends this class
+ * and says what it does when {@link #endTurn} is called; its steps are then what it does to bodies without a game
+ * around them, in measurements.
  */
-public final class Motion {
+public class Motion {
 
-    /** One rule, in the order in which they apply. */
-    private enum Rule {
+    /** From this distance on a number is not taken for the whole number next to it: 1e-5. */
+    private static final double SNAP = 1e-5;
 
-        DRAG {
+    /** What a step is about. */
+    public enum Of {
+        /** The share of speed that is lost. */
+        DRAG,
+        /** What velocity components become. */
+        VELOCITY,
+        /** What coordinates become. */
+        POSITION
+    }
+
+    /** One step. */
+    public enum Step {
+
+        /** Bodies lose their {@link Bodies#drag} share of speed. */
+        DRAG(Of.DRAG, "drag") {
             @Override
             void apply(Bodies bodies) {
                 for (int i = 0; i < bodies.size(); i++) {
@@ -23,7 +39,8 @@ public final class Motion {
             }
         },
 
-        TRUNCATE_VELOCITY {
+        /** Velocity components are cut toward zero to whole numbers (-0.0 becomes 0.0). */
+        TRUNCATE_VELOCITY(Of.VELOCITY, "truncate") {
             @Override
             void apply(Bodies bodies) {
                 truncate(bodies.vx, bodies.size());
@@ -31,60 +48,157 @@ public final class Motion {
             }
         },
 
-        ROUND_POSITION {
+        /** Velocity components become the nearest whole numbers, halves away from zero. */
+        ROUND_VELOCITY(Of.VELOCITY, "round-half-away") {
+            @Override
+            void apply(Bodies bodies) {
+                roundAway(bodies.vx, bodies.size());
+                roundAway(bodies.vy, bodies.size());
+            }
+        },
+
+        /** Velocity components within 1e-5 of a whole number become that one, others are cut toward zero. */
+        SNAP_VELOCITY(Of.VELOCITY, "truncate-snap") {
+            @Override
+            void apply(Bodies bodies) {
+                snap(bodies.vx, bodies.size());
+                snap(bodies.vy, bodies.size());
+            }
+        },
+
+        /** Coordinates become floor(x + 0.5): halves are rounded up. */
+        ROUND_POSITION(Of.POSITION, "round") {
             @Override
             void apply(Bodies bodies) {
                 round(bodies.x, bodies.size());
                 round(bodies.y, bodies.size());
             }
+        },
+
+        /** Coordinates become the nearest whole numbers, halves away from zero. */
+        ROUND_POSITION_AWAY(Of.POSITION, "round-half-away") {
+            @Override
+            void apply(Bodies bodies) {
+                roundAway(bodies.x, bodies.size());
+                roundAway(bodies.y, bodies.size());
+            }
+        },
+
+        /** Coordinates within 1e-5 of a whole number become that one, others are cut toward zero. */
+        SNAP_POSITION(Of.POSITION, "truncate-snap") {
+            @Override
+            void apply(Bodies bodies) {
+                snap(bodies.x, bodies.size());
+                snap(bodies.y, bodies.size());
+            }
         };
+
+        private final Of about;
+        private final String text;
+
+        Step(Of about, String text) {
+            this.about = about;
+            this.text = text;
+        }
+
+        /** What the step is about. */
+        public Of about() {
+            return about;
+        }
+
+        /** Its name in a scene. */
+        public String text() {
+            return text;
+        }
 
         abstract void apply(Bodies bodies);
     }
 
-    private final List<Rule> rules;
-    private final Rule[] inOrder;
+    private final List<Step> steps;
+    private final Step[] inOrder;
+
+    /** @param inOrder the steps, each at most once */
+    public Motion(List<Step> inOrder) {
+        steps = List.copyOf(inOrder);
+        this.inOrder = steps.toArray(new Step[0]);
+    }
 
     /**
+     * The steps of the pod race, or some of them.
+     *
      * @param drag              whether bodies lose their {@link Bodies#drag} share of speed
      * @param truncateVelocity  whether velocity components are then cut toward zero to whole numbers (-0.0 becomes 0.0)
      * @param roundPosition     whether positions become floor(x + 0.5): halves are rounded up
      */
     public Motion(boolean drag, boolean truncateVelocity, boolean roundPosition) {
-        List<Rule> named = new ArrayList<>();
-        if (drag) {
-            named.add(Rule.DRAG);
+        this(Arrays.stream(new Step[] {drag ? Step.DRAG : null, truncateVelocity ? Step.TRUNCATE_VELOCITY : null,
+            roundPosition ? Step.ROUND_POSITION : null}).filter(step -> step != null).toList());
+    }
+
+    /** The steps in the order in which they apply. */
+    public final List<Step> steps() {
+        return steps;
+    }
+
+    /** The step about this, or {@code null} if there is none. */
+    public final Step step(Of about) {
+        for (Step step : inOrder) {
+            if (step.about == about) {
+                return step;
+            }
         }
-        if (truncateVelocity) {
-            named.add(Rule.TRUNCATE_VELOCITY);
-        }
-        if (roundPosition) {
-            named.add(Rule.ROUND_POSITION);
-        }
-        rules = List.copyOf(named);
-        inOrder = rules.toArray(new Rule[0]);
+        return null;
     }
 
     /** Whether bodies lose their {@link Bodies#drag} share of speed. */
-    public boolean drag() {
-        return rules.contains(Rule.DRAG);
+    public final boolean drag() {
+        return step(Of.DRAG) != null;
     }
 
-    /** Whether velocity components are cut toward zero. */
-    public boolean truncateVelocity() {
-        return rules.contains(Rule.TRUNCATE_VELOCITY);
+    /** Whether velocities and positions both become whole numbers. */
+    public final boolean endsInWholeNumbers() {
+        return step(Of.VELOCITY) != null && step(Of.POSITION) != null;
     }
 
-    /** Whether positions are rounded. */
-    public boolean roundPosition() {
-        return rules.contains(Rule.ROUND_POSITION);
+    /** The steps about these, in the same order. */
+    public final Motion only(Of... wanted) {
+        return new Motion(steps.stream().filter(step -> Arrays.asList(wanted).contains(step.about)).toList());
     }
 
-    /** Applies the rules to every body. */
+    /** Applies the steps to every body. */
     public void endTurn(Bodies bodies) {
-        for (Rule rule : inOrder) {
-            rule.apply(bodies);
+        for (Step step : inOrder) {
+            step.apply(bodies);
         }
+    }
+
+    /** Applies the steps about this alone, for a game with an order of its own. */
+    protected final void apply(Of about, Bodies bodies) {
+        for (Step step : inOrder) {
+            if (step.about == about) {
+                step.apply(bodies);
+            }
+        }
+    }
+
+    /**
+     * The nearest whole number, halves away from zero, never -0.0: floor(|x| + 0.5) with an exact addition and the sign
+     * of x, as Mean Max and other official games round.
+     */
+    public static double roundHalfAway(double value) {
+        double size = Math.abs(value);
+        double floor = Math.floor(size);
+        double rounded = size - floor >= 0.5 ? floor + 1 : floor;
+        return value < 0 ? 0.0 - rounded : rounded;
+    }
+
+    /**
+     * The whole number within 1e-5 of a number, if there is one; otherwise the number cut toward zero; never -0.0.
+     */
+    public static double truncateWithSnap(double value) {
+        double rounded = roundHalfAway(value);
+        return Math.abs(rounded - value) < SNAP ? rounded
+            : (value < 0 ? Math.ceil(value) : Math.floor(value)) + 0.0;
     }
 
     private static void truncate(double[] values, int count) {
@@ -100,18 +214,30 @@ public final class Motion {
         }
     }
 
-    @Override
-    public boolean equals(Object other) {
-        return other instanceof Motion motion && rules.equals(motion.rules);
+    private static void roundAway(double[] values, int count) {
+        for (int i = 0; i < count; i++) {
+            values[i] = roundHalfAway(values[i]);
+        }
+    }
+
+    private static void snap(double[] values, int count) {
+        for (int i = 0; i < count; i++) {
+            values[i] = truncateWithSnap(values[i]);
+        }
     }
 
     @Override
-    public int hashCode() {
-        return rules.hashCode();
+    public final boolean equals(Object other) {
+        return other instanceof Motion motion && getClass() == motion.getClass() && steps.equals(motion.steps);
+    }
+
+    @Override
+    public final int hashCode() {
+        return steps.hashCode();
     }
 
     @Override
     public String toString() {
-        return "Motion" + rules;
+        return "Motion" + steps;
     }
 }

@@ -11,9 +11,10 @@ import java.util.List;
  * @param walls          immovable walls, each identified by its index in this list; may be empty
  * @param reaction       answers {@code ASK} contacts, or {@code null} if there are none
  * @param infiniteMasses whether bodies can have infinite mass: two of them never exchange an impulse
+ * @param official       the game's own way to advance in the official arithmetic, or {@code null} if it has none
  */
 public record PhysicsParts(ImpactLaw law, Arithmetic arithmetic, Contacts contacts, List<Wall> walls,
-                           Reaction reaction, boolean infiniteMasses) {
+                           Reaction reaction, boolean infiniteMasses, OfficialExpressions official) {
 
     /**
      * @throws IllegalArgumentException if there is an {@code ASK} contact without a reaction, or a reaction without one
@@ -26,8 +27,24 @@ public record PhysicsParts(ImpactLaw law, Arithmetic arithmetic, Contacts contac
         }
     }
 
+    /** Parts of a game without expressions of its own. */
+    public PhysicsParts(ImpactLaw law, Arithmetic arithmetic, Contacts contacts, List<Wall> walls, Reaction reaction,
+                        boolean infiniteMasses) {
+        this(law, arithmetic, contacts, walls, reaction, infiniteMasses, null);
+    }
+
     /** One kind of bodies with finite masses that bounce off each other, without walls. */
     public PhysicsParts(ImpactLaw law, Arithmetic arithmetic) {
         this(law, arithmetic, new Contacts(1), List.of(), null, false);
+    }
+
+    /** The same parts in another arithmetic. */
+    public PhysicsParts withArithmetic(Arithmetic other) {
+        return new PhysicsParts(law, other, contacts, walls, reaction, infiniteMasses, official);
+    }
+
+    /** Whether a turn from impact to impact is the game's own way to advance. */
+    public boolean usesExpressionsOfGame() {
+        return official != null && arithmetic == Arithmetic.OFFICIAL;
     }
 }

@@ -3,6 +3,10 @@ package steward.physics;
 /**
  * The game's answer to a contact whose {@link Contacts} entry is {@code ASK}. Called inside the advance, at the exact
  * time, with all positions at that time and the velocities before any impulse.
+ *
+ * <p>A reaction reads and alters the bodies that it is given and nothing else, so that it also runs on copies of a
+ * game's bodies, in measurements and searches. What the game must know, it tells the sink as a {@link TurnSink#fact},
+ * and the game takes it from its own log after the turn.
  */
 @FunctionalInterface
 public interface Reaction {
@@ -18,14 +22,32 @@ public interface Reaction {
          * dropped and all predictions are computed anew. If nothing was altered, the reaction is called again at the
          * same instant, until the bound on impacts ends the turn.
          */
-        CHANGED
+        CHANGED,
+        /**
+         * The bodies were altered without an impulse, none removed or added; the rest of the batch goes on with the
+         * bodies as they now are, then all predictions are computed anew. If one was removed or added after all: as
+         * {@code CHANGED}.
+         */
+        ALTERED
     }
 
     /**
      * @param time   within the turn, 0..1
      * @param a      index of the body
      * @param b      index of the other body, or {@code ~w} (negative) for the wall with index w
-     * @param bodies all bodies; may be altered if the answer is {@code CHANGED}
+     * @param bodies all bodies; may be altered if the answer is {@code CHANGED} or {@code ALTERED}
+     * @param sink   receives facts
      */
-    Verdict on(double time, int a, int b, Bodies bodies);
+    Verdict on(double time, int a, int b, Bodies bodies, TurnSink sink);
+
+    /**
+     * Called after the impulse of a contact that was answered by {@code BOUNCE}, and after its positional correction.
+     * May alter bodies, but neither add nor remove any; the rest of the batch goes on with the bodies as they are.
+     *
+     * @param b index of the other body, or {@code ~w}
+     * @return whether anything but the two was altered
+     */
+    default boolean after(double time, int a, int b, Bodies bodies, TurnSink sink) {
+        return false;
+    }
 }

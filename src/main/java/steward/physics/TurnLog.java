@@ -3,8 +3,8 @@ package steward.physics;
 import java.util.Arrays;
 
 /**
- * Records the impacts and path knots of a turn, and whether the bound on impacts was reached, in flat arrays that are
- * reused from turn to turn.
+ * Records the impacts, path knots and facts of a turn, and whether the bound on impacts was reached, in flat arrays
+ * that are reused from turn to turn.
  */
 public final class TurnLog implements TurnSink {
 
@@ -19,6 +19,11 @@ public final class TurnLog implements TurnSink {
     private double[] knotNumbers = new double[3 * 32];
     private int knots;
 
+    private static final int FACT_NUMBERS = 5;
+    private int[] factIds = new int[3 * 8];
+    private double[] factNumbers = new double[FACT_NUMBERS * 8];
+    private int facts;
+
     private double limitTime = Double.NaN;
     private int[] limitBodies = NO_BODIES;
 
@@ -26,6 +31,7 @@ public final class TurnLog implements TurnSink {
     public void clear() {
         impacts = 0;
         knots = 0;
+        facts = 0;
         limitTime = Double.NaN;
         limitBodies = NO_BODIES;
     }
@@ -79,6 +85,23 @@ public final class TurnLog implements TurnSink {
     }
 
     @Override
+    public void fact(double time, int kind, int a, int b, double x, double y, double p, double q) {
+        if (3 * facts == factIds.length) {
+            factIds = Arrays.copyOf(factIds, 6 * facts);
+            factNumbers = Arrays.copyOf(factNumbers, 2 * FACT_NUMBERS * facts);
+        }
+        factIds[3 * facts] = kind;
+        factIds[3 * facts + 1] = a;
+        factIds[3 * facts + 2] = b;
+        int k = FACT_NUMBERS * facts++;
+        factNumbers[k++] = time;
+        factNumbers[k++] = x;
+        factNumbers[k++] = y;
+        factNumbers[k++] = p;
+        factNumbers[k] = q;
+    }
+
+    @Override
     public void impactLimit(double time, int[] bodyIds) {
         limitTime = time;
         limitBodies = bodyIds;
@@ -121,6 +144,51 @@ public final class TurnLog implements TurnSink {
     /** The y coordinate of the k-th knot, in u. */
     public double knotY(int k) {
         return knotNumbers[3 * k + 2];
+    }
+
+    /** How many facts the game's reaction has told. */
+    public int facts() {
+        return facts;
+    }
+
+    /** The kind of the k-th fact, as the other components in the order of {@link TurnSink#fact}. */
+    public int factKind(int k) {
+        return factIds[3 * k];
+    }
+
+    /** The first id of the k-th fact. */
+    public int factA(int k) {
+        return factIds[3 * k + 1];
+    }
+
+    /** The second id of the k-th fact. */
+    public int factB(int k) {
+        return factIds[3 * k + 2];
+    }
+
+    /** When the k-th fact happened within the turn, 0..1. */
+    public double factTime(int k) {
+        return factNumbers[FACT_NUMBERS * k];
+    }
+
+    /** The x of the k-th fact. */
+    public double factX(int k) {
+        return factNumbers[FACT_NUMBERS * k + 1];
+    }
+
+    /** The y of the k-th fact. */
+    public double factY(int k) {
+        return factNumbers[FACT_NUMBERS * k + 2];
+    }
+
+    /** The number p of the k-th fact. */
+    public double factP(int k) {
+        return factNumbers[FACT_NUMBERS * k + 3];
+    }
+
+    /** The number q of the k-th fact. */
+    public double factQ(int k) {
+        return factNumbers[FACT_NUMBERS * k + 4];
     }
 
     /** Whether the turn ended at the bound on impacts. */

@@ -19,6 +19,21 @@ public interface TurnSink {
     }
 
     /**
+     * What a game's {@link Reaction} or official expressions have done, in the order of time; the meaning is the
+     * game's.
+     *
+     * @param kind of fact, a number of the game
+     * @param a    id of a body, or another number of the game
+     * @param b    the same
+     * @param x    a place, in u
+     * @param y    the same
+     * @param p    a number of the game
+     * @param q    the same
+     */
+    default void fact(double time, int kind, int a, int b, double x, double y, double p, double q) {
+    }
+
+    /**
      * The bound on impacts was reached. The bodies that are then still in contact, and those that come into contact
      * later, keep their place for the rest of the turn and keep their velocities; the others fly on.
      *

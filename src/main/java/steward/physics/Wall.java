@@ -15,17 +15,22 @@ public sealed interface Wall permits HalfPlane, Segment, Arena {
     /** The y component of the same vector. */
     double normalY(double x, double y);
 
+    /** The four walls around a field from (0, 0): as {@link #box(double, double, double, double, double)}. */
+    static Wall[] box(double width, double height, double restitution) {
+        return box(0, 0, width, height, restitution);
+    }
+
     /**
-     * The four walls around a field from (0, 0) to (width, height): left, top (y = 0), right, bottom.
+     * The four walls around a field from (x, y) to (x + width, y + height): left, top (lowest y), right, bottom.
      *
      * @throws IllegalArgumentException if a side is not finite and above 0 or the restitution not in 0..1
      */
-    static Wall[] box(double width, double height, double restitution) {
+    static Wall[] box(double x, double y, double width, double height, double restitution) {
         require(width > 0 && width < Double.POSITIVE_INFINITY, "width", width, "finite and above 0");
         require(height > 0 && height < Double.POSITIVE_INFINITY, "height", height, "finite and above 0");
         return new Wall[] {
-            new HalfPlane(0, 0, 1, 0, restitution), new HalfPlane(0, 0, 0, 1, restitution),
-            new HalfPlane(width, 0, -1, 0, restitution), new HalfPlane(0, height, 0, -1, restitution)};
+            new HalfPlane(x, y, 1, 0, restitution), new HalfPlane(x, y, 0, 1, restitution),
+            new HalfPlane(x + width, y, -1, 0, restitution), new HalfPlane(x, y + height, 0, -1, restitution)};
     }
 
     /** Throws unless the value is in range, saying which and what was expected. */

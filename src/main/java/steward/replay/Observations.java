@@ -14,7 +14,7 @@ public interface Observations {
     /** Whether the state before the first turn was observed; otherwise the one that follows from the scene is kept. */
     boolean hasStart();
 
-    /** Fields of the state before the first turn, in the form of {@link steward.game.FrameCodec#writeState}. */
+    /** Fields of the state before the first turn, in the form of {@link steward.game.StateCodec#writeState}. */
     void writeStart(JsonGenerator out);
 
     /**

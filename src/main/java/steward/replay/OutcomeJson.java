@@ -70,7 +70,7 @@ public final class OutcomeJson {
             out.writeEndArray();
             out.writeEndObject();
         }
-        codec.writeProgress(out);
+        codec.state().writeProgress(out);
         writeState(out, game, codec);
         out.writeEndObject();
     }
@@ -79,7 +79,7 @@ public final class OutcomeJson {
     static void writeState(JsonGenerator out, Game game, FrameCodec codec) {
         out.writeName(Name.STATE);
         out.writeStartObject();
-        codec.writeState(out);
+        codec.state().writeState(out);
         out.writeEndObject();
         out.writeName(Name.HASH);
         JsonNumbers.writeHash(out, game.hash());

@@ -123,7 +123,7 @@ public final class ReplayLines {
 
     private static void writeDrawing(JsonGenerator out, FrameCodec codec) {
         out.writeObjectPropertyStart("drawing");
-        codec.writeDrawing(out);
+        codec.drawing().write(out);
         out.writeEndObject();
     }
 
@@ -134,8 +134,8 @@ public final class ReplayLines {
         out.writeName(Name.COMMANDS);
         out.writeStartArray();
         for (int player = 0; player < turn.players(); player++) {
-            if (turn.answered(player) || turn.asked(player) && codec.hasPartialCommand(player)) {
-                codec.writeCommand(out, player);
+            if (turn.answered(player) || turn.asked(player) && codec.state().hasPartialCommand(player)) {
+                codec.state().writeCommand(out, player);
             } else {
                 out.writeNull();
             }

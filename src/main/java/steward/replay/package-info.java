@@ -11,7 +11,7 @@
  * <p>The format is number 3. Its fields and their order are in {@link steward.replay.LineFields}, how lines are spelled
  * in {@link steward.replay.ReplayLines}, what is signed in {@link steward.replay.sign.LinesDigest}. What a game tells
  * of a turn, a start or an end is its own: it is written again and compared as a whole, so that a new game, zones that
- * come and go, scores and resources (see {@link steward.game.FrameCodec#writeProgress}) need no other format.
+ * come and go, scores and resources (see {@link steward.game.StateCodec#writeProgress}) need no other format.
  *
  * <p>Format 2 had the hash of a turn behind its commands, of the commands and texts alone, and named no angles: they
  * are those of fdlibm. In format 1 bytes entered the hashes one by one. Both are read, none is written.

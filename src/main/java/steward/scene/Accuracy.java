@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import steward.physics.Advance;
 import steward.physics.Arithmetic;
+import steward.physics.Contacts;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.event.EventAdvance;
@@ -162,13 +163,19 @@ public record Accuracy(Way way, int steps, Arithmetic arithmetic) {
 
     /** The cheapest advance for {@code bodies} bodies on this rung: all candidates give the same impacts. */
     public Advance advance(PhysicsParts parts, int bodies) {
-        return usesCells(parts.law(), bodies) ? new QueueAdvance(parts)
+        return usesExpressionsOfGame(parts) ? parts.official().of(parts)
+            : usesCells(parts.law(), parts.contacts(), bodies) ? new QueueAdvance(parts)
             : usesOfficialLoop(parts, bodies) ? new OfficialAdvance(parts) : advance(parts);
     }
 
     /** Whether that is {@link QueueAdvance}: cells and an event queue instead of a scan of all pairs. */
-    boolean usesCells(ImpactLaw law, int bodies) {
-        return way == Way.EVENT && bodies >= FEWEST_FOR_CELLS && QueueAdvance.refusal(law) == null;
+    boolean usesCells(ImpactLaw law, Contacts contacts, int bodies) {
+        return way == Way.EVENT && bodies >= FEWEST_FOR_CELLS && QueueAdvance.refusal(law, contacts) == null;
+    }
+
+    /** Whether that is the game's own, with its referee's expressions. */
+    boolean usesExpressionsOfGame(PhysicsParts parts) {
+        return way == Way.EVENT && parts.usesExpressionsOfGame();
     }
 
     /** Whether that is {@link OfficialAdvance}. */
@@ -178,7 +185,8 @@ public record Accuracy(Way way, int steps, Arithmetic arithmetic) {
 
     /** The advance on this rung that scans all pairs each time: for few bodies. */
     public Advance advance(PhysicsParts parts) {
-        return way == Way.STEP ? new StepAdvance(parts, steps) : new EventAdvance(parts);
+        return way == Way.STEP ? new StepAdvance(parts, steps)
+            : usesExpressionsOfGame(parts) ? parts.official().of(parts) : new EventAdvance(parts);
     }
 
     /** The arithmetics by their names, in the order of accuracy. */

@@ -20,20 +20,22 @@ final class FieldReader {
     }
 
     static Field read(Block block) {
+        double x = block.number("x", -Block.MAXIMUM, Block.MAXIMUM, 0);
+        double y = block.number("y", -Block.MAXIMUM, Block.MAXIMUM, 0);
         double width = block.positive("width");
         double height = block.positive("height");
-        return new Field(width, height, walls(block, width, height), bumpers(block));
+        return new Field(x, y, width, height, walls(block, x, y, width, height), bumpers(block));
     }
 
     /** {@code "box"}, a box with a restitution, or an array of single walls; no walls when absent. */
-    private static List<Wall> walls(Block block, double width, double height) {
+    private static List<Wall> walls(Block block, double x, double y, double width, double height) {
         Map<String, Boolean> box = Map.of("box", true);
         if (!block.has("walls")) {
             return List.of();
         }
         if (block.isText("walls")) {
             block.choice("walls", box);
-            return List.of(Wall.box(width, height, 1));
+            return List.of(Wall.box(x, y, width, height, 1));
         }
         if (block.isArray("walls")) {
             List<Wall> walls = new ArrayList<>();
@@ -45,7 +47,7 @@ final class FieldReader {
         }
         Block wall = block.block("walls");
         wall.choice("type", box);
-        return List.of(Wall.box(width, height, restitution(wall)));
+        return List.of(Wall.box(x, y, width, height, restitution(wall)));
     }
 
     private static Wall single(Block wall) {

@@ -26,10 +26,12 @@ public final class Plan {
     private final boolean infiniteMasses;
     private final List<Wall> walls;
     private final List<Part> parts;
+    private final GameOwn own;
 
     private Plan(Scene scene, Contacts contacts, double lowestOfBodies, boolean infiniteBodies, int bodies,
-                 List<Part> gameParts) {
+                 List<Part> gameParts, GameOwn own) {
         this.scene = scene;
+        this.own = own;
         this.contacts = contacts;
         this.bodies = bodies;
         List<Bumper> bumpers = scene.field().map(Field::bumpers).orElse(List.of());
@@ -62,7 +64,17 @@ public final class Plan {
      */
     public static Plan of(Scene scene, Contacts contacts, double lowestRestitution, boolean infiniteMasses, int bodies,
                           List<Part> gameParts) {
-        return new Plan(scene, contacts, lowestRestitution, infiniteMasses, bodies, gameParts);
+        return of(scene, contacts, lowestRestitution, infiniteMasses, bodies, gameParts, GameOwn.NOTHING);
+    }
+
+    /**
+     * The same for a game that brings its own official expressions or its own motion.
+     *
+     * @param own what it brings
+     */
+    public static Plan of(Scene scene, Contacts contacts, double lowestRestitution, boolean infiniteMasses, int bodies,
+                          List<Part> gameParts, GameOwn own) {
+        return new Plan(scene, contacts, lowestRestitution, infiniteMasses, bodies, gameParts, own);
     }
 
     /** The number of bodies, bumpers included, or its maximum; 0 if it was not stated. */
@@ -82,7 +94,7 @@ public final class Plan {
     public PhysicsParts physics(Reaction reaction) {
         Restitution restitution = lowestRestitution < 1 ? Restitution.MINIMUM : Restitution.ELASTIC;
         return new PhysicsParts(scene.law().withRestitution(restitution), arithmetic(), contacts,
-            walls, reaction, infiniteMasses);
+            walls, reaction, infiniteMasses, own.official());
     }
 
     /**
@@ -102,7 +114,7 @@ public final class Plan {
 
     /** What happens to speeds and positions at the end of a turn. */
     public Motion motion() {
-        return new Motion(scene.drag() > 0, scene.truncateVelocity(), scene.roundPosition());
+        return own.motion() == null ? scene.motion() : own.motion();
     }
 
     private Arithmetic arithmetic() {
@@ -159,18 +171,22 @@ public final class Plan {
     }
 
     private Part drag() {
-        boolean in = scene.drag() > 0;
-        return new Part(Part.DRAG, in, in ? "drag " + Wording.number(scene.drag()) : "no drag");
+        boolean in = motion().drag();
+        String why = own.motion() == null ? "drag " + Wording.number(scene.drag()) : own.drag();
+        return new Part(Part.DRAG, in, in ? why : "no drag");
     }
 
     private Part velocityRounding() {
-        boolean in = scene.truncateVelocity();
-        return new Part(Part.VELOCITY_ROUNDING, in, in ? "velocity truncate" : "velocities stay as they are");
+        Motion.Step step = motion().step(Motion.Of.VELOCITY);
+        return new Part(Part.VELOCITY_ROUNDING, step != null,
+            step == null ? "velocities stay as they are" : "velocity " + step.text());
     }
 
     private Part positionRounding() {
-        boolean in = scene.roundPosition();
-        return new Part(Part.POSITION_ROUNDING, in, in ? "position round" : "positions stay as they are");
+        Motion.Step step = motion().step(Motion.Of.POSITION);
+        boolean first = step != null && motion().steps().size() > 1 && motion().steps().get(0) == step;
+        return new Part(Part.POSITION_ROUNDING, step != null,
+            step == null ? "positions stay as they are" : "position " + step.text() + (first ? ", first" : ""));
     }
 
     private Part reactions() {
@@ -180,7 +196,11 @@ public final class Plan {
 
     private Part broadPhase() {
         Accuracy rung = scene.accuracy();
-        if (rung.usesCells(scene.law(), bodies)) {
+        if (own.official() != null && rung.way() == Accuracy.Way.EVENT && arithmetic() == Arithmetic.OFFICIAL) {
+            return new Part(Part.BROAD_PHASE, false, "the referee's own loop looks at all pairs"
+                + (bodies == 0 ? "" : " of " + count(bodies, "body", "bodies")));
+        }
+        if (rung.usesCells(scene.law(), contacts, bodies)) {
             return new Part(Part.BROAD_PHASE, true, bodies + " bodies: cells and an event queue");
         }
         if (!contacts.containsAsk() && rung.usesOfficialLoop(physics(null), bodies)) {
@@ -191,7 +211,7 @@ public final class Plan {
             String of = bodies == 0 ? "" : " of " + count(bodies, "body", "bodies");
             return new Part(Part.BROAD_PHASE, false, all + of);
         }
-        return new Part(Part.BROAD_PHASE, false, all + ", because " + QueueAdvance.refusal(scene.law()));
+        return new Part(Part.BROAD_PHASE, false, all + ", because " + QueueAdvance.refusal(scene.law(), contacts));
     }
 
     private static String count(int number, String what) {

@@ -4,6 +4,7 @@ import java.util.Optional;
 import steward.Internal;
 import steward.numerics.Angles;
 import steward.physics.ImpactLaw;
+import steward.physics.Motion;
 import steward.scene.json.Block;
 
 /**
@@ -15,8 +16,7 @@ import steward.scene.json.Block;
  * @param field            the field with its walls and bumpers, if there is one
  * @param law              the law of impact; its restitution is elastic here and is decided by {@link Plan#physics}
  * @param drag             the share of its speed that a body loses at the end of a turn, 0..1
- * @param truncateVelocity whether velocities are truncated to whole numbers at the end of a turn
- * @param roundPosition    whether positions are rounded at the end of a turn
+ * @param motion           what happens to speeds and positions at the end of a turn, in which order
  * @param time             time limits of the players
  * @param choice           the rung it is computed on, and how it was chosen
  * @param angles           where sines and cosines come from: not part of the file, but chosen when a match is played or
@@ -26,8 +26,8 @@ import steward.scene.json.Block;
  *                         at the end
  */
 public record Scene(String name, String gameId, int players, Optional<Field> field, ImpactLaw law, double drag,
-                    boolean truncateVelocity, boolean roundPosition, Time time, AccuracyChoice choice,
-                    @Internal Angles angles, @Internal PhysicsObserver observer, Block root) {
+                    Motion motion, Time time, AccuracyChoice choice, @Internal Angles angles,
+                    @Internal PhysicsObserver observer, Block root) {
 
     /** Made by {@link SceneReader}. */
     @Internal
@@ -39,17 +39,27 @@ public record Scene(String name, String gameId, int players, Optional<Field> fie
         return choice.rung();
     }
 
+    /** Whether velocities become whole numbers at the end of a turn. */
+    public boolean roundsVelocity() {
+        return motion.step(Motion.Of.VELOCITY) != null;
+    }
+
+    /** Whether positions become whole numbers at the end of a turn. */
+    public boolean roundsPosition() {
+        return motion.step(Motion.Of.POSITION) != null;
+    }
+
     /** The same scene with another observer, for measurements inside turns. */
     @Internal
     public Scene withObserver(PhysicsObserver other) {
-        return new Scene(name, gameId, players, field, law, drag, truncateVelocity, roundPosition, time, choice,
+        return new Scene(name, gameId, players, field, law, drag, motion, time, choice,
             angles, other, root);
     }
 
     /** The same scene with other sines and cosines: for playing again what was played with them. */
     @Internal
     public Scene withAngles(Angles other) {
-        return new Scene(name, gameId, players, field, law, drag, truncateVelocity, roundPosition, time, choice, other,
+        return new Scene(name, gameId, players, field, law, drag, motion, time, choice, other,
             observer, root);
     }
 

@@ -1,11 +1,15 @@
 package steward.scene;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import steward.numerics.Angles;
 import steward.physics.ImpactLaw;
 import steward.physics.ImpactLaw.Restitution;
 import steward.physics.ImpactLaw.ScanOrder;
+import steward.physics.Motion;
 import steward.scene.json.Block;
 import steward.scene.json.JsonTree;
 import steward.scene.json.SceneException;
@@ -64,13 +68,40 @@ public final class SceneReader {
         Optional<Block> motion = root.optionalBlock("motion");
         Block time = root.block("time");
         AccuracyChoice choice = AccuracyReader.read(root, text.figures(), instead);
-        return new Scene(name, game, players, field, law,
-            motion.map(block -> block.number("drag", 0, 1, 0)).orElse(0.0),
-            motion.map(block -> block.choice("velocity", Map.of("truncate", true), false)).orElse(false),
-            motion.map(block -> block.choice("position", Map.of("round", true), false)).orElse(false),
+        double drag = motion.map(block -> block.number("drag", 0, 1, 0)).orElse(0.0);
+        return new Scene(name, game, players, field, law, drag,
+            motion.map(block -> motion(block, drag > 0)).orElse(new Motion(List.of())),
             new Time(time.integer("firstAnswerMs", 1, MOST_MS), time.integer("answerMs", 1, MOST_MS)),
             choice, Angles.CURRENT, PhysicsObserver.NONE,
             choice.stated() ? root : root.with("accuracy", choice.rung().json()));
+    }
+
+    /** Fields that are absent change nothing; drag comes first, and positions come last unless they are said to. */
+    private static Motion motion(Block block, boolean drag) {
+        List<Motion.Step> steps = new ArrayList<>();
+        if (drag) {
+            steps.add(Motion.Step.DRAG);
+        }
+        Motion.Step velocity = block.choice("velocity", named(Motion.Of.VELOCITY), null);
+        if (velocity != null) {
+            steps.add(velocity);
+        }
+        Motion.Step position = block.choice("position", named(Motion.Of.POSITION), null);
+        boolean first = block.choice("first", Map.of("velocity", false, "position", true), false);
+        if (position != null) {
+            steps.add(first ? 0 : steps.size(), position);
+        }
+        return new Motion(steps);
+    }
+
+    private static Map<String, Motion.Step> named(Motion.Of about) {
+        Map<String, Motion.Step> named = new TreeMap<>();
+        for (Motion.Step step : Motion.Step.values()) {
+            if (step.about() == about) {
+                named.put(step.text(), step);
+            }
+        }
+        return named;
     }
 
     /** Fields that are absent are as in {@link ImpactLaw#PHYSICS}. */

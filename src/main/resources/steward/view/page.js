@@ -1,6 +1,5 @@
 // Puts the page together: reads the embedded replay or follows a live match, and connects clock, drawing and controls.
 
-const LOOKS = { 'pod-race': POD_RACE_LOOK };
 const PANEL_MS = 100;           // while playing, texts change no more often than this
 const LINK_MS = 1000;           // nor does the link
 const LONGEST_FRAME = 0.25;     // seconds; a page that was hidden goes on where it was

@@ -54,6 +54,8 @@ const POD_RACE_LOOK = {
   },
 };
 
+LOOKS['pod-race'] = POD_RACE_LOOK;
+
 function warningOf(turnsLeft) {
   return turnsLeft < WARNING_TURNS ? `${Math.max(0, turnsLeft)} turns left to a checkpoint` : '';
 }

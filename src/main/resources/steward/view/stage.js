@@ -213,6 +213,9 @@ function trailOf(match, id, moment, turns) {
   return trail;
 }
 
+/** How games look, by the id of a game; the drawing module of each adds its own. */
+const LOOKS = {};
+
 /** How a game without a drawing module of its own looks. */
 const PLAIN_LOOK = {
   drawGround(scene) {

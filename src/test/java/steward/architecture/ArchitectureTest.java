@@ -33,8 +33,9 @@ class ArchitectureTest {
 
     /** Every rule, and the planted classes that it must find: all of them and no others. */
     enum Rule {
-        ARROWS(House::arrows, "KnowsBots", "KnowsPods", "Keeps", "Forgotten", "Borrows"),
+        ARROWS(House::arrows, "KnowsBots", "KnowsPods", "Keeps", "Forgotten", "Borrows", "Fish"),
         PARTICULAR_GAMES(House::fewRoomsKnowParticularGames, "KnowsPods", "DrawsPods"),
+        LISTED_GAMES(House::onlyTheListKnowsTheOtherGames, "KnowsFish"),
         OTHER_GAMES(House::gamesDoNotKnowEachOther, "Borrows"),
         CONTESTS(House::contestsKnowNoTerminal, "Prints"),
         BOTS(House::botsKnowNoRules, "Rules"),

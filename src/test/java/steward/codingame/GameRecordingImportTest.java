@@ -18,7 +18,7 @@ import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
-import steward.codingame.GameRecordingImport.Imported;
+import steward.codingame.RecordingImport.Imported;
 import steward.match.TestScenes;
 import steward.replay.verify.Difference;
 import steward.replay.verify.Verification;

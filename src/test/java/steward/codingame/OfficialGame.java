@@ -134,7 +134,7 @@ public final class OfficialGame implements MatchListener {
         for (int player = 0; player < 2; player++) {
             StringWriter json = new StringWriter();
             try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), json)) {
-                codec.writeCommand(out, player);
+                codec.state().writeCommand(out, player);
             }
             StringBuilder lines = new StringBuilder();
             for (JsonNode pod : JsonMapper.shared().readTree(json.toString())) {

@@ -47,7 +47,7 @@ class OfficialRecordingsImportTest {
         int turns = 0;
         for (Path file : files) {
             ByteArrayOutputStream replay = new ByteArrayOutputStream();
-            GameRecordingImport.Imported imported = GameRecordingImport.of(json(Files.readAllLines(file)),
+            RecordingImport.Imported imported = GameRecordingImport.of(json(Files.readAllLines(file)),
                 file.getFileName().toString(), TestScenes.TYPES).write(replay);
             Verification verification = TextMatches.verify(replay.toByteArray());
             report.publishEntry("import, " + file.getFileName() + ": " + verification.turns() + " turns verified, "

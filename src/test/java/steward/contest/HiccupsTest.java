@@ -20,6 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 import steward.bot.FaultMessages;
 import steward.bot.TimeBasis;
 import steward.bot.TimeSpent;
+import steward.cli.shared.Games;
 import steward.files.InputException;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
@@ -51,7 +52,7 @@ class HiccupsTest {
     private static Contest contest() {
         List<Contest.Entrant> entrants = Stream.of("me", "other")
             .map(name -> new Contest.Entrant(name, name, Protocol.JSON, List.of())).toList();
-        return new Contest(null, entrants, new TimeControl(1000 * MS, 75 * MS), 1);
+        return new Contest(Games.open("duel"), entrants, new TimeControl(1000 * MS, 75 * MS), 1);
     }
 
     static TimeSpent spent(End end) {

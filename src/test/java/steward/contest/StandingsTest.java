@@ -7,9 +7,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import steward.cli.shared.Games;
 import steward.match.MatchResult;
 import steward.match.Protocol;
+import steward.match.TestScenes;
 
 /** The sums over the games of a series. */
 class StandingsTest {
@@ -17,7 +20,66 @@ class StandingsTest {
     private static Contest contest(int players) {
         List<Contest.Entrant> entrants = Collections.nCopies(players,
             new Contest.Entrant("p", "p", Protocol.JSON, List.of()));
-        return new Contest(null, entrants, null, 1);
+        return new Contest(TestScenes.duel(players), entrants, null, 1);
+    }
+
+    /** Bots that each play the search race alone, where a lower score is better. */
+    private static Contest alone(int bots) {
+        return new Contest(Games.open("search-race"), contest(bots).entrants(), null, 1);
+    }
+
+    /** Scores by seed (from 1) and bot; NaN for a game without a result. */
+    private static List<Series.Played> games(double[]... scores) {
+        List<Series.Played> games = new ArrayList<>();
+        for (int seed = 1; seed <= scores.length; seed++) {
+            for (int bot = 0; bot < scores[seed - 1].length; bot++) {
+                double score = scores[seed - 1][bot];
+                String fault = score == 1000 ? "no answer" : null;
+                MatchResult result = new MatchResult(100, "over",
+                    List.of(new MatchResult.PlayerResult("p", 0, score, fault, fault, 1, 0, 0, 0, 0)));
+                games.add(new Series.Played(games.size() + 1, seed, bot, Double.isNaN(score) ? null : result, null,
+                    List.of(), null));
+            }
+        }
+        return games;
+    }
+
+    /** The first bot: better, equal, worse (it failed), both without a finish; the fifth map has no second result. */
+    @Test
+    void resultsOfBotsAloneAreComparedMapByMap() {
+        List<Series.Played> games = games(new double[] {100.25, 120}, new double[] {90, 90},
+            new double[] {1000, 120.5}, new double[] {1000, 1000}, new double[] {80, Double.NaN});
+        Tally first = Tally.of(alone(2), games, 0);
+        assertEquals(new Tally(4, 1, 2, 1, 0, 2, 0.5, (100.25 + 90 + 1000 + 1000 + 80) / 5), first);
+        assertEquals(new Tally(4, 1, 2, 1, 0, 1, 0.5, (120 + 90 + 120.5 + 1000) / 4), Tally.of(alone(2), games, 1));
+        assertFalse(games.get(6).allFailed(), "a bot alone does not fail together with others");
+    }
+
+    /** Of three: one ahead of both others, one ahead of one, one equal to one and behind the other. */
+    @Test
+    void threeBotsAloneShareThePoints() {
+        List<Series.Played> games = games(new double[] {10, 20, 30}, new double[] {20, 10, 20});
+        assertEquals((1 + 0.25) / 2, Tally.of(alone(3), games, 0).points());
+        assertEquals((0.5 + 1) / 2, Tally.of(alone(3), games, 1).points());
+        assertEquals((0 + 0.25) / 2, Tally.of(alone(3), games, 2).points());
+    }
+
+    @Test
+    void aBotWithoutOthersHasNoPoints() {
+        Tally tally = Tally.of(alone(1), games(new double[] {10}, new double[] {30}), 0);
+        assertEquals(2, tally.games());
+        assertTrue(Double.isNaN(tally.points()));
+        assertEquals(20, tally.score());
+        Standings standings = new Standings(alone(1));
+        assertTrue(Double.isNaN(standings.points(0)));
+    }
+
+    @Test
+    void aSeriesOfBotsAlonePlaysEachSeedWithEach() {
+        Series series = new Series(alone(3), 7, 2, false, null, KeptReplays.NONE, Hiccups.REPLAY);
+        assertEquals(6, series.games());
+        assertEquals(List.of(7L, 7L, 7L, 8L, 8L, 8L), IntStream.rangeClosed(1, 6).mapToObj(series::seed).toList());
+        assertEquals(List.of(0, 1, 2, 0, 1, 2), IntStream.rangeClosed(1, 6).map(series::rotation).boxed().toList());
     }
 
     /** @param failures of players who have failed, the others have not; by player, the score is its number */

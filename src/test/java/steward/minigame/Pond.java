@@ -1,23 +1,18 @@
 package steward.minigame;
 
-import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.List;
-import steward.game.Game;
+import steward.game.AbstractGame;
 import steward.game.TurnEvent;
 import steward.numerics.SplitMix64;
-import steward.numerics.StateHash;
 import steward.physics.Advance;
 import steward.physics.Arena;
 import steward.physics.Bodies;
 import steward.physics.Motion;
-import steward.physics.TurnLog;
 import steward.physics.event.EventAdvance;
 import steward.scene.Plan;
 import steward.scene.Scene;
 
 /** The game; what touches do is in {@link PondRules}. A player who is out has no body any more. */
-final class Pond implements Game {
+final class Pond extends AbstractGame {
 
     static final int HUNTER = 0;
     static final int BUBBLE = 1;
@@ -29,28 +24,22 @@ final class Pond implements Game {
     private static final double RADIUS_OF_UNIT_MASS = 15;
     /** Room for some bodies beyond what the scene can come to: without any, a cell is eaten where it would split. */
     private static final int SPARE = 4;
-    private static final int NOT_OUT = Integer.MAX_VALUE;
 
     private final PondSettings settings;
+    private final Plan plan;
     private final double drag;
     private final Bodies bodies;
     private final Advance advance;
     private final Motion motion;
-    private final TurnLog log = new TurnLog();
-    private final List<TurnEvent> events = new ArrayList<>();
-    private final StateHash hash = new StateHash();
-
     private final int[] hunterIds;
     private final double[] pushX;
     private final double[] pushY;
-    private final int[] outTurn;
-    private final String[] outReason;
-    private int turn;
-    private String ending;
 
     /** Draws the angle of the first hunter, then for each other body its place, until it is free, and its speed. */
     Pond(PondSettings settings, Scene scene, Plan plan, long seed) {
+        super(scene.players());
         this.settings = settings;
+        this.plan = plan;
         drag = scene.drag();
         int players = scene.players();
         bodies = new Bodies(players + settings.bubbles() + settings.fogs()
@@ -60,9 +49,6 @@ final class Pond implements Game {
         hunterIds = new int[players];
         pushX = new double[players];
         pushY = new double[players];
-        outTurn = new int[players];
-        outReason = new String[players];
-        Arrays.fill(outTurn, NOT_OUT);
         SplitMix64 random = new SplitMix64(seed);
         double first = 2 * Math.PI * random.nextDouble();
         Arena arena = settings.arena();
@@ -74,6 +60,25 @@ final class Pond implements Game {
         scatter(random, BUBBLE, settings.bubbles(), 2);
         scatter(random, CELL, settings.cells(), settings.cellMass());
         scatter(random, FOG, settings.fogs(), 30);
+    }
+
+    private Pond(Pond other) {
+        super(other);
+        settings = other.settings;
+        plan = other.plan;
+        drag = other.drag;
+        bodies = new Bodies(other.bodies.capacity());
+        bodies.copyFrom(other.bodies);
+        advance = new EventAdvance(plan.physics(new PondRules(this)));
+        motion = other.motion;
+        hunterIds = other.hunterIds.clone();
+        pushX = other.pushX.clone();
+        pushY = other.pushY.clone();
+    }
+
+    @Override
+    public Pond copy() {
+        return new Pond(this);
     }
 
     private void scatter(SplitMix64 random, int kind, int count, double mass) {
@@ -131,18 +136,13 @@ final class Pond implements Game {
         pushY[player] = y;
     }
 
-    void putOut(int player, String reason) {
-        if (isIn(player)) {
-            outReason[player] = reason;
-            outTurn[player] = turn;
-        }
+    /** As the rules of the game say, seen by {@link PondRules}. */
+    void eaten(int player, String reason) {
+        putOut(player, reason);
     }
 
     @Override
-    public void play() {
-        turn++;
-        log.clear();
-        events.clear();
+    protected void playTurn() {
         for (int player = 0; player < players(); player++) {
             int body = bodies.indexOf(hunterIds[player]);
             if (body >= 0 && isIn(player)) {
@@ -169,59 +169,20 @@ final class Pond implements Game {
             cells += bodies.kind[body] == CELL ? 1 : 0;
         }
         if (in <= 1) {
-            ending = in == 1 ? "only one hunter is left" : "no hunter is left";
+            end(in == 1 ? "only one hunter is left" : "no hunter is left");
         } else if (cells == 0 && settings.cells() > 0) {
-            ending = "no cell is left";
-        } else if (turn >= settings.maximumTurns()) {
-            ending = "at most " + settings.maximumTurns() + " turns are played";
+            end("no cell is left");
+        } else if (turn() >= settings.maximumTurns()) {
+            end("at most " + settings.maximumTurns() + " turns are played");
         }
-    }
-
-    @Override
-    public void eliminate(int player, String reason) {
-        if (isIn(player)) {
-            outReason[player] = reason;
-            outTurn[player] = turn + 1;
-        }
-    }
-
-    @Override
-    public int players() {
-        return hunterIds.length;
-    }
-
-    @Override
-    public int turn() {
-        return turn;
-    }
-
-    @Override
-    public String eliminationReason(int player) {
-        return outReason[player];
-    }
-
-    @Override
-    public boolean isOver() {
-        return ending != null;
-    }
-
-    @Override
-    public String ending() {
-        return ending;
     }
 
     /** In before out, then heavier or out later. */
     @Override
     public int[] ranks() {
-        int[] ranks = new int[players()];
         double[] scores = scores();
-        for (int player = 0; player < ranks.length; player++) {
-            for (int other = 0; other < ranks.length; other++) {
-                ranks[player] += outTurn[other] > outTurn[player]
-                    || outTurn[other] == outTurn[player] && scores[other] > scores[player] ? 1 : 0;
-            }
-        }
-        return ranks;
+        return ranks((one, other) -> outTurn(one) > outTurn(other)
+            || outTurn(one) == outTurn(other) && scores[one] > scores[other]);
     }
 
     /** The hunter's mass; 0 for a player that is out. */
@@ -240,20 +201,10 @@ final class Pond implements Game {
         return bodies;
     }
 
-    @Override
-    public TurnLog log() {
-        return log;
-    }
-
-    @Override
-    public List<TurnEvent> events() {
-        return events;
-    }
-
     /** Turn, next id, per body id, kind and five numbers, passing pairs in their order, per player the turn of exit. */
     @Override
     public long hash() {
-        hash.reset().add(turn).add(bodies.nextId());
+        hash.reset().add(turn()).add(bodies.nextId());
         for (int k = 0; k < bodies.size(); k++) {
             hash.add(bodies.id(k)).add(bodies.kind[k]).add(bodies.x[k]).add(bodies.y[k]).add(bodies.vx[k])
                 .add(bodies.vy[k]).add(bodies.mass[k]);
@@ -261,8 +212,8 @@ final class Pond implements Game {
         for (int k = 0; k < bodies.passing().size(); k++) {
             hash.add(bodies.passing().first(k)).add(bodies.passing().second(k));
         }
-        for (int out : outTurn) {
-            hash.add(out);
+        for (int player = 0; player < players(); player++) {
+            hash.add(outTurn(player));
         }
         return hash.value();
     }

@@ -1,7 +1,8 @@
 package steward.minigame;
 
-import steward.game.FrameCodec;
+import steward.game.BotFrames;
 import steward.game.JsonNumbers;
+import steward.game.StateCodec;
 import steward.physics.Bodies;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonGenerator;
@@ -10,7 +11,7 @@ import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;
 
 /** The frames of the pond. An answer is {@code {"push":{"x":1,"y":2},"message":"optional"}}. */
-final class PondJson implements FrameCodec {
+final class PondJson implements BotFrames, StateCodec {
 
     private static final String[] KINDS = {"hunter", "bubble", "cell", "fog"};
 
@@ -158,8 +159,7 @@ final class PondJson implements FrameCodec {
         out.writeEndArray();
     }
 
-    @Override
-    public void writeDrawing(JsonGenerator out) {
+    void writeDrawing(JsonGenerator out) {
         double radius = pond.settings().arena().radius();
         out.writeObjectPropertyStart("field");
         JsonNumbers.write(out, "x", pond.settings().arena().x() - radius);

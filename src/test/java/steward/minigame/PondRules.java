@@ -3,6 +3,7 @@ package steward.minigame;
 import steward.game.TurnEvent;
 import steward.physics.Bodies;
 import steward.physics.Reaction;
+import steward.physics.TurnSink;
 
 /** What a hunter's touch does: bursts, splits, eats, or nothing. */
 final class PondRules implements Reaction {
@@ -21,7 +22,7 @@ final class PondRules implements Reaction {
     }
 
     @Override
-    public Verdict on(double time, int a, int b, Bodies bodies) {
+    public Verdict on(double time, int a, int b, Bodies bodies, TurnSink sink) {
         int hunter = bodies.kind[a] == Pond.HUNTER ? a : b;
         int other = hunter == a ? b : a;
         switch (bodies.kind[other]) {
@@ -54,7 +55,7 @@ final class PondRules implements Reaction {
         if (bodies.mass[heavy] < HEAVIER * bodies.mass[light]) {
             return Verdict.BOUNCE;
         }
-        pond.putOut(pond.ownerOf(bodies.id(light)), "eaten by player " + pond.ownerOf(bodies.id(heavy)));
+        pond.eaten(pond.ownerOf(bodies.id(light)), "eaten by player " + pond.ownerOf(bodies.id(heavy)));
         eat(time, heavy, light, bodies);
         return Verdict.CHANGED;
     }

@@ -5,8 +5,11 @@ import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
 import steward.game.GameType;
+import steward.game.Pilot;
 import steward.physics.Contacts;
 import steward.physics.Contacts.Meaning;
+import steward.physics.PhysicsParts;
+import steward.physics.Reaction;
 import steward.scene.Part;
 import steward.scene.Plan;
 import steward.scene.Scene;
@@ -17,6 +20,11 @@ final class PondType implements GameType {
     @Override
     public String id() {
         return "pond";
+    }
+
+    @Override
+    public int fewestPlayers() {
+        return 2;
     }
 
     @Override
@@ -43,7 +51,19 @@ final class PondType implements GameType {
 
         @Override
         public FrameCodec codec(Game game) {
-            return new PondJson((Pond) game);
+            PondJson json = new PondJson((Pond) game);
+            return new FrameCodec(json, json, json::writeDrawing);
+        }
+
+        @Override
+        public PhysicsParts physics() {
+            return plan.physics((time, a, b, bodies, sink) -> Reaction.Verdict.BOUNCE);
+        }
+
+        @Override
+        public Pilot pilot(Pilot.Aim aim) {
+            return (game, player, random) -> "{\"push\":{\"x\":" + random.nextInt(-5, 5) + ",\"y\":"
+                + random.nextInt(-5, 5) + "}}";
         }
     }
 }

@@ -200,6 +200,43 @@ class BodiesTest {
         refused("capacity 8, expected 9", () -> new Bodies(9).copyFrom(bodies));
     }
 
+    /** Things that are no bodies are counted with them. */
+    @Test
+    void anIdCanBeTakenWithoutABody() {
+        Bodies bodies = three();
+        assertEquals(6, bodies.takeId());
+        assertEquals(7, bodies.id(bodies.add(0, 0, 1, 1)));
+        assertEquals(-1, bodies.indexOf(6));
+    }
+
+    @Test
+    void columnsMoveDieAndAreCopiedWithTheirBodies() {
+        Bodies bodies = new Bodies(4, 2);
+        for (int k = 0; k < 4; k++) {
+            bodies.add(k, 0, 1, 1);
+            bodies.columns[1][k] = 10 * k;
+        }
+        bodies.remove(1);
+        Bodies copy = new Bodies(4, 2);
+        copy.copyFrom(bodies);
+        assertEquals(3, copy.size());
+        assertArrayEquals(new double[] {0, 20, 30},
+            new double[] {copy.columns[1][0], copy.columns[1][1], copy.columns[1][2]});
+        copy.add(0, 0, 1, 1);
+        assertEquals(0, copy.columns[1][3], "not what was there before");
+        assertEquals(30, bodies.columns[1][2]);
+        refused("2 columns, expected 0", () -> new Bodies(4).copyFrom(bodies));
+        refused("-1 columns, expected at least 0", () -> new Bodies(4, -1));
+    }
+
+    @Test
+    void aPointHasNoRadius() {
+        Bodies bodies = new Bodies(1);
+        bodies.addPoint(3, 4, 1);
+        assertEquals(0, bodies.radius[0]);
+        refused("body 0: radius 0.0, expected finite and above 0", () -> bodies.setRadius(0, 0));
+    }
+
     @Test
     void passingPairsKnowNoOrderAndTellWallsFromBodies() {
         PassingPairs pairs = new PassingPairs();

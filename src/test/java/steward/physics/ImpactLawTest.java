@@ -77,7 +77,7 @@ class ImpactLawTest {
         Contacts asking = new Contacts(2).set(0, 1, Contacts.Meaning.ASK);
         refused("contacts ask, but there is no reaction", () -> parts(asking, null));
         refused("there is a reaction, but no contact asks",
-            () -> parts(new Contacts(2), (time, a, b, bodies) -> Reaction.Verdict.PASS));
+            () -> parts(new Contacts(2), (time, a, b, bodies, sink) -> Reaction.Verdict.PASS));
         refused("0 kinds, expected at least 1", () -> new Contacts(0));
     }
 

@@ -69,7 +69,7 @@ class PlanTest {
             in   headings           pods turn
             out  checkpoint sweeps  no race
             """, PlanTable.of(plan));
-        Reaction reaction = (time, a, b, bodies) -> Reaction.Verdict.BOUNCE;
+        Reaction reaction = (time, a, b, bodies, sink) -> Reaction.Verdict.BOUNCE;
         PhysicsParts parts = plan.physics(reaction);
         assertEquals(Restitution.MINIMUM, parts.law().restitution());
         assertEquals(4, parts.walls().size());

@@ -182,11 +182,12 @@ class SceneErrorsTest {
     private static final String MOTION = """
         "truncate"
         "truncat"
-        9:41: motion.velocity: found "truncat", expected "truncate"; did you mean "truncate"?
+        9:41: motion.velocity: found "truncat", expected one of "round-half-away", \
+        "truncate", "truncate-snap"; did you mean "truncate"?
 
         "round"
         "floor"
-        9:65: motion.position: found "floor", expected "round"
+        9:65: motion.position: found "floor", expected one of "round", "round-half-away", "truncate-snap"
 
         "event"
         "evnet"
@@ -227,7 +228,8 @@ class SceneErrorsTest {
     private static final String UNKNOWN = """
         "drag": 0.15
         "drag": 0, "drga": 1
-        9:26: motion.drga: found an unknown field, expected one of "drag", "velocity", "position"; did you mean "drag"?
+        9:26: motion.drga: found an unknown field, expected one of "drag", "velocity", \
+        "position", "first"; did you mean "drag"?
 
         "radius": 3
         "radius": 3, "mass": 1

@@ -14,6 +14,7 @@ import steward.physics.HalfPlane;
 import steward.physics.ImpactLaw;
 import steward.physics.ImpactLaw.Restitution;
 import steward.physics.ImpactLaw.ScanOrder;
+import steward.physics.Motion;
 import steward.physics.Segment;
 import steward.physics.Wall;
 import steward.scene.json.SceneException;
@@ -35,7 +36,7 @@ class SceneReaderTest {
         assertEquals(ImpactLaw.PHYSICS, scene.law());
         assertEquals(ImpactLaw.PHYSICS, scene(", \"impacts\": {}").law());
         assertEquals(0, scene.drag());
-        assertEquals(List.of(false, false), List.of(scene.truncateVelocity(), scene.roundPosition()));
+        assertEquals(List.of(false, false), List.of(scene.roundsVelocity(), scene.roundsPosition()));
         assertEquals(new Time(1000, 75), scene.time());
         assertEquals(Accuracy.event(Arithmetic.OFFICIAL), scene.accuracy());
     }
@@ -54,7 +55,26 @@ class SceneReaderTest {
     void motionIsReadFieldByField() {
         Scene scene = scene(", \"motion\": { \"drag\": 0.15, \"position\": \"round\" }");
         assertEquals(0.15, scene.drag());
-        assertEquals(List.of(false, true), List.of(scene.truncateVelocity(), scene.roundPosition()));
+        assertEquals(List.of(false, true), List.of(scene.roundsVelocity(), scene.roundsPosition()));
+    }
+
+    @Test
+    void motionHasOtherRoundingsAndAnotherOrder() {
+        assertEquals(new Motion(List.of(Motion.Step.ROUND_POSITION_AWAY, Motion.Step.DRAG, Motion.Step.ROUND_VELOCITY)),
+            scene(", \"motion\": { \"drag\": 0.2, \"velocity\": \"round-half-away\", "
+                + "\"position\": \"round-half-away\", \"first\": \"position\" }").motion());
+        assertEquals(new Motion(List.of(Motion.Step.SNAP_VELOCITY, Motion.Step.SNAP_POSITION)),
+            scene(", \"motion\": { \"velocity\": \"truncate-snap\", \"position\": \"truncate-snap\" }").motion());
+    }
+
+    /** A centred world: the field begins at (-10, -5). */
+    @Test
+    void aFieldMayHaveItsOriginElsewhere() {
+        Field field = scene(", \"field\": { \"x\": -10, \"y\": -5, \"width\": 20, \"height\": 10, "
+            + "\"walls\": \"box\" }").field().get();
+        assertEquals(new Field(-10, -5, 20, 10, List.of(Wall.box(-10, -5, 20, 10, 1)), List.of()), field);
+        assertEquals(3, field.walls().get(2).gap(6, 0, 1), "right, at x = 10");
+        assertEquals(2, field.walls().get(1).gap(0, -2, 1), "top, at y = -5");
     }
 
     @Test

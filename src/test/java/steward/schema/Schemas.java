@@ -14,13 +14,20 @@ import java.util.List;
 /** The JSON Schemas that come with the program. */
 final class Schemas {
 
-    static final List<String> POD_RACE = List.of("setup", "turn", "end", "answer", "replay", "scene");
+    static final String POD_RACE = "pod-race";
+    static final String SEARCH_RACE = "search-race";
+    static final String MEAN_MAX = "mean-max";
+    static final List<String> NAMES = List.of("setup", "turn", "end", "answer", "replay", "scene");
 
     private Schemas() {
     }
 
     static String text(String name) {
-        try (InputStream in = Schemas.class.getResourceAsStream("/steward/schemas/pod-race/" + name + ".json")) {
+        return text(POD_RACE, name);
+    }
+
+    static String text(String game, String name) {
+        try (InputStream in = Schemas.class.getResourceAsStream("/steward/schemas/" + game + "/" + name + ".json")) {
             return new String(in.readAllBytes(), StandardCharsets.UTF_8);
         } catch (IOException problem) {
             throw new UncheckedIOException(problem);
@@ -28,8 +35,12 @@ final class Schemas {
     }
 
     static Schema open(String name) {
+        return open(POD_RACE, name);
+    }
+
+    static Schema open(String game, String name) {
         return SchemaRegistry.withDefaultDialect(SpecificationVersion.DRAFT_2020_12)
-            .getSchema(text(name), InputFormat.JSON);
+            .getSchema(text(game, name), InputFormat.JSON);
     }
 
     /** What a schema has against a text; nothing if it is valid. */

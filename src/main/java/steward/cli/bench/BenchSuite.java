@@ -43,6 +43,7 @@ final class BenchSuite {
         MatchFixture fixture = fixture();
         List<Section> sections = new ArrayList<>();
         sections.add(new PodTurnSection((PodRaceType.PodRaceSetup) fixture.setup(), threads));
+        sections.add(new GameTurnSection());
         sections.add(Sections.matches(fixture, threads, games));
         sections.add(Sections.growth(fixture, growth()));
         sections.add(Sections.frames(fixture, new BenchRaceStates(fixture.setup()), ANSWER));

@@ -13,7 +13,9 @@ import steward.cli.shared.Streams;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.game.GameSetup;
+import steward.game.Pilot;
 import steward.lab.calibration.Calibration;
+import steward.lab.calibration.SeededPlay;
 import steward.scene.AccuracyFigures;
 import steward.text.TextFormat;
 
@@ -51,7 +53,7 @@ final class CalibrationRun {
     static CalibrationRun of(Streams streams, GameSetup setup, Path file, int states) {
         try {
             return new CalibrationRun(streams, setup, file,
-                new Calibration(setup, seed -> SeededPilots.race(setup, seed), states));
+                new Calibration(setup, seed -> new SeededPlay(setup, setup.pilot(Pilot.Aim.WIN), seed), states));
         } catch (IllegalArgumentException problem) {
             throw new InputException("--calibrate: " + setup.scene().name() + ": " + problem.getMessage());
         }

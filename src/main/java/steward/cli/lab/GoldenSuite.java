@@ -2,15 +2,13 @@ package steward.cli.lab;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.StringJoiner;
 import java.util.regex.Matcher;
 import steward.cli.shared.Games;
 import steward.game.GameSetup;
-import steward.game.podrace.protocol.PodRaceType;
+import steward.game.Pilot;
 import steward.lab.stability.GoldenHash;
 import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
-import steward.numerics.SplitMix64;
 import steward.physics.Arithmetic;
 import steward.scene.SceneFiles;
 
@@ -22,16 +20,33 @@ final class GoldenSuite {
     private GoldenSuite() {
     }
 
-    /** How many parts there are. */
+    /** How many parts there are, of all games. */
     static int count() {
         return GoldenHash.WORLDS * Rung.all().size() + SceneFiles.shipped().size() * (Arithmetic.OF_SCENES.size() + 1);
     }
 
-    /** @param after called after each part */
+    /**
+     * The worlds and the scenes of the first game, whose hash no further game changes.
+     *
+     * @param after called after each part
+     */
     static List<GoldenHash.Part> parts(RunLength size, Runnable after) {
         List<GoldenHash.Part> parts = new ArrayList<>(GoldenHash.worlds(size, after));
+        parts.addAll(parts(Games.FIRST, size, after));
+        return parts;
+    }
+
+    /**
+     * The scenes of a game.
+     *
+     * @param after called after each part
+     */
+    static List<GoldenHash.Part> parts(String game, RunLength size, Runnable after) {
+        List<GoldenHash.Part> parts = new ArrayList<>();
         int turns = size == RunLength.SMALL ? 30 : 500;
-        for (String scene : SceneFiles.shipped()) {
+        List<String> scenes = SceneFiles.shipped().stream()
+            .filter(scene -> Games.open(scene).scene().gameId().equals(game)).toList();
+        for (String scene : scenes) {
             for (Arithmetic arithmetic : Arithmetic.OF_SCENES) {
                 parts.add(play(scene, "\"accuracy\": {\"advance\": \"event\", \"arithmetic\": \"" + arithmetic.text()
                     + "\"}", arithmetic.text(), turns));
@@ -47,17 +62,6 @@ final class GoldenSuite {
     private static GoldenHash.Part play(String scene, String accuracy, String rung, int turns) {
         String text = SceneFiles.load(scene).text().replaceFirst(ACCURACY, Matcher.quoteReplacement(accuracy));
         GameSetup setup = Games.types().open(text, scene);
-        int pods = ((PodRaceType.PodRaceSetup) setup).settings().podsPerPlayer();
-        return GoldenHash.game(scene + ", " + rung, setup, (player, random) -> crowd(pods, random), turns);
-    }
-
-    /** Every pod heads for a random place near the middle, so that they meet; now and then one raises its shield. */
-    private static String crowd(int pods, SplitMix64 random) {
-        StringJoiner all = new StringJoiner(",", "{\"pods\":[", "]}");
-        for (int pod = 0; pod < pods; pod++) {
-            all.add("{\"x\":" + random.nextInt(6000, 10_000) + ",\"y\":" + random.nextInt(3000, 6000)
-                + (random.nextInt(20) == 0 ? ",\"shield\":true}" : ",\"thrust\":" + random.nextInt(50, 100) + "}"));
-        }
-        return all.toString();
+        return GoldenHash.game(scene + ", " + rung, setup, setup.pilot(Pilot.Aim.MINGLE), turns);
     }
 }

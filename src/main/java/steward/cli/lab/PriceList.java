@@ -9,9 +9,11 @@ import java.util.function.LongSupplier;
 import steward.cli.shared.Games;
 import steward.cli.shared.Streams;
 import steward.game.GameSetup;
+import steward.game.Pilot;
 import steward.lab.calibration.PartByPartPhysics;
 import steward.lab.calibration.PartPrices;
 import steward.lab.calibration.PartPrices.Price;
+import steward.lab.calibration.SeededPlay;
 import steward.scene.Part;
 
 /** What each part of a scene adds to a turn, measured on this machine. */
@@ -42,8 +44,9 @@ final class PriceList {
     /** With two clocks in nanoseconds: one for the prices, and the wall clock. */
     static PriceList measure(Streams streams, GameSetup setup, LongSupplier work, LongSupplier wall) {
         int[] told = {-1};
-        PartPrices.Prices prices = PartPrices.measure(setup.scene(), Games.types(), SeededPilots.race(setup, SEED),
-            SeededPilots.racing(), work, wall, BUDGET_NANOS, share -> {
+        Pilot pilot = setup.pilot(Pilot.Aim.WIN);
+        PartPrices.Prices prices = PartPrices.measure(setup.scene(), Games.types(),
+            new SeededPlay(setup, pilot, SEED), pilot, work, wall, BUDGET_NANOS, share -> {
                 int percent = (int) (100 * share);
                 if (streams.errTerminal() && percent > told[0]) {
                     streams.err().print("\rmeasuring prices: " + percent + "%");

@@ -3,7 +3,9 @@ package steward.cli.lab;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Iterator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -11,6 +13,7 @@ import picocli.CommandLine.Option;
 import steward.cli.options.CallCheck;
 import steward.cli.options.TableFolder;
 import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Games;
 import steward.cli.shared.Interruption;
 import steward.cli.shared.ProgressLine;
 import steward.cli.shared.Streams;
@@ -141,15 +144,27 @@ public final class StabilityCommand implements Callable<Integer> {
     private int golden(RunLength size) {
         ProgressLine.announce(streams, TextFormat.about(size.pick(GOLDEN_SECONDS[0], GOLDEN_SECONDS[1],
             GOLDEN_SECONDS[2])), "prints nothing");
+        Map<String, List<GoldenHash.Part>> others = new LinkedHashMap<>();
         List<GoldenHash.Part> parts;
         try (ProgressLine progress = ProgressLine.watched(streams, "golden", GoldenSuite.count())) {
-            parts = GoldenSuite.parts(size, () -> ProgressLine.step(progress));
+            Runnable after = () -> ProgressLine.step(progress);
+            for (String game : Games.ids()) {
+                if (!game.equals(Games.FIRST)) {
+                    others.put(game, GoldenSuite.parts(game, size, after));
+                }
+            }
+            parts = GoldenSuite.parts(size, after);
         }
+        others.forEach((game, itsParts) -> print(itsParts, "all of " + game));
+        print(parts, "all");
+        return ExitStatus.DONE;
+    }
+
+    private void print(List<GoldenHash.Part> parts, String all) {
         for (GoldenHash.Part part : parts) {
             streams.out().println(StateHash.toHex(part.hash()) + "  " + part.name());
         }
-        streams.out().println(StateHash.toHex(GoldenHash.total(parts)) + "  all");
-        return ExitStatus.DONE;
+        streams.out().println(StateHash.toHex(GoldenHash.total(parts)) + "  " + all);
     }
 
     private int table(List<StabilityCase> cases, List<Rung> rungs, RunLength size, StabilityTable table,

@@ -12,10 +12,11 @@ import steward.cli.shared.StandardFiles;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.game.GameSetup;
-import steward.game.podrace.protocol.PodRaceType;
+import steward.game.Pilot;
 import steward.lab.calibration.SeededPlay;
 import steward.lab.tradeoff.TradeoffScene;
 import steward.lab.tradeoff.TradeoffWorlds;
+import steward.physics.Bodies;
 import steward.physics.Motion;
 import steward.scene.SceneFiles;
 import steward.text.NearestName;
@@ -43,7 +44,7 @@ final class TradeoffScenes {
     private static final String OFFICIAL = "mad-pod-racing";
     private static final String WALLED = "walled-race";
     private static final long SEED = 4;
-    /** For up to 4 pods; a crowd has fewer, because all pairs are scanned. */
+    /** For up to 4 bodies that move; a crowd has fewer, because all pairs are scanned. */
     private static final int STATES = 5000;
     private static final int LEAST_STATES = 100;
     private static final int FREE_RUNS = 9;
@@ -80,7 +81,7 @@ final class TradeoffScenes {
         if (word.equals(BRAWL)) {
             GameSetup setup = Games.open(OFFICIAL);
             return played(BRAWL, "states of four pods that all want the same checkpoint, official rules", setup,
-                SeededPilots.brawl(setup, SEED));
+                Pilot.Aim.GATHER);
         }
         for (TradeoffScene world : TradeoffWorlds.all()) {
             if (world.name().equals(word)) {
@@ -107,15 +108,24 @@ final class TradeoffScenes {
     }
 
     private static TradeoffScene race(String name, String about, GameSetup setup) {
-        return played(name, about, setup, SeededPilots.race(setup, SEED));
+        return played(name, about, setup, Pilot.Aim.WIN);
     }
 
-    private static TradeoffScene played(String name, String about, GameSetup setup, SeededPlay play) {
-        Motion motion = setup.plan().motion();
-        boolean rounds = motion.truncateVelocity() && motion.roundPosition();
-        int pods = ((PodRaceType.PodRaceSetup) setup).settings().pods();
-        int states = Math.max(LEAST_STATES, (int) (STATES * Math.min(1, 16.0 / (pods * pods))));
-        return new TradeoffScene(name, about, setup.plan().physics(null), rounds ? motion : null, play::next, states,
+    private static TradeoffScene played(String name, String about, GameSetup setup, Pilot.Aim aim) {
+        Motion motion = setup.motion();
+        boolean rounds = motion.endsInWholeNumbers();
+        int movable = movable(setup.create(SEED).bodies());
+        int states = Math.max(LEAST_STATES, (int) (STATES * Math.min(1, 16.0 / (movable * movable))));
+        SeededPlay play = new SeededPlay(setup, setup.pilot(aim), SEED);
+        return new TradeoffScene(name, about, setup.physics(), rounds ? motion : null, play::next, states,
             FREE_RUNS, FREE_TURNS, STEPS);
+    }
+
+    private static int movable(Bodies bodies) {
+        int movable = 0;
+        for (int k = 0; k < bodies.size(); k++) {
+            movable += bodies.inverseMass[k] > 0 ? 1 : 0;
+        }
+        return movable;
     }
 }

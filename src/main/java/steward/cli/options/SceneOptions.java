@@ -2,6 +2,7 @@ package steward.cli.options;
 
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
+import steward.cli.shared.StandardFiles;
 import steward.cli.shared.Streams;
 import steward.game.GameSetup;
 
@@ -21,6 +22,11 @@ public final class SceneOptions {
 
     @Mixin
     private final AccuracyOption accuracy = new AccuracyOption();
+
+    /** Whether the scene is read from the standard input. */
+    public boolean isPiped() {
+        return StandardFiles.is(scene);
+    }
 
     /** Opens the scene on the rung. */
     public GameSetup open(Streams streams) {

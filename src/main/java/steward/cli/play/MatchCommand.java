@@ -22,6 +22,7 @@ import steward.cli.shared.Verbosity;
 import steward.contest.Contest;
 import steward.contest.Series;
 import steward.files.OutputFiles;
+import steward.game.GameSetup;
 import steward.replay.sign.SigningKey;
 
 /** {@code steward match}: one match, or many. */
@@ -121,8 +122,13 @@ public final class MatchCommand implements Callable<Integer> {
             "--view: found -, expected a file: the standard output is for the result");
         String problem = show.problem(many.isAny());
         check.that(problem == null, problem);
-        Contest contest = Contest.of(Games.warn(scene.open(streams), streams), bots, ProtocolWord.parse(protocol),
-            factor).limitedBy(basis);
+        GameSetup setup = Games.warn(scene.open(streams), streams);
+        boolean alone = setup.scene().players() == 1;
+        problem = alone ? many.problemAlone() : null;
+        check.that(problem == null, problem);
+        Contest contest = many.isAny() ? Contest.ofSeries(setup, bots, ProtocolWord.parse(protocol), factor)
+            : Contest.of(setup, bots, ProtocolWord.parse(protocol), factor);
+        contest = contest.limitedBy(basis);
         contest = sign == null ? contest : contest.signedWith(SigningKey.read(OutputFiles.path(sign)));
         contest = contest.isolatedBy(sandbox.isolation(streams));
         long first = seed.orDrawn();

@@ -69,8 +69,11 @@ final class RefereeArguments {
         for (int player = 1; player <= MOST_PLAYERS; player++) {
             String bot = value(bot(player));
             if ((bot != null) != player <= players) {
-                throw new InputException((bot == null ? "found no " : "found ") + bot(player) + ", expected -p1 to -p"
-                    + players + ": the scene \"" + scene + "\" is for " + TextFormat.count(players, "player"));
+                throw new InputException((bot == null ? "found no " : "found ") + bot(player) + ", expected -p1"
+                    + (players == 1 ? " alone" : " to -p" + players) + ": the scene \"" + scene + "\" is for "
+                    + TextFormat.count(players, "player")
+                    + (players == 1 && bot != null ? ", and there are no seats to "
+                        + "change; 'steward match --games' plays each of several bots alone on the same maps" : ""));
             }
             if (bot == null && value(name(player)) != null) {
                 throw new InputException("found " + name(player) + ", expected " + bot(player) + " with it");

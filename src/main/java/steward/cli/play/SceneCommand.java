@@ -61,7 +61,7 @@ public final class SceneCommand implements Callable<Integer> {
             case "mad-pod-racing-silver" -> "the same with one pod each and a thrust of at most 100";
             case "walled-race" -> "the race between walls that bounce, with immovable bumpers";
             case "duel" -> "one pod each on a small map: over in seconds, good for trying things";
-            default -> throw new IllegalArgumentException(scene);
+            default -> Games.about(scene);
         };
     }
 

@@ -33,6 +33,7 @@ final class SeriesJson {
             out.writeStringProperty("seed", Long.toString(series.first()));
             out.writeNumberProperty("seeds", series.seeds());
             out.writeBooleanProperty("swap", series.swap());
+            out.writeBooleanProperty("alone", series.contest().isAlone());
             out.writeNumberProperty("planned", series.games());
             out.writeNumberProperty("games", standings.games().size());
             out.writeNumberProperty("results", standings.results());
@@ -86,7 +87,7 @@ final class SeriesJson {
         out.writeNumberProperty("faults", tally.faults());
         JsonNumbers.writeOrNull(out, "points", tally.points());
         out.writeArrayPropertyStart("interval95");
-        if (tally.games() > 0) {
+        if (!Double.isNaN(tally.points())) {
             JsonNumbers.write(out, tally.low());
             JsonNumbers.write(out, tally.high());
         }
@@ -108,7 +109,7 @@ final class SeriesJson {
         out.writeNumberProperty("game", game.number());
         out.writeStringProperty("seed", Long.toString(game.seed()));
         out.writeArrayPropertyStart("order");
-        for (int player = 0; player < series.contest().entrants().size(); player++) {
+        for (int player = 0; player < series.contest().players(); player++) {
             out.writeNumber(series.contest().entrantOf(player, game.rotation()));
         }
         out.writeEndArray();

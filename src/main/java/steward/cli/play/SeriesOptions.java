@@ -91,6 +91,14 @@ final class SeriesOptions {
         check.that(keep == null || out, "--keep: expected --out with it");
     }
 
+    /** What does not apply where each bot plays alone, or {@code null}. */
+    String problemAlone() {
+        return swap ? "--swap: the scene is for one player, and each bot plays alone: there are no sides to change"
+            : keep().equals(KeptReplays.LOST) ? "--keep lost: the scene is for one player, and a game alone has no "
+                + "loser, "
+                + "expected all, failed or none" : null;
+    }
+
     /** Whether there is to be more than one match. */
     boolean isAny() {
         return games != null || swap;

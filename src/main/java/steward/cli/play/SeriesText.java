@@ -33,7 +33,9 @@ final class SeriesText {
         for (int k = 0; k < series.contest().entrants().size(); k++) {
             Tally tally = standings.tally(k);
             String name = series.contest().entrants().get(k).name();
-            line.append(k == 0 ? " " : ", ").append(name).append(' ').append(TextFormat.fixed(tally.points(), 3));
+            line.append(k == 0 ? " " : ", ").append(name).append(' ').append(series.contest().isAlone()
+                ? TextFormat.fixed(tally.points(), 3) + " (mean " + TextFormat.fixed(tally.score(), 2) + ")"
+                : TextFormat.fixed(tally.points(), 3));
             if (tally.faults() > 0) {
                 faults.append("; ").append(name).append(" failed in ").append(tally.faults());
             }
@@ -62,6 +64,7 @@ final class SeriesText {
         out.println(colour.strong(TextFormat.plain(games(series, standings))) + ", "
             + (series.seeds() == 1 ? "seed " + series.first() : "seeds " + series.first() + " to " + last)
             + (series.swap() ? ", each with every order of sides" : "")
+            + (series.contest().isAlone() ? ", each bot alone" : "")
             + (without > 0 ? ", " + colour.bad(without + " without a result") : "")
             + "; " + TextFormat.fixed(standings.meanTurns(), 1) + " turns on average");
         out.println();
@@ -69,14 +72,22 @@ final class SeriesText {
         out.println();
         times(out, series, standings);
         out.println();
-        out.println("Points: 1 for a win, 1/2 for a draw"
-            + (series.contest().entrants().size() > 2 ? " against each other bot, divided by their number" : "")
-            + "; Wilson's 95% interval.");
+        out.println(legend(series.contest()));
         out.println("Times without first answers, which include the start of the program; p99 is at most 1.6% high.");
         allFailed(out, colour, series, standings.allFailed());
         failures(out, colour, series, standings.failures());
         playedAgain(out, series, standings.playedAgain());
         replays(out, series, standings.games());
+    }
+
+    private static String legend(Contest contest) {
+        String others = contest.entrants().size() > 2 ? " against each other bot, divided by their number" : "";
+        if (!contest.isAlone()) {
+            return "Points: 1 for a win, 1/2 for a draw" + others + "; Wilson's 95% interval.";
+        }
+        return contest.entrants().size() == 1 ? "Points: none without another bot on the same maps."
+            : "Points: 1 for the better result on the same map, 1/2 for an equal one" + others
+                + "; Wilson's 95% interval.";
     }
 
     private static int nameWidth(Series series) {
@@ -101,7 +112,7 @@ final class SeriesText {
                 + TextFormat.right(Integer.toString(tally.losses()), 8)
                 + (tally.faults() > 0 ? colour.bad(faults) : faults)
                 + colour.strong(TextFormat.right(TextFormat.fixed(tally.points(), 3), 8))
-                + "   " + TextFormat.left(TextFormat.fixed(tally.low(), 3) + " to "
+                + "   " + TextFormat.left(Double.isNaN(tally.points()) ? "-" : TextFormat.fixed(tally.low(), 3) + " to "
                     + TextFormat.fixed(tally.high(), 3), 14)
                 + TextFormat.right(TextFormat.fixed(tally.score(), 2), 12));
         }

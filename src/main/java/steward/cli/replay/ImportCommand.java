@@ -23,7 +23,8 @@ import steward.cli.shared.Games;
 import steward.cli.shared.Json;
 import steward.cli.shared.StandardFiles;
 import steward.cli.shared.Streams;
-import steward.codingame.GameRecordingImport;
+import steward.codingame.DifferentGameException;
+import steward.codingame.RecordingImport;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.replay.page.UnclosedOutputStream;
@@ -35,13 +36,15 @@ import steward.text.TextFormat;
     footer = {"",
         "The JSON is what the site's own page asks its server for: the answer of",
         "gameResult/findByGameId, or of any request whose answer has \"frames\".",
+        "Of a game for one player it can also be {\"stdin\":[..],\"stdout\":[..]}, the lines",
+        "that it was sent and has answered: each is compared while it is imported.",
         "", "--json: turns, ending (null where the recording ends before), replay.",
         "", "Examples:",
         "  steward import game.json --out game.jsonl",
         "  steward replay game.jsonl --verify",
         "  curl ... | steward import - --out - | steward replay - --verify",
-        "", "Exit status: 0 imported; 2 the file or the call is wrong: the error names the",
-        "frame and the line."})
+        "", "Exit status: 0 imported; 1 a line of the server differs; 2 the file or the call",
+        "is wrong: the error names the frame and the line."})
 public final class ImportCommand implements Callable<Integer> {
 
     private static final String RECORDING = "a recording";
@@ -77,13 +80,15 @@ public final class ImportCommand implements Callable<Integer> {
                 "--json is printed to the standard output, expected a file for --out");
         }
         Path replay = piped ? null : OutputFiles.path(out);
-        GameRecordingImport recording = read(replay);
-        GameRecordingImport.Imported imported;
+        RecordingImport recording = read(replay);
+        RecordingImport.Imported imported;
         try (OutputStream stream = piped ? new UnclosedOutputStream(streams.out())
                 : OutputFiles.open(replay, overwrite)) {
             imported = recording.write(stream);
         } catch (IOException problem) {
             throw new FailedException(replay + ": cannot be closed: " + problem.getMessage());
+        } catch (DifferentGameException difference) {
+            throw new FailedException(difference.getMessage());
         }
         if (json) {
             Json.print(streams, object -> {
@@ -100,14 +105,14 @@ public final class ImportCommand implements Callable<Integer> {
         return ExitStatus.DONE;
     }
 
-    private GameRecordingImport read(Path replay) {
+    private RecordingImport read(Path replay) {
         boolean piped = StandardFiles.is(file);
         String source = piped ? StandardFiles.INPUT : file;
-        byte[] bytes = piped ? StandardFiles.readAll(streams, GameRecordingImport.MOST_BYTES, RECORDING)
+        byte[] bytes = piped ? StandardFiles.readAll(streams, RecordingImport.MOST_BYTES, RECORDING)
             : readFile(OutputFiles.path(file), replay);
         try {
             String text = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
-            return GameRecordingImport.of(text.startsWith(BYTE_ORDER_MARK) ? text.substring(1) : text, source,
+            return RecordingImport.of(text.startsWith(BYTE_ORDER_MARK) ? text.substring(1) : text, source,
                 Games.types());
         } catch (CharacterCodingException problem) {
             throw new InputException(source
@@ -125,7 +130,7 @@ public final class ImportCommand implements Callable<Integer> {
             throw new InputException(recorded + ": found a folder, expected a recording");
         }
         try (InputStream in = Files.newInputStream(recorded)) {
-            return StandardFiles.readAll(in, recorded.toString(), GameRecordingImport.MOST_BYTES, RECORDING);
+            return StandardFiles.readAll(in, recorded.toString(), RecordingImport.MOST_BYTES, RECORDING);
         } catch (IOException problem) {
             throw new InputException(recorded + (Files.exists(recorded)
                 ? ": cannot be read: no permission" : ": found no such file, expected a recording"));

@@ -39,6 +39,7 @@ import steward.replay.verify.Verification;
         "  steward replay match.jsonl --from 10 --to 20",
         "  steward replay match.jsonl --turn 57",
         "  steward replay match.jsonl --impacts",
+        "  steward replay match.jsonl --map",
         "  steward replay match.jsonl --verify",
         "  steward replay match.jsonl --verify --signed-by mine.key.pub",
         "  steward replay match.jsonl --view match.html --open",
@@ -66,6 +67,9 @@ public final class ReplayCommand implements Callable<Integer> {
 
     @Option(names = "--impacts", description = "Prints the impacts instead of the states.")
     private boolean impacts;
+
+    @Option(names = "--map", description = "Draws the end of the match with characters.")
+    private boolean map;
 
     @Option(names = "--verify", description = "Plays the match again and compares every turn.")
     private boolean verify;
@@ -128,7 +132,9 @@ public final class ReplayCommand implements Callable<Integer> {
                 printJson(replay);
                 return ExitStatus.DONE;
             }
-            if (frames) {
+            if (map) {
+                streams.out().print(TextMap.of(replay));
+            } else if (frames) {
                 FramePrinter.print(streams, replay,
                     PlayerChoice.of(player, replay.header().names(), replay.source()));
             } else if (turn != null && !impacts) {
@@ -168,6 +174,8 @@ public final class ReplayCommand implements Callable<Integer> {
             "--view and --open take the whole match, expected no --verify, --frames, --impacts, --turn, --from or --to "
             + "with them");
         check.that(!open || !StandardFiles.is(view), "--open: found --view - with it, expected a file for the page");
+        check.that(!map || !verify && !frames && !impacts && !range && turn == null && !json && view == null && !open,
+            "--map draws the end of the match, expected nothing else with it");
         check.that(!overwrite || view != null, "--overwrite: expected --view with it");
         check.that(!quiet || !frames && !impacts && turn == null, "--quiet is for the summary and --verify");
         check.that(!json || !frames && !quiet && !open && view == null && (impacts || from == null && to == null),

@@ -11,8 +11,9 @@ import steward.replay.ReplayReader;
 import steward.text.TextFormat;
 
 /**
- * Draws the end of a recorded match with characters: the field, its zones with their labels, and where every body was
- * in the last turns, a letter per body. It draws what the game described and knows no game.
+ * Draws the end of a recorded match with characters: the field, its zones with their labels, where every body of a
+ * player was in the last turns, a letter per body, and where the others are in the end. It draws what the game
+ * described and knows no game.
  */
 public final class TextMap {
 
@@ -52,11 +53,16 @@ public final class TextMap {
             return "";
         }
         TextMap map = new TextMap(field);
-        Map<Integer, List<double[]>> trails = trails(replay);
+        Map<Integer, List<double[]>> trails = new LinkedHashMap<>();
+        Map<String, Object> end = end(replay, trails);
+        trails.keySet().removeIf(body -> ownerOf(drawing, body) < 0);
         Map<Integer, Character> letters = letters(trails, drawing);
-        for (Map<?, ?> zone : Json.objects(drawing.get("zones"))) {
+        List<Map<?, ?>> zones = new ArrayList<>(Json.objects(drawing.get("zones")));
+        zones.addAll(Json.objects(end.get("zones")));
+        for (Map<?, ?> zone : zones) {
             map.circle(zone, '.');
         }
+        map.drawOthers(end, drawing);
         for (Map<?, ?> body : Json.objects(drawing.get("bodies"))) {
             if (body.containsKey("x")) {
                 map.circle(body, '#');
@@ -65,19 +71,30 @@ public final class TextMap {
         int turns = PLACES / Math.max(1, trails.size());
         trails.forEach((body, trail) -> trail.subList(Math.max(0, trail.size() - turns), trail.size())
             .forEach(place -> map.put(place[0], place[1], letters.get(body))));
-        for (Map<?, ?> zone : Json.objects(drawing.get("zones"))) {
-            map.label(zone);
-        }
+        zones.forEach(map::label);
         return map.framed() + legend(replay, drawing, letters) + "(0) (1) ... zones; the last " + turns + " turns\n";
     }
 
-    private static Map<Integer, List<double[]>> trails(ReplayReader replay) {
-        Map<Integer, List<double[]>> trails = new LinkedHashMap<>();
-        add(trails, Json.object(replay.start()));
+    /** Collects the places of all bodies. @return the last outcome */
+    private static Map<String, Object> end(ReplayReader replay, Map<Integer, List<double[]>> trails) {
+        Map<String, Object> end = Json.object(replay.start());
+        add(trails, end);
         for (RecordedTurn turn = replay.next(); turn != null; turn = replay.next()) {
-            add(trails, Json.object(turn.outcome()));
+            end = Json.object(turn.outcome());
+            add(trails, end);
         }
-        return trails;
+        return end;
+    }
+
+    /** Bodies that are no player's, such as tankers. */
+    private void drawOthers(Map<String, Object> end, Map<String, Object> drawing) {
+        if (end.get("state") instanceof Map<?, ?> state) {
+            for (Map<?, ?> body : Json.objects(state.get("bodies"))) {
+                if (ownerOf(drawing, (int) Json.number(body.get("id"))) < 0) {
+                    put(Json.number(body.get("x")), Json.number(body.get("y")), 'o');
+                }
+            }
+        }
     }
 
     private static void add(Map<Integer, List<double[]>> trails, Map<String, Object> outcome) {
@@ -125,8 +142,10 @@ public final class TextMap {
         }
     }
 
+    /** The last word of a label: there is little room. */
     private void label(Map<?, ?> zone) {
-        String label = "(" + Json.word(zone.get("label"), 0) + ")";
+        String words = Json.word(zone.get("label"), 0);
+        String label = "(" + words.substring(words.lastIndexOf(' ') + 1) + ")";
         double x = Json.number(zone.get("x")) - perColumn * (label.length() / 2);
         for (int k = 0; k < label.length(); k++) {
             put(x + k * perColumn, Json.number(zone.get("y")), label.charAt(k));

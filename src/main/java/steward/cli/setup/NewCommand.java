@@ -9,12 +9,15 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import steward.bot.command.CommandLine;
 import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Games;
 import steward.cli.shared.Streams;
 import steward.files.InputException;
 import steward.files.OutputFiles;
+import steward.scene.SceneFiles;
 import steward.text.NearestName;
 
 /** {@code steward new}: writes a bot to start from. */
@@ -33,8 +36,21 @@ public final class NewCommand implements Callable<Integer> {
     @Parameters(index = "1", paramLabel = "DIR", description = "The folder; made if it is not there.")
     private String folder;
 
+    @Option(names = "--game", paramLabel = "GAME", defaultValue = Games.FIRST, completionCandidates = GameIds.class,
+        description = "The game that it plays, one of ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}).")
+    private String game;
+
     public NewCommand(Streams streams) {
         this.streams = streams;
+    }
+
+    /** The games. */
+    static final class GameIds implements Iterable<String> {
+
+        @Override
+        public Iterator<String> iterator() {
+            return Games.ids().iterator();
+        }
     }
 
     /** The words for the languages. */
@@ -54,12 +70,13 @@ public final class NewCommand implements Callable<Integer> {
             .orElseThrow(() -> new InputException("LANGUAGE: found '" + language + "', expected one of "
                 + String.join(", ", Languages.ALL) + NearestName.of(language, Languages.ALL)
                 .map(near -> "; did you mean '" + near + "'?").orElse("")));
+        checkGame(starter);
         Path path = OutputFiles.path(folder);
         refuseUnlessEmpty(path);
         try {
             Files.createDirectories(path);
             for (String file : starter.files()) {
-                Files.write(path.resolve(file), starter.read(file));
+                Files.write(path.resolve(file), starter.read(game, file));
             }
         } catch (IOException problem) {
             throw new InputException(path + ": cannot be written into: " + OutputFiles.reason(path, problem));
@@ -67,9 +84,30 @@ public final class NewCommand implements Callable<Integer> {
         streams.out().println("Written: " + path.resolve(starter.files().get(0)) + ". To race it:");
         streams.out().println("  cd " + CommandLine.quote(List.of(folder)));
         starter.compile().forEach(command -> streams.out().println("  " + command));
-        streams.out().println("  steward match --bot " + CommandLine.quote(List.of("me=" + starter.bot()))
-            + " --bot builtin:racer");
+        String bot = " --bot " + CommandLine.quote(List.of("me=" + starter.bot()));
+        streams.out().println("  steward match" + (game.equals(Games.FIRST) ? bot + " --bot builtin:racer"
+            : " --scene " + scene() + bot.repeat(Games.open(scene()).scene().players())));
         return ExitStatus.DONE;
+    }
+
+    private void checkGame(Starter starter) {
+        List<String> known = Games.ids();
+        if (!known.contains(game)) {
+            throw new InputException("--game: found '" + game + "', expected one of " + String.join(", ", known)
+                + NearestName.of(game, known).map(near -> "; did you mean '" + near + "'?").orElse(""));
+        }
+        List<String> languages = Arrays.stream(Starter.values()).filter(each -> each.isFor(game)).map(Starter::word)
+            .toList();
+        if (!starter.isFor(game)) {
+            throw new InputException("LANGUAGE: found '" + language + "', expected one of those with a bot for "
+                + game + ": " + (languages.isEmpty() ? "none" : String.join(", ", languages)));
+        }
+    }
+
+    /** The first shipped scene of the game. */
+    private String scene() {
+        return SceneFiles.shipped().stream().filter(name -> Games.open(name).scene().gameId().equals(game)).findFirst()
+            .orElseThrow();
     }
 
     /** Refuses to overwrite anything. */

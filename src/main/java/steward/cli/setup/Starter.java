@@ -5,8 +5,9 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.Locale;
+import steward.cli.shared.Games;
 
-/** The bots to start from, one for each language; their files are among the resources. */
+/** The bots to start from, for a game one in each language or in some; their files are among the resources. */
 enum Starter {
 
     PYTHON("bot.py", List.of(), "python3 bot.py"),
@@ -52,9 +53,18 @@ enum Starter {
         return bot;
     }
 
+    /** Whether there is one in this language for a game. */
+    boolean isFor(String game) {
+        return Starter.class.getResource(folder(game) + source) != null;
+    }
+
+    private String folder(String game) {
+        return FOLDER + (game.equals(Games.FIRST) ? "" : game + "/") + word() + "/";
+    }
+
     /** The content of one of its {@link #files()}. */
-    byte[] read(String file) {
-        try (InputStream in = Starter.class.getResourceAsStream(FOLDER + word() + "/" + file)) {
+    byte[] read(String game, String file) {
+        try (InputStream in = Starter.class.getResourceAsStream(folder(game) + file)) {
             return in.readAllBytes();
         } catch (IOException problem) {
             throw new UncheckedIOException(problem);

@@ -2,8 +2,11 @@ package steward.cli.shared;
 
 import java.util.List;
 import steward.game.GameSetup;
+import steward.game.GameType;
 import steward.game.GameTypes;
+import steward.game.meanmax.protocol.MeanMaxType;
 import steward.game.podrace.protocol.PodRaceType;
+import steward.game.searchrace.protocol.SearchRaceType;
 import steward.scene.Accuracy;
 import steward.scene.SceneFiles;
 import steward.scene.SceneReader;
@@ -12,12 +15,20 @@ import steward.scene.SceneText;
 /** The games that the program knows, and their scenes. */
 public final class Games {
 
+    /** The game that commands play unless another is called for. */
+    public static final String FIRST = "pod-race";
+
     private Games() {
     }
 
     /** All games. */
     public static GameTypes types() {
-        return new GameTypes(List.of(new PodRaceType()));
+        return new GameTypes(List.of(new PodRaceType(), new SearchRaceType(), new MeanMaxType()));
+    }
+
+    /** The ids of all games. */
+    public static List<String> ids() {
+        return types().types().stream().map(GameType::id).toList();
     }
 
     /** Opens a scene by its path or shipped name. A scene whose games cannot begin is refused. */
@@ -39,6 +50,12 @@ public final class Games {
         GameSetup setup = types().open(SceneReader.read(scene, accuracy));
         setup.check();
         return setup;
+    }
+
+    /** What the official scene of a game is, in a few words: the game itself says it. */
+    public static String about(String scene) {
+        String id = open(scene).scene().gameId();
+        return types().types().stream().filter(type -> type.id().equals(id)).findFirst().orElseThrow().about();
     }
 
     /** Prints what is odd about a scene; once per call of the program. */

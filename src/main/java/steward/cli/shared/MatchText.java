@@ -15,8 +15,14 @@ public final class MatchText {
     private MatchText() {
     }
 
-    /** One line: the winner, the ending, the turn. */
+    /** One line: the winner, the ending, the turn; of a player alone, the score. */
     public static String headline(String scene, long seed, MatchResult result) {
+        if (result.players().size() == 1) {
+            MatchResult.PlayerResult alone = result.players().get(0);
+            return TextFormat.plain(alone.name() + ": " + result.ending() + ", score "
+                + TextFormat.number(alone.score(), 2) + ", " + TextFormat.count(result.turns(), "turn") + " (" + scene
+                + ", seed " + seed + ")");
+        }
         int winner = result.winner();
         String who = winner >= 0 ? result.players().get(winner).name() + " wins"
             : result.allFailed() ? "no winner and no draw of merit" : "a draw";

@@ -45,6 +45,7 @@ record Obstacle(String name, Gap gap, Wall wall) {
     /** The edge of the field for the centre of a pod: below 0 outside. */
     static Obstacle edge(Field field) {
         return new Obstacle("the edge of the field", (x, y, radius) ->
-            Math.min(Math.min(x, field.width() - x), Math.min(y, field.height() - y)), null);
+            Math.min(Math.min(x - field.x(), field.x() + field.width() - x),
+                Math.min(y - field.y(), field.y() + field.height() - y)), null);
     }
 }

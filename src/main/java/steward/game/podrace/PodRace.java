@@ -1,20 +1,17 @@
 package steward.game.podrace;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import steward.Internal;
+import steward.game.AbstractGame;
 import steward.game.AngleVariants;
-import steward.game.Game;
 import steward.game.TurnEvent;
 import steward.numerics.Angles;
 import steward.numerics.SplitMix64;
-import steward.numerics.StateHash;
 import steward.numerics.StrictAngles;
 import steward.physics.Advance;
 import steward.physics.Bodies;
 import steward.physics.Motion;
-import steward.physics.TurnLog;
 import steward.scene.Bumper;
 import steward.scene.Plan;
 import steward.scene.Scene;
@@ -31,9 +28,7 @@ import steward.scene.Scene;
  *
  * <p>Over 450 lines, because the steps of a turn belong together and half of the class are accessors for codecs.
  */
-public final class PodRace implements Game {
-
-    private static final int NOT_OUT = Integer.MAX_VALUE;
+public final class PodRace extends AbstractGame {
 
     /** Pseudo-thrust of a pod whose player gave no command. */
     public static final int NO_COMMAND = -1;
@@ -43,13 +38,12 @@ public final class PodRace implements Game {
     public static final int BOOST = -3;
 
     private final PodRaceSettings settings;
+    private final Plan plan;
+    private final Angles angles;
     private final double[][] checkpoints;
     private final Bodies bodies;
     private final Advance advance;
     private final Motion motion;
-    private final TurnLog log = new TurnLog();
-    private final List<TurnEvent> events = new ArrayList<>();
-    private final StateHash hash = new StateHash();
     private final RaceRules rules;
     private final RaceStanding standing = new RaceStanding(this);
 
@@ -64,10 +58,6 @@ public final class PodRace implements Game {
     private final double[] startY;
 
     private final int[] turnsLeft;
-    private final int[] outTurn;
-    private final String[] outReason;
-    private int turn;
-    private String ending;
 
     /**
      * A race before its first turn. Draws, in this order: the map, 0..maps-1; if the scene shifts, the first
@@ -84,12 +74,15 @@ public final class PodRace implements Game {
         this(settings, scene, plan, checkpoints, plan.advance(null));
     }
 
-    /** The same with a given advance. */
+    /** The same with a given advance; copies have that of the plan. */
     @Internal
     public PodRace(PodRaceSettings settings, Scene scene, Plan plan, double[][] checkpoints, Advance advance) {
+        super(settings.players());
         this.settings = settings;
+        this.plan = plan;
         this.checkpoints = checkpoints;
-        rules = scene.angles() == Angles.FDLIBM ? new FormerRules() : new CurrentRules();
+        angles = scene.angles();
+        rules = RaceRules.of(angles);
         List<Bumper> bumpers = scene.field().map(field -> field.bumpers()).orElse(List.of());
         int pods = settings.pods();
         bodies = new Bodies(pods + bumpers.size());
@@ -108,10 +101,7 @@ public final class PodRace implements Game {
         Arrays.fill(boostLeft, true);
         Arrays.fill(thrust, NO_COMMAND);
         turnsLeft = new int[settings.players()];
-        outTurn = new int[settings.players()];
-        outReason = new String[settings.players()];
         Arrays.fill(turnsLeft, settings.turnsWithoutCheckpoint());
-        Arrays.fill(outTurn, NOT_OUT);
         placePods(scene.drag());
         for (Bumper bumper : bumpers) {
             int body = bodies.add(bumper.x(), bumper.y(), bumper.radius(), Double.POSITIVE_INFINITY);
@@ -120,9 +110,12 @@ public final class PodRace implements Game {
     }
 
     /** A copy of a race between two turns, with a way to advance of its own. */
-    PodRace(PodRace other, Advance advance) {
+    private PodRace(PodRace other, Advance advance) {
+        super(other);
         settings = other.settings;
-        rules = other.rules;
+        plan = other.plan;
+        angles = other.angles;
+        rules = RaceRules.of(angles);
         checkpoints = other.checkpoints;
         this.advance = advance;
         motion = other.motion;
@@ -138,10 +131,11 @@ public final class PodRace implements Game {
         startX = other.startX.clone();
         startY = other.startY.clone();
         turnsLeft = other.turnsLeft.clone();
-        outTurn = other.outTurn.clone();
-        outReason = other.outReason.clone();
-        turn = other.turn;
-        ending = other.ending;
+    }
+
+    @Override
+    public PodRace copy() {
+        return new PodRace(this, plan.advance(null));
     }
 
     private void placePods(double drag) {
@@ -164,13 +158,7 @@ public final class PodRace implements Game {
     }
 
     @Override
-    public void play() {
-        if (isOver()) {
-            throw new IllegalStateException("the race is over: " + ending);
-        }
-        turn++;
-        log.clear();
-        events.clear();
+    protected void playTurn() {
         for (int pod = 0; pod < settings.pods(); pod++) {
             startX[pod] = bodies.x[pod];
             startY[pod] = bodies.y[pod];
@@ -257,62 +245,25 @@ public final class PodRace implements Game {
         for (int player = 0; player < settings.players(); player++) {
             finished += standing.hasFinished(player) ? 1 : 0;
             if (isIn(player) && turnsLeft[player] <= 0 && !standing.hasFinished(player)) {
-                eliminate(player, "no checkpoint in " + settings.turnsWithoutCheckpoint() + " turns", turn);
+                putOut(player, "no checkpoint in " + settings.turnsWithoutCheckpoint() + " turns");
                 int pod = standing.bestPod(player);
                 events.add(new TurnEvent(TurnEvent.Kind.MARK, 1, pod, bodies.x[pod], bodies.y[pod],
-                    "player " + player + " is out: " + outReason[player], true));
+                    "player " + player + " is out: " + eliminationReason(player), true));
             }
             in += isIn(player) ? 1 : 0;
         }
         if (finished > 0) {
-            ending = "finished after " + settings.laps() + (settings.laps() == 1 ? " lap" : " laps");
+            end("finished after " + settings.laps() + (settings.laps() == 1 ? " lap" : " laps"));
         } else if (in <= (settings.players() > 1 ? 1 : 0)) {
-            ending = in == 1 ? "all others are out" : "all are out";
-        } else if (turn >= settings.maximumTurns()) {
-            ending = "at most " + settings.maximumTurns() + " turns are played";
+            end(in == 1 ? "all others are out" : "all are out");
+        } else if (turn() >= settings.maximumTurns()) {
+            end("at most " + settings.maximumTurns() + " turns are played");
         }
-    }
-
-    @Override
-    public void eliminate(int player, String reason) {
-        eliminate(player, reason, turn + 1);
-    }
-
-    private void eliminate(int player, String reason, int when) {
-        if (isIn(player)) {
-            outTurn[player] = when;
-            outReason[player] = reason;
-        }
-    }
-
-    @Override
-    public String eliminationReason(int player) {
-        return outReason[player];
-    }
-
-    @Override
-    public int players() {
-        return settings.players();
-    }
-
-    @Override
-    public int turn() {
-        return turn;
-    }
-
-    @Override
-    public boolean isOver() {
-        return ending != null;
-    }
-
-    @Override
-    public String ending() {
-        return ending;
     }
 
     @Override
     public int[] ranks() {
-        return standing.ranks();
+        return ranks((one, other) -> rules.isAhead(standing, this, one, other));
     }
 
     /** Checkpoints passed by the best pod; -1 for an eliminated player. */
@@ -336,23 +287,13 @@ public final class PodRace implements Game {
         return new PodAngleVariants(new PodRace(this, advance));
     }
 
-    @Override
-    public TurnLog log() {
-        return log;
-    }
-
-    @Override
-    public List<TurnEvent> events() {
-        return events;
-    }
-
     /**
      * Order: turn; per pod x, y, vx, vy, heading, shield timer, boost left, checkpoints passed, mass; per player turns
      * left and the turn of elimination (2^31 - 1 if not eliminated).
      */
     @Override
     public long hash() {
-        hash.reset().add(turn);
+        hash.reset().add(turn());
         for (int pod = 0; pod < settings.pods(); pod++) {
             hash.add(bodies.x[pod]).add(bodies.y[pod]).add(bodies.vx[pod]).add(bodies.vy[pod]).add(heading[pod])
                 .add(shieldTimer[pod]).add(boostLeft[pod]).add(passed[pod]);
@@ -361,18 +302,9 @@ public final class PodRace implements Game {
             }
         }
         for (int player = 0; player < settings.players(); player++) {
-            hash.add(turnsLeft[player]).add(outTurn[player]);
+            hash.add(turnsLeft[player]).add(outTurn(player));
         }
         return hash.value();
-    }
-
-    RaceRules rules() {
-        return rules;
-    }
-
-    /** The turn in which a player went out, 2^31 - 1 while in. */
-    int outTurn(int player) {
-        return outTurn[player];
     }
 
     /** The settings from the scene. */

@@ -1,5 +1,6 @@
 package steward.game.podrace;
 
+import steward.numerics.Angles;
 import steward.physics.TurnLog;
 
 /**
@@ -10,6 +11,11 @@ abstract sealed class RaceRules permits CurrentRules, FormerRules {
     /** Sine and cosine of the last {@link #point}. */
     double cos;
     double sin;
+
+    /** The edition that goes with these angles; it keeps the last sine and cosine, so each race has its own. */
+    static RaceRules of(Angles angles) {
+        return angles == Angles.FDLIBM ? new FormerRules() : new CurrentRules();
+    }
 
     /** Computes sine and cosine of a heading, in radians. */
     abstract void point(double heading);

@@ -2,8 +2,8 @@ package steward.game.podrace;
 
 /**
  * Which player is ahead in a pod race: one who is in, then the one whose best pod has passed more checkpoints (counting
- * on behind the finish), then the one whose best pod is nearer to its next. All players who
- * are out share the last rank.
+ * on behind the finish), then the one whose best pod is nearer to its next. All players
+ * who are out share the last rank.
  */
 final class RaceStanding {
 
@@ -11,17 +11,6 @@ final class RaceStanding {
 
     RaceStanding(PodRace race) {
         this.race = race;
-    }
-
-    /** Per player how many others are ahead. */
-    int[] ranks() {
-        int[] ranks = new int[race.players()];
-        for (int player = 0; player < ranks.length; player++) {
-            for (int other = 0; other < ranks.length; other++) {
-                ranks[player] += race.rules().isAhead(this, race, other, player) ? 1 : 0;
-            }
-        }
-        return ranks;
     }
 
     /** Per player the checkpoints passed by the best pod, -1 for one who is out. */

@@ -78,16 +78,15 @@ public final class Calibration {
     }
 
     /**
-     * @param setup  a scene whose contacts all bounce, opened on {@link #PLAYED_ON}
+     * @param setup  a scene, opened on {@link #PLAYED_ON}
      * @param plays  seeded play of it, from a seed
      * @param states how many states, at least 1
-     * @throws IllegalArgumentException if contacts ask the game: the oracle has no reactions
      */
     public Calibration(GameSetup setup, LongFunction<SeededPlay> plays, int states) {
         this.setup = setup;
         this.plays = plays;
         this.states = states;
-        parts = setup.plan().physics(null);
+        parts = setup.physics();
         blocks = new Block[(states + BLOCK - 1) / BLOCK];
     }
 
@@ -133,8 +132,8 @@ public final class Calibration {
 
     private Block measure(int number, int count) {
         SeededPlay play = plays.apply(number);
-        List<Advance> advances = rungs.stream().map(rung -> rung.advance(new PhysicsParts(parts.law(),
-            rung.arithmetic(), parts.contacts(), parts.walls(), null, parts.infiniteMasses()))).toList();
+        List<Advance> advances = rungs.stream().map(rung -> rung.advance(parts.withArithmetic(rung.arithmetic())))
+            .toList();
         double[][] errors = new double[rungs.size()][count];
         double[] work = new double[rungs.size()];
         int withImpacts = 0;
@@ -143,7 +142,7 @@ public final class Calibration {
             Bodies start = play.next();
             TurnTruth truth = TurnTruth.of(start, parts);
             withImpacts += truth.impacts() > 0 ? 1 : 0;
-            Bodies bodies = new Bodies(start.capacity());
+            Bodies bodies = start.copy();
             for (int r = 0; r < advances.size(); r++) {
                 bodies.copyFrom(start);
                 moments.clear();

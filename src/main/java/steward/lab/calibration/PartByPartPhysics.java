@@ -1,7 +1,9 @@
 package steward.lab.calibration;
 
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
+import java.util.Set;
 import steward.game.GameSetup;
 import steward.physics.Advance;
 import steward.physics.Bodies;
@@ -13,6 +15,7 @@ import steward.physics.ImpactLaw.ScanOrder;
 import steward.physics.Motion;
 import steward.physics.PhysicsParts;
 import steward.physics.Reaction;
+import steward.physics.TurnSink;
 import steward.physics.Wall;
 import steward.scene.Accuracy;
 import steward.scene.Part;
@@ -32,6 +35,11 @@ public final class PartByPartPhysics {
     /** The first step: bodies fly without impacts. */
     public static final String EMPTY = "flying straight";
 
+    /** The parts of the physics; one that a game has of its own has no step. */
+    private static final Set<String> KNOWN = Set.of(Part.PAIR_IMPACTS, Part.WALLS, Part.RESTITUTION,
+        Part.MINIMUM_IMPULSE, Part.BATCH_WINDOW, Part.PUSH_OUT, Part.INFINITE_MASSES, Part.DRAG,
+        Part.VELOCITY_ROUNDING, Part.POSITION_ROUNDING, Part.REACTIONS, Part.BROAD_PHASE);
+
     /** A trial minimum impulse: it matters in weak impacts only. */
     private static final double SOME_IMPULSE = 1;
     /** The batch window of the official games. */
@@ -49,7 +57,8 @@ public final class PartByPartPhysics {
     private List<Wall> walls = List.of();
     private ImpactLaw law = ImpactLaw.PHYSICS;
     private boolean infiniteMasses;
-    private Motion motion = new Motion(false, false, false);
+    private final EnumSet<Motion.Of> moved = EnumSet.noneOf(Motion.Of.class);
+    private final Motion wholeMotion;
 
     /**
      * A turn made of a subset of the parts.
@@ -68,10 +77,11 @@ public final class PartByPartPhysics {
         bodies = setup.plan().bodies();
         this.someWalls = someWalls;
         boolean asks = setup.plan().parts().stream().anyMatch(part -> part.name().equals(Part.REACTIONS) && part.in());
+        wholeMotion = setup.motion();
         full = setup.plan().physics(asks ? PartByPartPhysics::bounce : null);
     }
 
-    private static Reaction.Verdict bounce(double time, int a, int b, Bodies bodies) {
+    private static Reaction.Verdict bounce(double time, int a, int b, Bodies bodies, TurnSink sink) {
         return Reaction.Verdict.BOUNCE;
     }
 
@@ -82,7 +92,7 @@ public final class PartByPartPhysics {
      */
     public static List<Step> of(GameSetup setup, List<Wall> someWalls) {
         List<Part> parts = setup.plan().parts().stream()
-            .filter(part -> part.when() == Part.When.PHYSICS && (part.in() || !part.name().equals(Part.BROAD_PHASE)))
+            .filter(part -> KNOWN.contains(part.name()) && (part.in() || !part.name().equals(Part.BROAD_PHASE)))
             .toList();
         PartByPartPhysics whole = new PartByPartPhysics(setup, someWalls);
         List<Step> steps = new ArrayList<>();
@@ -104,7 +114,18 @@ public final class PartByPartPhysics {
         PhysicsParts parts = new PhysicsParts(law, full.arithmetic(), contacts(), walls,
             ask ? PartByPartPhysics::bounce : null, infiniteMasses);
         Accuracy rung = scene.accuracy();
-        return new Step(part, in, parts, broadPhase ? rung.advance(parts, bodies) : rung.advance(parts), motion);
+        return new Step(part, in, parts, broadPhase ? rung.advance(parts, bodies) : rung.advance(parts), motion());
+    }
+
+    /** The steps so far: those of the scene in its order, and typical ones in place of those it does not have. */
+    private Motion motion() {
+        List<Motion.Step> steps = new ArrayList<>(wholeMotion.only(moved.toArray(new Motion.Of[0])).steps());
+        for (Motion.Step typical : new Motion(true, true, true).steps()) {
+            if (moved.contains(typical.about()) && wholeMotion.step(typical.about()) == null) {
+                steps.add(typical);
+            }
+        }
+        return new Motion(steps);
     }
 
     /** The scene's contacts; simpler ones where the scene does not ask yet, or where nothing meets. */
@@ -147,9 +168,9 @@ public final class PartByPartPhysics {
             }
             case Part.PUSH_OUT -> law = law.withPushOut(in ? wanted.pushOut() : SOME_PUSH_OUT);
             case Part.INFINITE_MASSES -> infiniteMasses = true;
-            case Part.DRAG -> motion = new Motion(true, motion.truncateVelocity(), motion.roundPosition());
-            case Part.VELOCITY_ROUNDING -> motion = new Motion(motion.drag(), true, motion.roundPosition());
-            case Part.POSITION_ROUNDING -> motion = new Motion(motion.drag(), motion.truncateVelocity(), true);
+            case Part.DRAG -> moved.add(Motion.Of.DRAG);
+            case Part.VELOCITY_ROUNDING -> moved.add(Motion.Of.VELOCITY);
+            case Part.POSITION_ROUNDING -> moved.add(Motion.Of.POSITION);
             case Part.REACTIONS -> ask = true;
             case Part.BROAD_PHASE -> broadPhase = true;
             default -> throw new IllegalArgumentException("no step for the part " + part);

@@ -7,6 +7,7 @@ import java.util.function.DoubleConsumer;
 import java.util.function.LongSupplier;
 import steward.game.GameSetup;
 import steward.game.GameTypes;
+import steward.game.Pilot;
 import steward.physics.Advance;
 import steward.physics.Bodies;
 import steward.physics.HalfPlane;
@@ -73,13 +74,13 @@ public final class PartPrices {
      *
      * @param types    to open the scene with
      * @param play     of states of the scene
-     * @param script   of its players
+     * @param pilot    of its players
      * @param work     the clock for the prices, preferably one that stops while other processes have the processor
      * @param wall     the wall clock; both in nanoseconds from any origin
      * @param budget   for all rounds together, on the wall clock; five rounds are made in any case
      * @param progress receives the spent share of the budget after each round
      */
-    public static Prices measure(Scene scene, GameTypes types, SeededPlay play, SeededPlay.Script script,
+    public static Prices measure(Scene scene, GameTypes types, SeededPlay play, Pilot pilot,
                                  LongSupplier work, LongSupplier wall, long budget, DoubleConsumer progress) {
         GameSetup setup = types.open(scene);
         GameSetup still = types.open(scene.withObserver((parts, advance) -> (bodies, sink) -> { }));
@@ -89,9 +90,9 @@ public final class PartPrices {
         PartPrices prices = new PartPrices();
         prices.slices.add(flights(states, (bodies, sink) -> { }, new Motion(false, false, false)));
         steps.forEach(step -> prices.slices.add(flights(states, step.advance(), step.motion())));
-        prices.slices.add(flights(states, (bodies, sink) -> { }, setup.plan().motion()));
+        prices.slices.add(flights(states, (bodies, sink) -> { }, setup.motion()));
         prices.slices.add(new RulesOnlyTurns(still, null, GAMES, SEED));
-        prices.slices.add(new RulesOnlyTurns(still, script, GAMES, SEED));
+        prices.slices.add(new RulesOnlyTurns(still, pilot, GAMES, SEED));
         prices.time(work, wall, budget, progress);
         return prices.result(setup.plan().parts(), steps);
     }

@@ -4,6 +4,7 @@ import java.nio.charset.StandardCharsets;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
+import steward.game.Pilot;
 import steward.numerics.SplitMix64;
 
 /** One turn of many games whose bodies do not move: only the game's own rules are timed. */
@@ -13,16 +14,16 @@ final class RulesOnlyTurns implements TimedTurns {
     private static final int MOST_TURNS = 16;
 
     private final GameSetup setup;
-    private final SeededPlay.Script script;
+    private final Pilot pilot;
     private final SplitMix64 random;
     private final Game[] games;
     private final FrameCodec[] codecs;
     private long seed;
 
-    /** @param script {@code null} for games without commands */
-    RulesOnlyTurns(GameSetup setup, SeededPlay.Script script, int games, long seed) {
+    /** @param pilot {@code null} for games without commands */
+    RulesOnlyTurns(GameSetup setup, Pilot pilot, int games, long seed) {
         this.setup = setup;
-        this.script = script;
+        this.pilot = pilot;
         this.seed = seed;
         random = new SplitMix64(seed);
         this.games = new Game[games];
@@ -37,10 +38,10 @@ final class RulesOnlyTurns implements TimedTurns {
                 codecs[k] = setup.codec(games[k]);
             }
             games[k].play();                           // so that its data are in the processor's cache
-            for (int player = 0; script != null && player < games[k].players(); player++) {
+            for (int player = 0; pilot != null && player < games[k].players(); player++) {
                 if (games[k].isIn(player)) {
-                    byte[] answer = script.answer(games[k], player, random).getBytes(StandardCharsets.UTF_8);
-                    codecs[k].readAnswer(player, answer, answer.length);
+                    byte[] answer = pilot.answer(games[k], player, random).getBytes(StandardCharsets.UTF_8);
+                    codecs[k].frames().readAnswer(player, answer, answer.length);
                 }
             }
         }

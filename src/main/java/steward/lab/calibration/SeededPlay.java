@@ -4,9 +4,11 @@ import java.nio.charset.StandardCharsets;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
+import steward.game.Pilot;
 import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 import steward.physics.Impact;
+import steward.physics.Motion;
 import steward.physics.TurnLog;
 
 /*
@@ -17,35 +19,23 @@ import steward.physics.TurnLog;
  */
 
 /**
- * States that occur in play of a scene: seeded games, one after the other, whose players answer by a script. Each turn
+ * States that occur in play of a scene: seeded games, one after the other, whose players answer by rule. Each turn
  * gives the bodies as they were when its flight began; but where the game rounds positions, the velocities of bodies
  * without an impact are accurate to half a unit only. Deterministic.
  */
 public final class SeededPlay {
 
-    /** A player's answers, each as the line it would send. */
-    @FunctionalInterface
-    public interface Script {
-
-        /**
-         * @param game   its current state
-         * @param player the player that answers
-         * @param random the play's own generator, used by all players in turn
-         */
-        String answer(Game game, int player, SplitMix64 random);
-    }
-
     private final GameSetup setup;
-    private final Script script;
+    private final Pilot pilot;
     private final SplitMix64 random;
     private long gameSeed;
     private Game game;
     private FrameCodec codec;
 
-    /** @param seed of the first game; each further one has the next number. The script draws from it too */
-    public SeededPlay(GameSetup setup, Script script, long seed) {
+    /** @param seed of the first game; each further one has the next number. All players draw from it too */
+    public SeededPlay(GameSetup setup, Pilot pilot, long seed) {
         this.setup = setup;
-        this.script = script;
+        this.pilot = pilot;
         random = new SplitMix64(seed);
         gameSeed = seed;
     }
@@ -63,23 +53,17 @@ public final class SeededPlay {
         }
         for (int player = 0; player < game.players(); player++) {
             if (game.isIn(player)) {
-                byte[] answer = script.answer(game, player, random).getBytes(StandardCharsets.UTF_8);
-                String problem = codec.readAnswer(player, answer, answer.length);
+                byte[] answer = pilot.answer(game, player, random).getBytes(StandardCharsets.UTF_8);
+                String problem = codec.frames().readAnswer(player, answer, answer.length);
                 if (problem != null) {
                     throw new IllegalArgumentException("seeded play of " + setup.scene().name() + ", player " + player
                         + ": " + problem);
                 }
             }
         }
-        Bodies before = copy(game.bodies());
+        Bodies before = game.bodies().copy();
         game.play();
         return begun(before, game.bodies());
-    }
-
-    private static Bodies copy(Bodies bodies) {
-        Bodies copy = new Bodies(bodies.capacity());
-        copy.copyFrom(bodies);
-        return copy;
     }
 
     /**
@@ -106,6 +90,6 @@ public final class SeededPlay {
 
     private double flown(double way, double velocityAfter) {
         boolean rests = way == 0 && velocityAfter == 0;
-        return rests || !setup.scene().roundPosition() ? way : way + random.nextDouble() - 0.5;
+        return rests || setup.motion().step(Motion.Of.POSITION) == null ? way : way + random.nextDouble() - 0.5;
     }
 }

@@ -3,7 +3,9 @@ package steward.lab.oracle;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
+import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
+import steward.physics.PhysicsParts;
 import steward.physics.Wall;
 
 /**
@@ -16,17 +18,33 @@ import steward.physics.Wall;
  * <p>Where the physics has to decide whether two rounded distances are equal, the oracle treats numbers that agree to
  * {@code COUNT - 16} digits as equal: a body moved to a touch does touch, and a body that slides does not approach.
  *
- * <p>Caveat: all contacts bounce (no {@code ASK}), and a turn that reaches the limit on impacts stops there.
+ * <p>Caveat: a turn that reaches the limit on impacts stops there; what contacts may mean is said in
+ * {@link OracleContacts}.
  */
 public final class Oracle {
 
     private final ImpactLaw law;
     private final List<Wall> walls;
     private final OracleReaction reaction;
+    /** {@code null} where everything bounces. */
+    private final OracleContacts contacts;
     private boolean limited;
 
+    /** Everything bounces. */
     public Oracle(ImpactLaw law, List<Wall> walls) {
+        this(law, walls, null);
+    }
+
+    /** With the law, walls and contacts of a scene, for turns that begin with these bodies. */
+    public static Oracle of(PhysicsParts parts, Bodies start) {
+        return new Oracle(parts.law(), parts.walls(),
+            parts.contacts().allBounce() ? null : new OracleContacts(parts, start));
+    }
+
+    /** @param contacts what contacts mean; for one turn, from the bodies that they were made for */
+    Oracle(ImpactLaw law, List<Wall> walls, OracleContacts contacts) {
         this.law = law;
+        this.contacts = contacts;
         this.walls = List.copyOf(walls);
         reaction = new OracleReaction(law, this.walls);
     }
@@ -55,6 +73,7 @@ public final class Oracle {
         List<OracleImpact> impacts = new ArrayList<>();
         BigDecimal now = BigDecimal.ZERO;
         int bound = law.maximumImpacts() > 0 ? law.maximumImpacts() : 10_000 + 1_000 * bodies.size();
+        int left = bound;
         limited = false;
         for (;;) {
             List<Touch> next = together(touches(bodies, duration.subtract(now)));
@@ -62,20 +81,37 @@ public final class Oracle {
                 fly(bodies, duration.subtract(now));
                 return impacts;
             }
-            if (impacts.size() >= bound) {
+            if (left-- <= 0) {
                 limited = true;
                 return impacts;
             }
             BigDecimal earliest = next.get(0).until;
             fly(bodies, earliest);
-            for (Touch touch : next) {
-                OracleImpact impact = reaction.react(bodies, touch.a, touch.b, now.add(touch.until));
+            int size = bodies.size();
+            for (int k = 0; k < next.size() && bodies.size() == size; k++) {
+                OracleImpact impact = react(bodies, next.get(k), now);
                 if (impact != null) {
                     impacts.add(impact);
                 }
             }
+            left -= next.size() - 1;
             now = now.add(earliest);
         }
+    }
+
+    /** An impact, told with the indices of the start, or what the game's reaction does instead: {@code null}. */
+    private OracleImpact react(List<OracleBody> bodies, Touch touch, BigDecimal now) {
+        BigDecimal time = now.add(touch.until);
+        if (contacts == null) {
+            return reaction.react(bodies, touch.a, touch.b, time);
+        }
+        if (!contacts.bounces(bodies, touch.a, touch.b, time)) {
+            return null;
+        }
+        OracleImpact impact = reaction.react(bodies, touch.a, touch.b, time);
+        contacts.after(bodies, touch.a, touch.b, time);
+        return impact == null ? null : impact.between(contacts.startIndex(touch.a),
+            touch.b < 0 ? touch.b : contacts.startIndex(touch.b));
     }
 
     /** One turn. */
@@ -98,13 +134,14 @@ public final class Oracle {
             int i = descending ? size - 1 - k : k;
             for (int m = 0; m < (descending ? i : size - 1 - i); m++) {
                 int j = descending ? i - 1 - m : i + 1 + m;
-                if (!reach.apart(i, j, time)) {
+                if ((contacts == null || contacts.meet(i, j)) && !reach.apart(i, j, time)) {
                     add(touches, pair(bodies.get(i), bodies.get(j)), left, i, j);
                 }
             }
         }
         for (int i = 0; i < size; i++) {
-            for (int w = 0; w < walls.size() && bodies.get(i).mass != null; w++) {
+            boolean meets = bodies.get(i).mass != null && (contacts == null || contacts.meetsWalls(i));
+            for (int w = 0; w < walls.size() && meets; w++) {
                 if (!reach.apart(i, walls.get(w), time)) {
                     add(touches, OracleTimeOfImpact.wall(bodies.get(i), walls.get(w)), left, i, ~w);
                 }
@@ -145,7 +182,7 @@ public final class Oracle {
             }
             sorted.add(place, touch);
         }
-        if (sorted.isEmpty() || law.batchWindow() > 0 || law.separatingPairsReact()) {
+        if (sorted.isEmpty() || law.batchWindow() > 0) {
             BigDecimal window = Decimals.of(law.batchWindow()).add(Decimals.SAME);
             return sorted.stream()
                 .filter(touch -> touch.until.subtract(sorted.get(0).until).compareTo(window) <= 0).toList();

@@ -22,8 +22,11 @@ import steward.physics.TurnLog;
  */
 public final class TurnTruth {
 
+    private static final BigDecimal SNAP = new BigDecimal("1e-5");
+
     private final List<OracleBody> end;
     private final int size;
+    private final int[] ids;
     private final double[] high;
     private final double[] low;
     private final double[] mass;
@@ -31,16 +34,18 @@ public final class TurnTruth {
     private final long[] pairs;
     private final boolean limited;
 
-    private TurnTruth(Bodies start, List<OracleBody> end, List<OracleImpact> impacts, boolean limited) {
+    private TurnTruth(Bodies start, List<OracleBody> end, int[] ids, List<OracleImpact> impacts, boolean limited) {
         this.end = end;
+        this.ids = ids;
         this.limited = limited;
         size = end.size();
         high = new double[4 * size];
         low = new double[4 * size];
-        mass = Arrays.copyOf(start.mass, size);
+        mass = new double[size];
         BigDecimal sum = BigDecimal.ZERO;
         for (int k = 0; k < size; k++) {
             OracleBody body = end.get(k);
+            mass[k] = body.mass == null ? Double.POSITIVE_INFINITY : body.mass.doubleValue();
             keep(4 * k, body.x);
             keep(4 * k + 1, body.y);
             keep(4 * k + 2, body.vx);
@@ -61,17 +66,19 @@ public final class TurnTruth {
     /**
      * Plays the turn; the bodies are not changed.
      *
-     * @param parts their law and walls are used; the arithmetic is not
-     * @throws IllegalArgumentException if not everything bounces: the oracle has no reactions
+     * @param parts their law, walls, contacts and reaction are used; the arithmetic is not
+     * @throws IllegalArgumentException if a contact has a distance of its own, or the reaction lets bodies pass
      */
     public static TurnTruth of(Bodies start, PhysicsParts parts) {
-        if (!parts.contacts().allBounce()) {
-            throw new IllegalArgumentException("the oracle needs contacts that all bounce");
-        }
         List<OracleBody> bodies = OracleBody.of(start);
-        Oracle oracle = new Oracle(parts.law(), parts.walls());
+        OracleContacts contacts = parts.contacts().allBounce() ? null : new OracleContacts(parts, start);
+        Oracle oracle = new Oracle(parts.law(), parts.walls(), contacts);
         List<OracleImpact> impacts = oracle.turn(bodies);
-        return new TurnTruth(start, bodies, impacts, oracle.limited());
+        int[] ids = new int[bodies.size()];
+        for (int k = 0; k < ids.length; k++) {
+            ids[k] = contacts == null ? start.id(k) : contacts.id(k);
+        }
+        return new TurnTruth(start, bodies, ids, impacts, oracle.limited());
     }
 
     /** How many impacts there are. */
@@ -87,7 +94,7 @@ public final class TurnTruth {
     /**
      * Compares a computed turn with the true one.
      *
-     * @param after all bodies after the turn, in the order of the start
+     * @param after all bodies after the turn
      * @param log   of the turn
      */
     public TurnError error(Bodies after, TurnLog log) {
@@ -95,8 +102,14 @@ public final class TurnTruth {
             energyError(after));
     }
 
-    /** The largest error of a body's centre, in u; infinite if it is not a number. */
+    /**
+     * The largest error of a body's centre, in u; infinite if it is not a number, or if a reaction has added or removed
+     * other bodies than in truth.
+     */
     public double positionError(Bodies after) {
+        if (!areSame(after)) {
+            return Double.POSITIVE_INFINITY;
+        }
         double most = 0;
         for (int k = 0; k < size; k++) {
             double dx = off(4 * k, after.x[k]);
@@ -107,7 +120,18 @@ public final class TurnTruth {
         return most;
     }
 
+    private boolean areSame(Bodies after) {
+        boolean same = after.size() == size;
+        for (int k = 0; same && k < size; k++) {
+            same = after.id(k) == ids[k];
+        }
+        return same;
+    }
+
     private double energyError(Bodies after) {
+        if (!areSame(after)) {
+            return Double.POSITIVE_INFINITY;
+        }
         double wrong = 0;
         for (int k = 0; k < size; k++) {
             if (mass[k] < Double.POSITIVE_INFINITY) {
@@ -123,32 +147,40 @@ public final class TurnTruth {
     }
 
     /**
-     * How many bodies end the turn with numbers that differ from the true ones, after the scene's rounding of both. The
-     * true drag is the decimal in the scene: 0.15 of 100 leaves 85.
+     * How many bodies end the turn with numbers that differ from the true ones, after the scene's rounding of both;
+     * all, if other bodies are there than in truth. The true drag is the decimal in the scene: 0.15 of 100 leaves 85.
      *
      * @param start  the bodies before the turn: their drag is used
      * @param ended  the bodies after the turn and after {@link Motion#endTurn}
      * @param motion the scene's motion, which rounds both positions and velocities
      */
     public int differing(Bodies start, Bodies ended, Motion motion) {
+        if (!areSame(ended)) {
+            return start.size();
+        }
+        Motion.Step position = motion.step(Motion.Of.POSITION);
+        Motion.Step velocity = motion.step(Motion.Of.VELOCITY);
         int count = 0;
         for (int k = 0; k < size; k++) {
             OracleBody body = end.get(k);
-            BigDecimal keep = BigDecimal.ONE.subtract(BigDecimal.valueOf(motion.drag() ? start.drag[k] : 0));
-            boolean same = nearest(body.x) == ended.x[k] && nearest(body.y) == ended.y[k]
-                && cut(body.vx.multiply(keep)) == ended.vx[k] && cut(body.vy.multiply(keep)) == ended.vy[k];
+            BigDecimal keep = BigDecimal.ONE.subtract(BigDecimal.valueOf(motion.drag() ? ended.drag[k] : 0));
+            boolean same = whole(body.x, position) == ended.x[k] && whole(body.y, position) == ended.y[k]
+                && whole(body.vx.multiply(keep), velocity) == ended.vx[k]
+                && whole(body.vy.multiply(keep), velocity) == ended.vy[k];
             count += same ? 0 : 1;
         }
         return count;
     }
 
-    /** floor(x + 1/2). */
-    private static double nearest(BigDecimal value) {
-        return value.add(BigDecimal.valueOf(0.5)).setScale(0, RoundingMode.FLOOR).doubleValue();
-    }
-
-    private static double cut(BigDecimal value) {
-        return value.setScale(0, RoundingMode.DOWN).doubleValue();
+    private static double whole(BigDecimal value, Motion.Step step) {
+        BigDecimal away = value.setScale(0, RoundingMode.HALF_UP);
+        return switch (step) {
+            case ROUND_POSITION -> value.add(BigDecimal.valueOf(0.5)).setScale(0, RoundingMode.FLOOR).doubleValue();
+            case ROUND_POSITION_AWAY, ROUND_VELOCITY -> away.doubleValue();
+            case SNAP_POSITION, SNAP_VELOCITY -> (away.subtract(value).abs().compareTo(SNAP) < 0 ? away
+                : value.setScale(0, RoundingMode.DOWN)).doubleValue();
+            default -> value.setScale(0, RoundingMode.DOWN).doubleValue();
+        };
     }
 
     private static long[] found(TurnLog log) {

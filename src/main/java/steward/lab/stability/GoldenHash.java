@@ -6,6 +6,7 @@ import java.util.List;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
+import steward.game.Pilot;
 import steward.lab.trial.Gas;
 import steward.lab.trial.PairSampler;
 import steward.lab.trial.RunLength;
@@ -42,14 +43,6 @@ public final class GoldenHash {
      * @param hash of all bits of the part
      */
     public record Part(String name, long hash) {
-    }
-
-    /** A player's answers in a game, each as the line it would send. */
-    @FunctionalInterface
-    public interface Script {
-
-        /** @param random the player's own generator, the same in every play of the game */
-        String answer(int player, SplitMix64 random);
     }
 
     /** The hash of all parts in their order. */
@@ -148,13 +141,14 @@ public final class GoldenHash {
     }
 
     /**
-     * A game whose players answer by a script: a part with the hashes of all its turns.
+     * A game whose players answer by rule: a part with the hashes of all its turns. Each has a generator of its own,
+     * the same in every play of the game.
      *
      * @param name  of the part
      * @param turns at most this many turns
      * @throws IllegalArgumentException if an answer is refused
      */
-    public static Part game(String name, GameSetup setup, Script script, int turns) {
+    public static Part game(String name, GameSetup setup, Pilot pilot, int turns) {
         Game game = setup.create(SEED);
         FrameCodec codec = setup.codec(game);
         SplitMix64[] randoms = new SplitMix64[game.players()];
@@ -164,8 +158,8 @@ public final class GoldenHash {
         StateHash hash = new StateHash();
         while (!game.isOver() && game.turn() < turns) {
             for (int player = 0; player < randoms.length; player++) {
-                byte[] answer = script.answer(player, randoms[player]).getBytes(StandardCharsets.UTF_8);
-                String problem = game.isIn(player) ? codec.readAnswer(player, answer, answer.length) : null;
+                byte[] answer = pilot.answer(game, player, randoms[player]).getBytes(StandardCharsets.UTF_8);
+                String problem = game.isIn(player) ? codec.frames().readAnswer(player, answer, answer.length) : null;
                 if (problem != null) {
                     throw new IllegalArgumentException(name + ", player " + player + ": " + problem);
                 }

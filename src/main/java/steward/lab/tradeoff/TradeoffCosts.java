@@ -32,7 +32,7 @@ final class TradeoffCosts {
     TradeoffCosts(List<Bodies> states, List<Advance> rungs, int rounds) {
         this.states = states;
         this.rungs = rungs;
-        copies = states.stream().limit(BATCH).map(state -> new Bodies(state.capacity())).toArray(Bodies[]::new);
+        copies = states.stream().limit(BATCH).map(Bodies::copy).toArray(Bodies[]::new);
         nanos = new double[rungs.size()][rounds];
         bytes = new double[rungs.size()];
         Arrays.fill(bytes, clock.tellsBytes() ? Double.POSITIVE_INFINITY : Double.NaN);

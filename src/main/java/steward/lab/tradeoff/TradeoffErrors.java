@@ -32,8 +32,7 @@ final class TradeoffErrors {
 
     /** Plays a turn and compares it with the true one. */
     void add(Bodies start, TurnTruth truth) {
-        Bodies after = new Bodies(start.capacity());
-        after.copyFrom(start);
+        Bodies after = start.copy();
         log.clear();
         advance.turn(after, log);
         TurnError error = truth.error(after, log);

@@ -27,13 +27,12 @@ final class TradeoffFreeRun {
      */
     static int[] turns(Bodies start, PhysicsParts parts, List<Advance> rungs, int bound) {
         List<OracleBody> truth = OracleBody.of(start);
-        Oracle oracle = new Oracle(parts.law(), parts.walls());
+        Oracle oracle = Oracle.of(parts, start);
         int[] turns = new int[rungs.size()];
         Bodies[] bodies = new Bodies[turns.length];
         Arrays.fill(turns, bound + 1);
         for (int r = 0; r < turns.length; r++) {
-            bodies[r] = new Bodies(start.capacity());
-            bodies[r].copyFrom(start);
+            bodies[r] = start.copy();
         }
         boolean some = true;
         for (int turn = 1; turn <= bound && some && !oracle.limited(); turn++) {
@@ -51,6 +50,9 @@ final class TradeoffFreeRun {
     }
 
     private static boolean isOff(Bodies bodies, List<OracleBody> truth) {
+        if (bodies.size() != truth.size()) {
+            return true;                              // a reaction has removed or added another body
+        }
         for (int k = 0; k < truth.size(); k++) {
             double dx = bodies.x[k] - truth.get(k).x.doubleValue();
             double dy = bodies.y[k] - truth.get(k).y.doubleValue();

@@ -130,7 +130,6 @@ public final class TradeoffMeasurement {
 
     private Advance advance(Accuracy rung, int bodies) {
         PhysicsParts parts = scene.parts();
-        return rung.advance(new PhysicsParts(parts.law(), rung.arithmetic(), parts.contacts(), parts.walls(), null,
-            parts.infiniteMasses()), bodies);
+        return rung.advance(parts.withArithmetic(rung.arithmetic()), bodies);
     }
 }

@@ -50,7 +50,7 @@ public final class EventAdvance implements Advance {
         if (parts.arithmetic() == Arithmetic.EXACT) {
             ExactPairs pairs = new ExactPairs(law);
             ExactWalls wallTimes = new ExactWalls(walls);
-            RefiningQueue refining = new RefiningQueue(law, pairs, wallTimes);
+            RefiningQueue refining = new RefiningQueue(law, pairs, wallTimes, parts.contacts());
             LowParts lows = new LowParts();
             scans = Scan.of(parts, pairs, wallTimes);
             queue = refining;
@@ -104,8 +104,7 @@ public final class EventAdvance implements Advance {
 
     /** An advance of the same scene for numbers out of the range of plain arithmetic, see {@link Magnitudes}. */
     public static EventAdvance inExactArithmetic(PhysicsParts parts) {
-        return new EventAdvance(new PhysicsParts(parts.law(), Arithmetic.EXACT, parts.contacts(), parts.walls(),
-            parts.reaction(), parts.infiniteMasses()));
+        return new EventAdvance(parts.withArithmetic(Arithmetic.EXACT));
     }
 
     /** Moves all bodies in free flight for a time. */

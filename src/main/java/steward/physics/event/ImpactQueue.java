@@ -21,8 +21,7 @@ public abstract sealed class ImpactQueue permits ImpactQueue.OneAtATime, ImpactQ
     abstract int b(int k);
 
     static ImpactQueue of(ImpactLaw law) {
-        return law.batchWindow() > 0 || law.separatingPairsReact()
-            ? new WithinWindow(law.batchWindow()) : new OneAtATime();
+        return law.batchWindow() > 0 ? new WithinWindow(law.batchWindow()) : new OneAtATime();
     }
 
     /** Keeps the earliest impact; ties go to the lowest pair, bodies before walls. */

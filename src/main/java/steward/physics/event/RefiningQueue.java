@@ -4,7 +4,9 @@ import java.util.Arrays;
 import steward.numerics.DoubleDouble;
 import steward.numerics.ErrorFree;
 import steward.physics.Bodies;
+import steward.physics.Contacts;
 import steward.physics.ImpactLaw;
+import steward.physics.time.ContactDistance;
 import steward.physics.time.ExactPairs;
 import steward.physics.time.ExactWalls;
 
@@ -18,6 +20,7 @@ final class RefiningQueue extends ImpactQueue {
 
     private final ExactPairs pairs;
     private final ExactWalls walls;
+    private final ContactDistance distance;
     private final boolean batched;
     private final double window;
     private final DoubleDouble until = new DoubleDouble();
@@ -36,10 +39,11 @@ final class RefiningQueue extends ImpactQueue {
     private int[] seconds = new int[16];
     private int size;
 
-    RefiningQueue(ImpactLaw law, ExactPairs pairs, ExactWalls walls) {
+    RefiningQueue(ImpactLaw law, ExactPairs pairs, ExactWalls walls, Contacts contacts) {
+        distance = contacts.hasReaches() ? new ContactDistance(contacts) : null;
         this.pairs = pairs;
         this.walls = walls;
-        batched = law.batchWindow() > 0 || law.separatingPairsReact();
+        batched = law.batchWindow() > 0;
         window = law.batchWindow();
     }
 
@@ -115,7 +119,7 @@ final class RefiningQueue extends ImpactQueue {
 
     private void refine(int k) {
         boolean happens = seconds[k] < 0 ? walls.exactTime(bodies, firsts[k], ~seconds[k], until)
-            : pairs.exactTime(bodies, firsts[k], seconds[k], until);
+            : exactTime(firsts[k], seconds[k]);
         if (!happens || until.compareTo(left) > 0) {
             size--;
             swap(k, size);
@@ -124,6 +128,15 @@ final class RefiningQueue extends ImpactQueue {
         refined[k] = true;
         high[k] = until.high();
         low[k] = until.low();
+    }
+
+    private boolean exactTime(int a, int b) {
+        boolean own = distance != null && distance.enter(bodies, a, b);
+        boolean happens = pairs.exactTime(bodies, a, b, until);
+        if (own) {
+            distance.leave(bodies, a, b);
+        }
+        return happens;
     }
 
     /** The time from now to the k-th impact. */

@@ -27,7 +27,8 @@ abstract sealed class Scan {
         boolean plain = parts.contacts().allBounce() && !parts.infiniteMasses();
         boolean descending = parts.law().scanOrder() == ImpactLaw.ScanOrder.DESCENDING;
         if (parts.contacts().bodiesMeet()) {
-            scans.add(!plain ? new SelectedPairs(time, parts.contacts(), descending)
+            PairTime within = parts.contacts().hasReaches() ? new PairTime.AtOwnDistance(time, parts.contacts()) : time;
+            scans.add(!plain ? new SelectedPairs(within, parts.contacts(), descending)
                 : descending ? new DescendingPairs(time) : new AscendingPairs(time));
         }
         if (!parts.walls().isEmpty()) {
@@ -90,16 +91,13 @@ abstract sealed class Scan {
         @Override
         void find(Bodies bodies, double now, ImpactQueue queue) {
             int size = bodies.size();
-            for (int high = 1; high < size; high++) {
-                int i = descending ? size - high : high;
-                for (int low = 0; low < i; low++) {
-                    int j = descending ? i - 1 - low : low;
+            for (int first = 0; first < size - 1; first++) {
+                int i = descending ? size - 1 - first : first;
+                int others = size - 1 - first;
+                for (int k = 1; k <= others; k++) {
+                    int j = descending ? i - k : i + k;
                     if (canReact(bodies, i, j)) {
-                        if (descending) {
-                            offer(bodies, i, j, time, now, queue);
-                        } else {
-                            offer(bodies, j, i, time, now, queue);
-                        }
+                        offer(bodies, i, j, time, now, queue);
                     }
                 }
             }

@@ -57,8 +57,9 @@ public final class StepAdvance implements Advance {
         this.steps = steps;
         walls = parts.walls().toArray(new Wall[0]);
         ImpactLaw law = parts.law();
-        overlap = law.separatingPairsReact() ? new PairTime.Overlap() : new PairTime.ClosingOverlap();
-        scans = Scan.of(parts, overlap);
+        PairTime touching = law.separatingPairsReact() ? new PairTime.Overlap() : new PairTime.ClosingOverlap();
+        scans = Scan.of(parts, touching);
+        overlap = parts.contacts().hasReaches() ? new PairTime.AtOwnDistance(touching, parts.contacts()) : touching;
         response = ContactResponse.of(parts,
             new Collision(Double.isNaN(law.pushOut()) ? law.withPushOut(0) : law, walls), walls);
     }

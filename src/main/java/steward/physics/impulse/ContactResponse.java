@@ -7,12 +7,18 @@ import steward.physics.PhysicsParts;
 import steward.physics.Reaction;
 import steward.physics.TurnSink;
 import steward.physics.Wall;
+import steward.physics.time.ContactDistance;
 
 /** The response to a contact: an impact, or what the scene's {@link Reaction} answers. */
 public abstract sealed class ContactResponse {
 
     /** Responds to a contact. @return false if the bodies were altered, so that all predictions are out of date */
     public abstract boolean react(Bodies bodies, int a, int b, double time, TurnSink sink);
+
+    /** Whether the last {@link #react} that answered true has altered anything but its two partners. */
+    public boolean hasAlteredOthers() {
+        return false;
+    }
 
     /** Called after each free flight: ends the passing of pairs that have separated. */
     public abstract void releaseSeparatedPairs(Bodies bodies);
@@ -48,16 +54,25 @@ public abstract sealed class ContactResponse {
         private final Contacts contacts;
         private final Reaction reaction;
         private final Wall[] walls;
+        private final ContactDistance distance;
+        private boolean alteredOthers;
 
         Ask(Collision collision, PhysicsParts parts, Wall[] walls) {
             this.collision = collision;
             this.contacts = parts.contacts();
             this.reaction = parts.reaction();
             this.walls = walls;
+            distance = contacts.hasReaches() ? new ContactDistance(contacts) : null;
+        }
+
+        @Override
+        public boolean hasAlteredOthers() {
+            return alteredOthers;
         }
 
         @Override
         public boolean react(Bodies bodies, int a, int b, double time, TurnSink sink) {
+            alteredOthers = false;
             Contacts.Meaning meaning = b < 0
                 ? contacts.withWall(bodies.kind[a]) : contacts.between(bodies.kind[a], bodies.kind[b]);
             if (meaning == Contacts.Meaning.BOUNCE) {
@@ -70,14 +85,20 @@ public abstract sealed class ContactResponse {
             if (b >= 0) {
                 sink.knot(idB, time, bodies.x[b], bodies.y[b]);
             }
-            switch (reaction.on(time, a, b, bodies)) {
+            int size = bodies.size();
+            switch (reaction.on(time, a, b, bodies, sink)) {
                 case BOUNCE -> {
                     if (bodies.inverseMass[a] + (b < 0 ? 0 : bodies.inverseMass[b]) > 0) {
-                        collision.react(bodies, a, b, time, sink);
+                        bounce(bodies, a, b, time, sink);
+                        alteredOthers = reaction.after(time, a, b, bodies, sink);
                     } else {
                         bodies.passing().add(idA, idB);         // two infinite masses exchange no impulse
                     }
                     return true;
+                }
+                case ALTERED -> {
+                    alteredOthers = true;
+                    return bodies.size() == size;
                 }
                 case PASS -> {
                     bodies.passing().add(idA, idB);
@@ -86,6 +107,15 @@ public abstract sealed class ContactResponse {
                 default -> {
                     return false;
                 }
+            }
+        }
+
+        /** An impact; at a distance of its own, the two have half of it as their radii. */
+        private void bounce(Bodies bodies, int a, int b, double time, TurnSink sink) {
+            boolean own = distance != null && b >= 0 && distance.enter(bodies, a, b);
+            collision.react(bodies, a, b, time, sink);
+            if (own) {
+                distance.leave(bodies, a, b);
             }
         }
 
@@ -112,14 +142,16 @@ public abstract sealed class ContactResponse {
             return wall.normalX(x, y) * bodies.vx[a] + wall.normalY(x, y) * bodies.vy[a] > 0;
         }
 
-        private static boolean areSeparatedOrRemoved(Bodies bodies, int a, int b) {
+        private boolean areSeparatedOrRemoved(Bodies bodies, int a, int b) {
             if (a < 0 || b < 0) {
                 return true;
             }
             double dx = bodies.x[b] - bodies.x[a];
             double dy = bodies.y[b] - bodies.y[a];
             double approach = dx * (bodies.vx[b] - bodies.vx[a]) + dy * (bodies.vy[b] - bodies.vy[a]);
-            return approach >= 0 && Math.sqrt(dx * dx + dy * dy) > bodies.radius[a] + bodies.radius[b];
+            double reach = contacts.reach(bodies.kind[a], bodies.kind[b]);
+            return approach >= 0 && Math.sqrt(dx * dx + dy * dy)
+                > (Double.isNaN(reach) ? bodies.radius[a] + bodies.radius[b] : reach);
         }
     }
 }

@@ -8,6 +8,7 @@ import static steward.physics.queue.Crowd.PARTNER_CHANGES;
 import steward.physics.Advance;
 import steward.physics.Arithmetic;
 import steward.physics.Bodies;
+import steward.physics.Contacts;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.TurnSink;
@@ -58,7 +59,7 @@ public final class QueueAdvance implements Advance {
 
     /** @throws IllegalArgumentException if {@link #refusal} refuses the law */
     public QueueAdvance(PhysicsParts parts) {
-        String refusal = refusal(parts.law());
+        String refusal = refusal(parts.law(), parts.contacts());
         if (refusal != null) {
             throw new IllegalArgumentException("queue: " + refusal);
         }
@@ -90,6 +91,12 @@ public final class QueueAdvance implements Advance {
     public static String refusal(ImpactLaw law) {
         return law.batchWindow() > 0 ? "impacts within batchWindow react together"
             : law.separatingPairsReact() ? "separatingPairs react" : null;
+    }
+
+    /** The same for a law and contacts. */
+    public static String refusal(ImpactLaw law, Contacts contacts) {
+        return refusal(law) != null ? refusal(law)
+            : contacts.hasReaches() ? "some contacts have a distance of their own" : null;
     }
 
     @Override

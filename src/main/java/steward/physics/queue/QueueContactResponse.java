@@ -205,7 +205,7 @@ abstract class QueueContactResponse {
             }
             response.releaseSeparatedPairs(bodies);
             boolean alone = bodies.passing().size() == passing;
-            if (!response.react(bodies, i, j, now, sink) || !alone) {
+            if (!response.react(bodies, i, j, now, sink) || response.hasAlteredOthers() || !alone) {
                 return false;
             }
             updateState(a, bodies.x[i], bodies.y[i], bodies.vx[i], bodies.vy[i]);

@@ -2,6 +2,7 @@ package steward.physics.time;
 
 import steward.physics.Arithmetic;
 import steward.physics.Bodies;
+import steward.physics.Contacts;
 import steward.physics.ImpactLaw;
 
 /**
@@ -9,7 +10,7 @@ import steward.physics.ImpactLaw;
  * geometry.
  */
 public abstract sealed class PairTime permits PairTime.TouchIsImpact, PairTime.ApproachIsImpact, PairTime.Overlap,
-    PairTime.ClosingOverlap, ExactPairs {
+    PairTime.ClosingOverlap, PairTime.AtOwnDistance, ExactPairs {
 
     private static final double NEVER = Double.POSITIVE_INFINITY;
 
@@ -64,6 +65,28 @@ public abstract sealed class PairTime permits PairTime.TouchIsImpact, PairTime.A
                 return 0;
             }
             return circles.untilApproachingMeet(dx, dy, dvx, dvy, touch);
+        }
+    }
+
+    /** The times of another, for contacts some of which begin at a distance of their own. */
+    public static final class AtOwnDistance extends PairTime {
+
+        private final PairTime time;
+        private final ContactDistance distance;
+
+        public AtOwnDistance(PairTime time, Contacts contacts) {
+            this.time = time;
+            distance = new ContactDistance(contacts);
+        }
+
+        @Override
+        public double until(Bodies bodies, int i, int j) {
+            boolean own = distance.enter(bodies, i, j);
+            double until = time.until(bodies, i, j);
+            if (own) {
+                distance.leave(bodies, i, j);
+            }
+            return until;
         }
     }
 

@@ -85,7 +85,7 @@ final class Conversation {
         boolean gone = ending != Player.Ending.ANSWERED;
         boolean none = recorded.faults()[player] != null || replaced && !recorded.hasCommand(player);
         byte[] then = none ? NONE : recordedCommand(recorded);
-        again.codec().clearCommand(player);
+        again.codec().state().clearCommand(player);
         String fault = gone ? answer.fault() : read();
         List<Difference> differences = List.of();
         if (fault == null && then.length > 0) {
@@ -111,7 +111,7 @@ final class Conversation {
                 token = in.nextToken();
             }
             boolean there = token != JsonToken.END_ARRAY && token != JsonToken.VALUE_NULL;
-            String wrong = there ? again.codec().readCommand(in, player) : "found none, expected a command";
+            String wrong = there ? again.codec().state().readCommand(in, player) : "found none, expected a command";
             if (wrong != null) {
                 throw new ReplayException(recorded.where() + ": commands[" + player + "]: " + wrong);
             }
@@ -125,7 +125,7 @@ final class Conversation {
     private byte[] command() {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), bytes)) {
-            again.codec().writeCommand(out, player);
+            again.codec().state().writeCommand(out, player);
         }
         return bytes.toByteArray();
     }

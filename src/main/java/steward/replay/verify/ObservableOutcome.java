@@ -31,7 +31,7 @@ final class ObservableOutcome {
             out.writeEndArray();
         }
         out.writeObjectPropertyStart("state");
-        codec.writeState(out);
+        codec.state().writeState(out);
         out.writeEndObject();
         out.writeArrayPropertyStart("ranks");
         for (int rank : game.ranks()) {

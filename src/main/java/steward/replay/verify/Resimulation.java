@@ -141,10 +141,10 @@ public final class Resimulation {
     /** @return what is wrong with the command of a player that was asked, or {@code null} */
     private String readOne(JsonParser in, JsonToken token, int player, String fault) {
         if (fault == null) {
-            return token == JsonToken.VALUE_NULL ? "null" : codec.readCommand(in, player);
+            return token == JsonToken.VALUE_NULL ? "null" : codec.state().readCommand(in, player);
         }
-        codec.clearCommand(player);
-        return token == JsonToken.VALUE_NULL ? null : codec.readPartialCommand(in, player);
+        codec.state().clearCommand(player);
+        return token == JsonToken.VALUE_NULL ? null : codec.state().readPartialCommand(in, player);
     }
 
     /** What is wrong with the commands; they are read one by one to find it. */

@@ -104,8 +104,8 @@ class BenchCommandTest {
         Map<String, Integer> names = new java.util.TreeMap<>();
         BenchSuite.all(1, 1, List.of(10)).forEach(section -> names.merge(section.name(), 1, Integer::sum));
 
-        assertTrue(names.keySet().containsAll(List.of("pods", "matches", "growth", "frames", "verify", "processes",
-            "start", "crowds")), names::toString);
+        assertTrue(names.keySet().containsAll(List.of("pods", "games", "matches", "growth", "frames", "verify",
+            "processes", "start", "crowds")), names::toString);
         assertTrue(names.values().stream().allMatch(count -> count == 1), names::toString);
     }
 

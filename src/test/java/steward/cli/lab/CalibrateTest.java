@@ -23,7 +23,9 @@ import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
 import steward.cli.shared.Streams;
 import steward.game.GameSetup;
+import steward.game.Pilot;
 import steward.lab.calibration.Calibration;
+import steward.lab.calibration.SeededPlay;
 import steward.scene.AccuracyFigures;
 import steward.scene.PhysicsFingerprint;
 import steward.scene.SceneFiles;
@@ -131,13 +133,17 @@ class CalibrateTest {
         assertEquals(1200, AccuracyFigures.read(Files.readString(file), "d").states());
     }
 
+    private static SeededPlay race(GameSetup setup, long seed) {
+        return new SeededPlay(setup, setup.pilot(Pilot.Aim.WIN), seed);
+    }
+
     /** Figures of fewer states do not replace older figures of more states. */
     @Test
     void anInterruptedRunLeavesOlderFiguresWhereTheyAre() throws Exception {
         Path file = Files.writeString(folder.resolve("d.accuracy.json"), "older");
         ByteArrayOutputStream err = new ByteArrayOutputStream();
         Calibration calibration = new Calibration(Games.open("duel"),
-            seed -> SeededPilots.race(Games.open("duel"), seed), 1000);
+            seed -> race(Games.open("duel"), seed), 1000);
         calibration.run(1, () -> { });
         new CalibrationRun(new Streams(new ByteArrayOutputStream(), err, false, false), Games.open("duel"), file,
             calibration).interrupted();
@@ -152,7 +158,7 @@ class CalibrateTest {
      * {@code steward tradeoff --calibrate config/scenes/NAME.json --overwrite}.
      */
     @ParameterizedTest
-    @ValueSource(strings = {"duel", "mad-pod-racing-silver", "mad-pod-racing", "walled-race"})
+    @ValueSource(strings = {"duel", "mad-pod-racing-silver", "mad-pod-racing", "search-race", "walled-race"})
     void theFiguresOfAShippedSceneHold(String name) throws Exception {
         GameSetup setup = Games.open(name, Calibration.PLAYED_ON);
         AccuracyFigures figures = shipped(name);
@@ -164,11 +170,11 @@ class CalibrateTest {
     /** The first states of them, played and measured again. */
     @ParameterizedTest
     @Tag("slow")
-    @ValueSource(strings = {"duel", "mad-pod-racing-silver", "mad-pod-racing", "walled-race"})
+    @ValueSource(strings = {"duel", "mad-pod-racing-silver", "mad-pod-racing", "search-race", "walled-race"})
     void aSampleOfTheFiguresIsMeasuredAnew(String name) throws Exception {
         GameSetup setup = Games.open(name, Calibration.PLAYED_ON);
         AccuracyFigures figures = shipped(name);
-        Calibration sample = new Calibration(setup, seed -> SeededPilots.race(setup, seed), Calibration.BLOCK);
+        Calibration sample = new Calibration(setup, seed -> race(setup, seed), Calibration.BLOCK);
         sample.run(2, () -> { });
         assertEquals(sample.figures().sample(), figures.sample());
     }

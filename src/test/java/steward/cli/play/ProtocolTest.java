@@ -26,6 +26,7 @@ import steward.files.InputException;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
+import steward.game.Pilot;
 import steward.match.MatchListener;
 import steward.match.Protocol;
 import steward.match.Referee;
@@ -192,6 +193,11 @@ class ProtocolTest {
         @Override
         public FrameCodec codec(Game game) {
             return setup.codec(game);
+        }
+
+        @Override
+        public Pilot pilot(Pilot.Aim aim) {
+            return setup.pilot(aim);
         }
     }
 }

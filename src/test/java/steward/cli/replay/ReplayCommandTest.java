@@ -98,6 +98,13 @@ class ReplayCommandTest {
     }
 
     @Test
+    void theMapHasZonesAndALetterPerBody() {
+        String map = replay(whole, "--map").out();
+        assertTrue(map.startsWith("+---") && map.contains("(0)") && map.contains("a pilot-0    B pilot-1"), map);
+        assertEquals(2, replay(whole, "--map", "--impacts").status());
+    }
+
+    @Test
     void impactsAreCounted() {
         Cli list = replay(whole, "--impacts");
         String text = new String(duel.bytes(), StandardCharsets.UTF_8);

@@ -19,6 +19,7 @@ import steward.bot.command.CommandLine;
 import steward.bot.command.ProgramFinder;
 import steward.cli.Cli;
 import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Games;
 import tools.jackson.databind.JsonNode;
 
 /** {@code steward new}. */
@@ -66,6 +67,47 @@ class NewCommandTest {
     }
 
     @Test
+    @Tag("process")
+    void theStarterOfTheSearchRaceFinishes() throws IOException {
+        assumeTrue(ProgramFinder.find("python3") != null, "there is no python3");
+        Path place = folder.resolve("a bot");
+        Cli made = Cli.run("new", "python", place.toString(), "--game", "search-race");
+        assertEquals(ExitStatus.DONE, made.status(), made.err());
+        assertTrue(made.out().endsWith("  steward match --scene search-race --bot 'me=python3 bot.py'\n"), made.out());
+        assertTrue(Files.readString(place.resolve(Starter.README)).contains("me=python3 bot.py"));
+        Cli cli = Cli.run("match", "--scene", "search-race", "--bot",
+            "me=python3 " + CommandLine.quote(List.of(place.resolve("bot.py").toString())), "--seed", "7", "--json",
+            "--time-factor", "30");
+        JsonNode me = cli.json().get("players").get(0);
+        assertTrue(me.get("fault").isNull(), cli.out());
+        assertTrue(me.get("score").doubleValue() < 600, cli.out());
+    }
+
+    @Test
+    @Tag("process")
+    void theStarterOfMeanMaxHarvests() throws IOException {
+        assumeTrue(ProgramFinder.find("python3") != null, "there is no python3");
+        Path place = folder.resolve("looters");
+        Cli made = Cli.run("new", "python", place.toString(), "--game", "mean-max");
+        assertEquals(ExitStatus.DONE, made.status(), made.err());
+        Cli cli = Cli.run("match", "--scene", "mean-max", "--bot",
+            "me=python3 " + CommandLine.quote(List.of(place.resolve("bot.py").toString())), "--bot", "builtin:gatherer",
+            "--bot", "builtin:gatherer", "--seed", "7", "--json", "--time-factor", "30");
+        JsonNode me = cli.json().get("players").get(0);
+        assertTrue(me.get("fault").isNull(), cli.out());
+        assertTrue(me.get("score").doubleValue() > 0, cli.out());
+    }
+
+    @Test
+    void anUnknownGameOrOneWithoutThisLanguageIsRefused() {
+        assertEquals("steward: --game: found 'serch-race', expected one of " + String.join(", ", Games.ids())
+            + "; did you mean 'search-race'?\n",
+            Cli.run("new", "python", folder.toString(), "--game", "serch-race").err());
+        assertEquals("steward: LANGUAGE: found 'cpp', expected one of those with a bot for search-race: python\n",
+            Cli.run("new", "cpp", folder.toString(), "--game", "search-race").err());
+    }
+
+    @Test
     void aFolderWithFilesIsLeftAlone() throws IOException {
         Path mine = Files.writeString(folder.resolve("bot.py"), "precious");
         Cli cli = Cli.run("new", "python", folder.toString());
@@ -85,6 +127,7 @@ class NewCommandTest {
 
     @Test
     void theStarterOfThisRepositoryIsTheSame() throws IOException {
-        assertArrayEquals(Files.readAllBytes(Path.of("src/bots/python/starter.py")), Starter.PYTHON.read("bot.py"));
+        assertArrayEquals(Files.readAllBytes(Path.of("src/bots/python/starter.py")),
+            Starter.PYTHON.read("pod-race", "bot.py"));
     }
 }

@@ -311,7 +311,7 @@ class EndTest {
         PodRace race = Races.official(MAP);
         Races.coast(race, 100);
 
-        assertEquals("the race is over: all are out",
+        assertEquals("the game is over: all are out",
             assertThrows(IllegalStateException.class, race::play).getMessage());
         assertEquals(100, race.turn());
     }

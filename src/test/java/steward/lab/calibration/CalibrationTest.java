@@ -16,6 +16,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.game.GameSetup;
 import steward.game.GameTypes;
+import steward.game.Pilot;
 import steward.game.podrace.protocol.PodRaceType;
 import steward.lab.oracle.TurnTruth;
 import steward.lab.trial.Probe;
@@ -30,7 +31,7 @@ import steward.scene.SceneText;
 class CalibrationTest {
 
     /** Both pods make for the same place, by ways that differ from turn to turn. */
-    private static final SeededPlay.Script CROWD = (game, player, random) ->
+    private static final Pilot CROWD = (game, player, random) ->
         "{\"pods\":[{\"x\":" + random.nextInt(7000, 8000) + ",\"y\":4000,\"thrust\":" + random.nextInt(50, 200) + "}]}";
 
     private static GameSetup duel() {

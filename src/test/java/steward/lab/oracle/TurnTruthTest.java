@@ -17,6 +17,7 @@ import steward.physics.HalfPlane;
 import steward.physics.ImpactLaw;
 import steward.physics.Motion;
 import steward.physics.PhysicsParts;
+import steward.physics.Reaction;
 import steward.physics.TurnLog;
 import steward.physics.Wall;
 import steward.physics.event.EventAdvance;
@@ -155,10 +156,58 @@ class TurnTruthTest {
     }
 
     @Test
-    void reactionsAreRefused() {
+    void bodiesThatIgnoreEachOtherFlyThrough() {
         PhysicsParts deaf = new PhysicsParts(ImpactLaw.PHYSICS, Arithmetic.DOUBLE,
             new Contacts(1).set(0, 0, Contacts.Meaning.NONE), List.of(), null, false);
-        assertThrows(IllegalArgumentException.class, () -> TurnTruth.of(headOn(1), deaf));
+        Bodies start = headOn(200);
+        TurnTruth truth = TurnTruth.of(start, deaf);
+        Bodies flown = copy(start);
+        new EventAdvance(deaf).turn(flown, new TurnLog());
+
+        assertEquals(0, truth.impacts());
+        assertEquals(0, truth.positionError(flown), 1e-9);
+    }
+
+    /** The reaction takes one of the two away at their touch: who does not do so is infinitely wrong. */
+    @Test
+    void aReactionChangesTheTruthToo() {
+        PhysicsParts eating = asking((time, a, b, bodies, sink) -> {
+            bodies.remove(b);
+            return Reaction.Verdict.CHANGED;
+        });
+        Bodies start = headOn(200);
+        TurnTruth truth = TurnTruth.of(start, eating);
+        Bodies one = copy(start);
+        new EventAdvance(eating).turn(one, new TurnLog());
+        Bodies both = copy(start);
+        new EventAdvance(parts(Arithmetic.DOUBLE)).turn(both, new TurnLog());
+
+        assertEquals(1, one.size());
+        assertEquals(0, truth.positionError(one), 1e-9);
+        assertEquals(Double.POSITIVE_INFINITY, truth.positionError(both));
+        assertEquals(2, truth.differing(start, both, new Motion(true, true, true)));
+    }
+
+    @Test
+    void aReactionThatBouncesIsAnImpactOfTheTruth() {
+        TurnTruth truth = TurnTruth.of(headOn(200), asking((time, a, b, bodies, sink) -> Reaction.Verdict.BOUNCE));
+
+        assertEquals(1, truth.impacts());
+    }
+
+    @Test
+    void whatTheOracleCannotDoIsRefused() {
+        PhysicsParts passing = asking((time, a, b, bodies, sink) -> Reaction.Verdict.PASS);
+        assertThrows(IllegalArgumentException.class, () -> TurnTruth.of(headOn(200), passing));
+        PhysicsParts reaching = new PhysicsParts(ImpactLaw.PHYSICS, Arithmetic.DOUBLE,
+            new Contacts(1).askWithin(0, 0, 5), List.of(),
+            (time, a, b, bodies, sink) -> Reaction.Verdict.BOUNCE, false);
+        assertThrows(IllegalArgumentException.class, () -> TurnTruth.of(headOn(200), reaching));
+    }
+
+    private static PhysicsParts asking(Reaction reaction) {
+        return new PhysicsParts(ImpactLaw.PHYSICS, Arithmetic.DOUBLE,
+            new Contacts(1).set(0, 0, Contacts.Meaning.ASK), List.of(), reaction, false);
     }
 
     /** A pair that meets in time is never skipped, by however little; most pairs that are far apart are. */

@@ -67,7 +67,7 @@ class AllocationTest {
         }
         Contacts asking = new Contacts(1).set(0, 0, Contacts.Meaning.ASK);
         check(new QueueAdvance(new PhysicsParts(ImpactLaw.PHYSICS, Arithmetic.DOUBLE, asking, List.of(WALLS),
-            (time, a, b, bodies) -> (a + b) % 2 == 0 ? Reaction.Verdict.PASS : Reaction.Verdict.BOUNCE, false)));
+            (time, a, b, bodies, sink) -> (a + b) % 2 == 0 ? Reaction.Verdict.PASS : Reaction.Verdict.BOUNCE, false)));
     }
 
     @Test
@@ -80,7 +80,7 @@ class AllocationTest {
         if (asks) {
             contacts.set(0, 0, Contacts.Meaning.ASK).setWall(0, Contacts.Meaning.ASK);
         }
-        Reaction reaction = asks ? (time, a, b, bodies) -> (a + b) % 2 == 0 ? Reaction.Verdict.PASS
+        Reaction reaction = asks ? (time, a, b, bodies, sink) -> (a + b) % 2 == 0 ? Reaction.Verdict.PASS
             : Reaction.Verdict.BOUNCE : null;
         check(new EventAdvance(new PhysicsParts(law, arithmetic, contacts, List.of(walls), reaction, false)));
     }

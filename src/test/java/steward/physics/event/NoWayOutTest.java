@@ -51,7 +51,7 @@ class NoWayOutTest {
         bodies.setVelocity(body, -10, 0);
         Advance advance = new EventAdvance(new PhysicsParts(ImpactLaw.PHYSICS, Arithmetic.DOUBLE,
             new Contacts(1).setWall(0, Contacts.Meaning.ASK), List.of(Wall.box(100, 100, 1)),
-            (time, a, b, all) -> {
+            (time, a, b, all, sink) -> {
                 asked[0]++;
                 return Reaction.Verdict.BOUNCE;
             }, true));

@@ -39,14 +39,14 @@ class ReactionTest {
     }
 
     private Reaction noting(Reaction reaction) {
-        return (time, a, b, bodies) -> {
+        return (time, a, b, bodies, sink) -> {
             asked.add(bodies.id(a) + "," + (b < 0 ? b : bodies.id(b)) + " at " + Math.round(1000 * time) / 1000.0);
-            return reaction.on(time, a, b, bodies);
+            return reaction.on(time, a, b, bodies, sink);
         };
     }
 
     private static Reaction always(Verdict verdict) {
-        return (time, a, b, bodies) -> verdict;
+        return (time, a, b, bodies, sink) -> verdict;
     }
 
     /** 80 u of room at 100 u per turn; kinds 0 and 1. */
@@ -101,7 +101,7 @@ class ReactionTest {
     @Test
     void theQuestionShowsTheTouchBeforeAnyImpulse() {
         Bodies bodies = pair(1, 1);
-        advance(Meaning.ASK, (time, a, b, all) -> {
+        advance(Meaning.ASK, (time, a, b, all, sink) -> {
             assertEquals(0.8, time, 1e-15);
             assertArrayEquals(new double[] {80, 100, 100, 0}, new double[] {all.x[a], all.x[b], all.vx[a], all.vx[b]},
                 1e-12);
@@ -186,7 +186,7 @@ class ReactionTest {
     void aCopyInTheMiddleOfAPassageGoesOnAlike() {
         Bodies bodies = pair(1, 1);
         EventAdvance advance = advance(Meaning.ASK,
-            (time, a, b, all) -> asked.size() == 1 ? Verdict.PASS : Verdict.BOUNCE);
+            (time, a, b, all, sink) -> asked.size() == 1 ? Verdict.PASS : Verdict.BOUNCE);
         advance.turn(bodies, log);
         Bodies copy = new Bodies(8);
         copy.copyFrom(bodies);
@@ -225,7 +225,7 @@ class ReactionTest {
         bodies.add(100, 0, 10, 1);
         bodies.setKind(2, 1);
         bodies.setPosition(1, 115, 0);
-        advance(Meaning.ASK, (time, a, b, all) -> {
+        advance(Meaning.ASK, (time, a, b, all, sink) -> {
             all.remove(b);
             return Verdict.CHANGED;
         }).turn(bodies, log);
@@ -240,7 +240,7 @@ class ReactionTest {
     void bodiesBornInsideATurnTakePartInIt() {
         Bodies bodies = pair(1, 1);
         Scenes.add(bodies, 100, 45, 0, 0, 1);
-        advance(Meaning.ASK, (time, a, b, all) -> {
+        advance(Meaning.ASK, (time, a, b, all, sink) -> {
             double x = all.x[b];
             all.remove(b);
             Scenes.add(all, x, 10, 0, 100, 1);
@@ -266,7 +266,7 @@ class ReactionTest {
             Scenes.add(bodies, 25 * k, 0, 100 * (1 - k), 0, 1);
         }
         new EventAdvance(new PhysicsParts(ImpactLaw.OFFICIAL_POD_RACE, Arithmetic.OFFICIAL, contacts, List.of(),
-            noting((time, a, b, all) -> {
+            noting((time, a, b, all, sink) -> {
                 all.remove(a);
                 return Verdict.CHANGED;
             }), false)).turn(bodies, log);

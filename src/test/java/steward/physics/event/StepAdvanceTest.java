@@ -172,7 +172,7 @@ class StepAdvanceTest {
         Scenes.add(bodies, 50, 0, 0, 0, 1);
         bodies.setKind(1, 1);
         List<Double> asked = new ArrayList<>();
-        StepAdvance advance = asking(8, (time, a, b, all) -> {
+        StepAdvance advance = asking(8, (time, a, b, all, sink) -> {
             asked.add(time);
             return Verdict.PASS;
         });
@@ -191,7 +191,7 @@ class StepAdvanceTest {
             Scenes.add(bodies, 105 + k, k, 0, 0, 1);
             bodies.setKind(k + 1, 1);
         }
-        asking(1, (time, a, b, all) -> {
+        asking(1, (time, a, b, all, sink) -> {
             all.remove(b);
             return Verdict.CHANGED;
         }).turn(bodies, TurnSink.NONE);
@@ -199,7 +199,7 @@ class StepAdvanceTest {
         Scenes.add(bodies, 205, 0, 0, 0, 1);
         bodies.setKind(1, 1);
         int[] asked = new int[1];
-        asking(1, (time, a, b, all) -> {
+        asking(1, (time, a, b, all, sink) -> {
             asked[0]++;
             return Verdict.CHANGED;
         }).turn(bodies, TurnSink.NONE);

@@ -242,7 +242,7 @@ class QueueAdvanceTest {
         Contacts contacts = new Contacts(3).set(1, 1, Contacts.Meaning.NONE).set(0, 1, Contacts.Meaning.ASK)
             .set(2, 0, Contacts.Meaning.ASK).set(2, 1, Contacts.Meaning.ASK).setWall(2, Contacts.Meaning.ASK)
             .setWall(1, Contacts.Meaning.NONE);
-        Reaction reaction = (time, a, b, bodies) -> {
+        Reaction reaction = (time, a, b, bodies, sink) -> {
             int id = bodies.id(a) + (b < 0 ? b : bodies.id(b));
             if (id % 11 == 0 && bodies.size() > 10) {
                 bodies.remove(b < 0 ? a : b);

@@ -57,6 +57,14 @@ public final class PodAnswer {
         thrust = new int[pods];
     }
 
+    /** Makes what was read the commands of a player's first pods. */
+    void command(PodRace race, int player, int pods) {
+        int first = player * x.length;
+        for (int pod = 0; pod < pods; pod++) {
+            race.command(first + pod, x[pod], y[pod], thrust[pod]);
+        }
+    }
+
     double x(int pod) {
         return x[pod];
     }

@@ -1,5 +1,8 @@
 package steward.game.podrace.protocol;
 
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.PrintStream;
 import java.util.List;
 import java.util.Optional;
 import steward.Internal;
@@ -7,6 +10,7 @@ import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
 import steward.game.GameType;
+import steward.game.Pilot;
 import steward.game.TextCodec;
 import steward.game.podrace.PlaceCheck;
 import steward.game.podrace.PodRace;
@@ -82,8 +86,22 @@ public final class PodRaceType implements GameType {
         }
 
         @Override
+        public boolean simulate(BufferedReader in, PrintStream out) throws IOException {
+            new SimulatorProtocol(this, in, out).run();
+            return true;
+        }
+
+        @Override
         public FrameCodec codec(Game game) {
-            return new PodRaceJson((PodRace) game, scene);
+            PodRace race = (PodRace) game;
+            PodJsonCache texts = new PodJsonCache(race);
+            return new FrameCodec(new PodRaceFrames(race, scene, texts), new PodRaceState(race, texts),
+                new PodRaceDrawing(race, scene));
+        }
+
+        @Override
+        public Pilot pilot(Pilot.Aim aim) {
+            return (game, player, random) -> PodPilot.answer((PodRace) game, player, random, aim);
         }
 
         /** CodinGame's protocols: that of the single-pod leagues where each player has one pod. */

@@ -9,6 +9,7 @@ import steward.Internal;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodRaceSettings;
 import steward.game.podrace.PodState;
+import steward.text.BoundedLine;
 import steward.text.TextFormat;
 
 /**
@@ -202,19 +203,12 @@ public final class SimulatorProtocol {
 
     /** The next line, or {@code null} at the end; one that goes on and on is refused before it fills the memory. */
     private String line() throws IOException {
-        StringBuilder line = new StringBuilder();
-        int character = in.read();
-        if (character < 0) {
-            return null;
+        String line = BoundedLine.read(in, LONGEST_LINE);
+        if (line != null && line.length() > LONGEST_LINE) {
+            throw wrong("a line of more than " + LONGEST_LINE + " characters", "at most " + STATE_FIELDS
+                + " words");
         }
-        for (; character >= 0 && character != '\n'; character = in.read()) {
-            if (line.length() == LONGEST_LINE) {
-                throw wrong("a line of more than " + LONGEST_LINE + " characters", "at most " + STATE_FIELDS
-                    + " words");
-            }
-            line.append((char) character);
-        }
-        return line.toString();
+        return line;
     }
 
     private IllegalArgumentException wrong(String found, String expected) {

@@ -2,10 +2,8 @@ package steward.game.podrace.vectors;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -15,22 +13,19 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.game.Comparison;
+import steward.game.GroundTruth;
 
 /**
  * Whole matches of the published referee with correctly rounded sine and cosine: states, impacts, paths, ends, faults
- * and the lines sent to bots, from the start and from every state that was set by hand. Another folder of this form:
- * {@code gradle test --tests '*VectorsTest' -Psteward.vectors=FOLDER}.
+ * and the lines sent to bots, from the start and from every state that was set by hand. Another folder of this form, or
+ * one with a folder per game: {@code gradle test --tests '*VectorsTest' -Psteward.vectors=FOLDER}.
  */
 @Execution(ExecutionMode.CONCURRENT)
 class PodRaceVectorsTest {
 
     private static List<Path> files() throws IOException {
-        Path folder = Path.of(System.getProperty("steward.vectors", "../shared/vectors/pod-race"));
-        assumeTrue(Files.isDirectory(folder),
-            () -> "skipped: no vectors in " + folder.toAbsolutePath() + " (set -Psteward.vectors)");
-        try (Stream<Path> files = Files.list(folder)) {
-            return files.filter(file -> file.toString().endsWith(".jsonl.gz")).sorted().toList();
-        }
+        return GroundTruth.VECTORS.files("pod-race", ".jsonl.gz");
     }
 
     @Test
@@ -50,7 +45,8 @@ class PodRaceVectorsTest {
             turns += match.turns().size();
             differences.addAll(found.differences());
         }
-        report.publishEntry(files.size() + " matches, " + turns + " turns, " + impacts + " impacts, " + values
+        GroundTruth.tell(report, "pod-race: " + files.size() + " matches, " + turns + " turns, " + impacts
+            + " impacts, " + values
             + " values compared, " + differences.size() + " different");
 
         assertTrue(values > 0, "the folder holds matches");
@@ -71,7 +67,8 @@ class PodRaceVectorsTest {
             turns += simulated.turns();
             differences.addAll(found.differences());
         }
-        report.publishEntry("simulator: " + turns + " turns, " + values + " values compared, " + differences.size()
+        GroundTruth.tell(report, "pod-race, simulator: " + turns + " turns, " + values
+            + " values compared, " + differences.size()
             + " different");
 
         assertTrue(turns > 0, "the folder holds turns without faults");

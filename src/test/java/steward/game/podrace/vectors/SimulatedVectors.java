@@ -2,6 +2,7 @@ package steward.game.podrace.vectors;
 
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import steward.game.Comparison;
 import steward.game.podrace.PodState;
 import steward.game.podrace.simulator.PodCommands;
 import steward.game.podrace.simulator.PodRaceSimulator;

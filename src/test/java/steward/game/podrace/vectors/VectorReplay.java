@@ -4,6 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Pattern;
+import steward.game.Comparison;
 import steward.game.TextCodec;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodState;

@@ -1,10 +1,10 @@
-package steward.game.podrace.vectors;
+package steward.game;
 
 import java.util.ArrayList;
 import java.util.List;
 
 /** Values held against recorded ones, to the last bit. */
-final class Comparison {
+public final class Comparison {
 
     private static final int KEPT = 1000;
 
@@ -13,25 +13,25 @@ final class Comparison {
     private long values;
     private long impacts;
 
-    Comparison(String source) {
+    public Comparison(String source) {
         this.source = source;
     }
 
-    void same(String what, double recorded, double found) {
+    public void same(String what, double recorded, double found) {
         values++;
         if (Double.doubleToLongBits(recorded) != Double.doubleToLongBits(found)) {
             differ(what, Double.toString(recorded), Double.toString(found));
         }
     }
 
-    void same(String what, Object recorded, Object found) {
+    public void same(String what, Object recorded, Object found) {
         values++;
         if (!recorded.equals(found)) {
             differ(what, recorded.toString(), found.toString());
         }
     }
 
-    void impact() {
+    public void impact() {
         impacts++;
     }
 
@@ -41,15 +41,15 @@ final class Comparison {
         }
     }
 
-    long values() {
+    public long values() {
         return values;
     }
 
-    long impacts() {
+    public long impacts() {
         return impacts;
     }
 
-    List<String> differences() {
+    public List<String> differences() {
         return differences;
     }
 }

@@ -1,0 +1,52 @@
+package steward.codingame;
+
+import java.io.OutputStream;
+import steward.game.GameTypes;
+import tools.jackson.core.JacksonException;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/** A recording of a game that CodinGame's server has played, from which a replay of ours can be made. */
+@FunctionalInterface
+public interface RecordingImport {
+
+    /** How long a recording may be, in bytes: some fifty times what the longest games of the site take. */
+    int MOST_BYTES = 1 << 24;
+
+    /**
+     * What was imported.
+     *
+     * @param turns  how many turns the replay has
+     * @param ending how the game ended by our rules, or {@code null} if the recording ends before
+     */
+    record Imported(int turns, String ending) {
+    }
+
+    /**
+     * Writes the replay.
+     *
+     * @throws DifferentGameException if the server has sent other lines than our rules give
+     */
+    Imported write(OutputStream out) throws InterruptedException;
+
+    /**
+     * Reads a recording: frames of the site's page, or the lines of the only player of a game.
+     *
+     * @param json   the text
+     * @param source its name, for errors
+     * @param types  the games that are known
+     * @throws IllegalArgumentException     if it is no recording; says where
+     * @throws steward.scene.json.SceneException if its map is none that can be played on
+     */
+    static RecordingImport of(String json, String source, GameTypes types) {
+        JsonNode lines = null;
+        try {
+            JsonNode read = JsonMapper.shared().readTree(json);
+            lines = read.has("stdin") && read.has("stdout") ? read : null;
+        } catch (JacksonException problem) {
+            // said below, with its place
+        }
+        return lines == null ? GameRecordingImport.of(json, source, types)
+            : LineRecordingImport.of(lines, source, types);
+    }
+}

@@ -1,0 +1,79 @@
+package steward.contest;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import steward.match.MatchResult;
+
+/**
+ * How one bot did where each plays alone: its results are compared with those of the others on the same maps. Maps on
+ * which a game has no result do not count; the mean score is that of all results of the bot.
+ */
+final class AloneTally {
+
+    private final int entrant;
+    private final boolean lowerIsBetter;
+    private final int bots;
+    private int maps;
+    private int wins;
+    private int draws;
+    private double points;
+
+    private AloneTally(Contest contest, int entrant) {
+        this.entrant = entrant;
+        lowerIsBetter = contest.lowerScoreIsBetter();
+        bots = contest.entrants().size();
+    }
+
+    static Tally of(Contest contest, List<Series.Played> played, int entrant) {
+        AloneTally tally = new AloneTally(contest, entrant);
+        Map<Long, double[]> bySeed = new TreeMap<>();
+        int games = 0;
+        int faults = 0;
+        double score = 0;
+        for (Series.Played game : played) {
+            int bot = game.entrantOf(contest, 0);
+            if (game.result() == null) {
+                continue;
+            }
+            MatchResult.PlayerResult result = game.result().players().get(0);
+            bySeed.computeIfAbsent(game.seed(), seed -> tally.unknown())[bot] = result.score();
+            if (bot == entrant) {
+                games++;
+                faults += result.fault() != null ? 1 : 0;
+                score += result.score();
+            }
+        }
+        bySeed.values().forEach(tally::compare);
+        boolean others = tally.bots > 1;
+        int maps = others ? tally.maps : games;
+        return new Tally(maps, tally.wins, tally.draws, others ? maps - tally.wins - tally.draws : 0, 0, faults,
+            others ? tally.points / maps : Double.NaN, score / games);
+    }
+
+    private double[] unknown() {
+        double[] scores = new double[bots];
+        Arrays.fill(scores, Double.NaN);
+        return scores;
+    }
+
+    private void compare(double[] scores) {
+        if (bots == 1 || Arrays.stream(scores).anyMatch(Double::isNaN)) {
+            return;
+        }
+        int behind = 0;
+        int equal = 0;
+        for (int other = 0; other < bots; other++) {
+            if (other != entrant && scores[other] == scores[entrant]) {
+                equal++;
+            } else if (other != entrant && lowerIsBetter == scores[entrant] < scores[other]) {
+                behind++;
+            }
+        }
+        maps++;
+        points += (behind + 0.5 * equal) / (bots - 1);
+        wins += behind == bots - 1 ? 1 : 0;
+        draws += behind < bots - 1 && behind + equal == bots - 1 ? 1 : 0;
+    }
+}

@@ -1,0 +1,14 @@
+package steward.game;
+
+import tools.jackson.core.JsonGenerator;
+
+/** What there is to draw of one {@link Game}, constant over the game; {@link DrawingJson} writes its shapes. */
+@FunctionalInterface
+public interface Drawing {
+
+    /**
+     * Fields that say what to draw: {@code field} (x, y, width, height), {@code walls}, {@code zones} (x, y, radius,
+     * label) and {@code bodies} (id, radius, owner, kind, label).
+     */
+    void write(JsonGenerator out);
+}

@@ -1,0 +1,31 @@
+package steward.game;
+
+import steward.numerics.SplitMix64;
+
+/**
+ * A player by rule, for measuring: it leads games to states that occur in play. Stateless, and all that it draws comes
+ * from the generator that it is given, so that the same seeds give the same games.
+ */
+@FunctionalInterface
+public interface Pilot {
+
+    /** What a pilot is after. */
+    enum Aim {
+        /** To win, more or less. */
+        WIN,
+        /** That all bodies come to the same place and stay there. */
+        GATHER,
+        /** That bodies meet, whatever the state: the commands depend on the generator alone. */
+        MINGLE
+    }
+
+    /**
+     * The next answer of a player.
+     *
+     * @param game   its current state, one of the setup that offers this pilot
+     * @param player the player that answers
+     * @param random where all random numbers come from
+     * @return the line of JSON that a bot would send
+     */
+    String answer(Game game, int player, SplitMix64 random);
+}

@@ -1,0 +1,55 @@
+package steward.game;
+
+import tools.jackson.core.JsonGenerator;
+import tools.jackson.core.JsonParser;
+
+/**
+ * The commands and states of one {@link Game} as a replay keeps them, as JSON: complete, in full precision.
+ *
+ * <p>In some games the part of a faulty answer before its fault takes effect all the same: the lines before a bad one,
+ * say. What was read of it then is a partial command.
+ */
+public interface StateCodec {
+
+    /** One value: the player's command as it is about to be played, complete and in full precision. */
+    void writeCommand(JsonGenerator out, int player);
+
+    /**
+     * The inverse of {@link #writeCommand}; the parser stands on the first token of the value.
+     *
+     * @return {@code null} if it is valid; otherwise what is wrong, as {@link BotFrames#readAnswer}
+     */
+    String readCommand(JsonParser in, int player);
+
+    /**
+     * Whether a faulty answer has given the player commands before its fault, which take effect all the same; {@link
+     * #writeCommand} then writes them.
+     */
+    default boolean hasPartialCommand(int player) {
+        return false;
+    }
+
+    /** Takes back what commands were read for a player since the last turn. */
+    default void clearCommand(int player) {
+    }
+
+    /** As {@link #readCommand}, of what a faulty answer has given before its fault. */
+    default String readPartialCommand(JsonParser in, int player) {
+        return "found a command of a player who failed, expected null";
+    }
+
+    /**
+     * Fields of the full state. One of them is {@code bodies}: an array with one object for every body that can move,
+     * each with at least {@code id}, {@code x} and {@code y}, which every viewer draws.
+     */
+    void writeState(JsonGenerator out);
+
+    /**
+     * Fields of a turn's outcome that not every game has, in this order: {@code zones} that are there after this turn,
+     * as in the drawing; {@code scores}, a number per player; {@code resources}, an object of numbers per player. They
+     * are to be shown; what the game needs to go on stands in its state.
+     */
+    default void writeProgress(JsonGenerator out) {
+        // Most games tell all by their bodies.
+    }
+}

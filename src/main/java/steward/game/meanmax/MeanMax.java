@@ -1,0 +1,294 @@
+package steward.game.meanmax;
+
+import java.util.List;
+import steward.game.AbstractGame;
+import steward.game.TurnEvent;
+import steward.physics.Advance;
+import steward.physics.Bodies;
+import steward.scene.Plan;
+
+/**
+ * The rules of Mean Max, highest league, free of JSON. Source: the published official referee; with the official
+ * arithmetic, positions, speeds, masses, scores, rages, ids and impact times agree with it to the last bit.
+ *
+ * <p>The units of a player who is out drift on, may harvest, and its tankers keep coming; its score stays. Commands
+ * that stand in a faulty answer before the fault take effect in that turn.
+ */
+public final class MeanMax extends AbstractGame {
+
+    /** The most rage that a player can have. */
+    public static final int MOST_RAGE = 300;
+
+    private static final double RAGE_BY_SPEED = 0.01;
+    private static final int REAPER = UnitKind.REAPER.ordinal();
+    private static final int DOOF = UnitKind.DOOF.ordinal();
+
+    private final MeanMaxSettings settings;
+    private final MeanMaxWorld world;
+    private final Plan plan;
+    private final Advance advance;
+    private final OilMotion motion = new OilMotion();
+
+    private final LooterCommand[] commands = new LooterCommand[MeanMaxSettings.PLAYERS * UnitKind.LOOTERS];
+    private final int[] scores = new int[MeanMaxSettings.PLAYERS];
+    private final int[] rages = new int[MeanMaxSettings.PLAYERS];
+    private final int[] leaving;
+
+    /** A game before its first turn, drawn as {@link MeanMaxWorld#draw} says. */
+    public MeanMax(MeanMaxSettings settings, Plan plan, long seed) {
+        super(MeanMaxSettings.PLAYERS);
+        this.settings = settings;
+        this.plan = plan;
+        world = MeanMaxWorld.draw(seed, MeanMaxSettings.PLAYERS);
+        advance = plan.advance(new Sinking());
+        leaving = new int[world.bodies().capacity()];
+        motion.endTurn(world.bodies(), world);
+    }
+
+    private MeanMax(MeanMax other, MeanMaxWorld world) {
+        super(other);
+        settings = other.settings;
+        plan = other.plan;
+        this.world = world;
+        advance = plan.advance(new Sinking());
+        leaving = new int[world.bodies().capacity()];
+        System.arraycopy(other.commands, 0, commands, 0, commands.length);
+        System.arraycopy(other.scores, 0, scores, 0, scores.length);
+        System.arraycopy(other.rages, 0, rages, 0, rages.length);
+    }
+
+    @Override
+    public MeanMax copy() {
+        return new MeanMax(this, world.copy());
+    }
+
+    /**
+     * The same game in another world, with other scores and rages: for tests of the rules.
+     *
+     * @param of a world for the same players
+     */
+    public MeanMax in(MeanMaxWorld of, int[] newScores, int[] newRages) {
+        MeanMax game = new MeanMax(this, of);
+        System.arraycopy(newScores, 0, game.scores, 0, scores.length);
+        System.arraycopy(newRages, 0, game.rages, 0, rages.length);
+        return game;
+    }
+
+    /**
+     * Gives a looter a command for the next turn.
+     *
+     * @param looter  0..2
+     * @param command {@code null} for none
+     */
+    public void command(int player, int looter, LooterCommand command) {
+        commands[MeanMaxWorld.looter(player, looter)] = command;
+    }
+
+    /** The command that a looter has for the next turn, or {@code null}. */
+    public LooterCommand command(int player, int looter) {
+        return commands[MeanMaxWorld.looter(player, looter)];
+    }
+
+    @Override
+    protected void playTurn() {
+        for (int looter = 0; looter < commands.length; looter++) {
+            castSkill(looter);
+        }
+        world.applyEffects();
+        world.steerTankers();
+        thrustLooters();
+        advance.turn(world.bodies(), log);
+        takeFacts();
+        replaceTankers();
+        harvest();
+        motion.endTurn(world.bodies(), world);
+        for (int player = 0; player < players(); player++) {
+            int doof = MeanMaxWorld.looter(player, DOOF);
+            double vx = world.bodies().vx[doof];
+            double vy = world.bodies().vy[doof];
+            rages[player] = Math.min(MOST_RAGE,
+                rages[player] + (int) Math.floor(Math.sqrt(vx * vx + vy * vy) * RAGE_BY_SPEED));
+        }
+        world.restoreMasses();
+        world.removeSpentEffects();
+        decideOutcome();
+    }
+
+    /** A skill that is too dear or too far away is nothing. */
+    private void castSkill(int looter) {
+        LooterCommand command = commands[looter];
+        if (command == null || command.action() != LooterCommand.Action.SKILL) {
+            return;
+        }
+        int player = looter / UnitKind.LOOTERS;
+        Skill skill = UnitKind.of(looter % UnitKind.LOOTERS).skill();
+        if (rages[player] >= skill.cost()
+            && world.distance(looter, command.x(), command.y()) <= MeanMaxWorld.SKILL_RANGE) {
+            rages[player] -= skill.cost();
+            world.cast(skill, command.x(), command.y(), looter);
+        }
+    }
+
+    private void thrustLooters() {
+        for (int looter = 0; looter < commands.length; looter++) {
+            LooterCommand command = commands[looter];
+            if (command != null && command.action() == LooterCommand.Action.MOVE) {
+                world.thrust(looter, command.x(), command.y(), Math.min(LooterCommand.MOST_POWER, command.power()));
+            }
+            commands[looter] = null;
+        }
+    }
+
+    /** Sunken tankers: their wrecks come to be. */
+    private void takeFacts() {
+        for (int k = 0; k < log.facts(); k++) {
+            if (log.factKind(k) == Sinking.WRECK) {
+                world.wrecks().add(new Wreck(log.factB(k), log.factX(k), log.factY(k), log.factQ(k),
+                    (int) log.factP(k)));
+            } else {
+                int by = playerOf(log.factB(k));
+                events.add(new TurnEvent(TurnEvent.Kind.DEATH, log.factTime(k), log.factA(k), log.factX(k),
+                    log.factY(k), "sunk by player " + by, false));
+            }
+        }
+    }
+
+    /** Tankers fill and leave; for each that is gone, those sunk first, a new one comes. */
+    private void replaceTankers() {
+        Bodies bodies = world.bodies();
+        int count = world.fillTankers(leaving);
+        for (int k = 0; k < count; k++) {
+            int tanker = leaving[k];
+            leaving[k] = (int) bodies.columns[MeanMaxWorld.OWNER][tanker];
+            events.add(new TurnEvent(TurnEvent.Kind.DEATH, 1, bodies.id(tanker), bodies.x[tanker], bodies.y[tanker],
+                "left full", false));
+        }
+        for (int k = events.size() - 1, left = count; left > 0; k--, left--) {
+            bodies.remove(bodies.indexOf(events.get(k).body()));
+        }
+        for (int k = 0; k < log.facts(); k++) {
+            if (log.factKind(k) == Sinking.SUNK) {
+                spawn((int) log.factP(k));
+            }
+        }
+        for (int k = 0; k < count; k++) {
+            spawn(leaving[k]);
+        }
+    }
+
+    private void spawn(int player) {
+        int tanker = world.spawnTanker(player);
+        if (tanker >= 0) {
+            events.add(new TurnEvent(TurnEvent.Kind.BIRTH, 1, world.bodies().id(tanker), world.bodies().x[tanker],
+                world.bodies().y[tanker], "", false));
+        }
+    }
+
+    /** Every reaper in a wreck takes one water, also where less is left; but not in oil. */
+    private void harvest() {
+        List<Wreck> wrecks = world.wrecks();
+        for (int k = 0; k < wrecks.size(); k++) {
+            Wreck wreck = wrecks.get(k);
+            for (int player = 0; player < players(); player++) {
+                int reaper = MeanMaxWorld.looter(player, REAPER);
+                if (world.distance(reaper, wreck.x(), wreck.y()) <= wreck.radius() && !world.isInOil(reaper)) {
+                    scores[player]++;
+                    wreck.takeWater();
+                }
+            }
+        }
+        for (int k = wrecks.size() - 1; k >= 0; k--) {
+            if (wrecks.get(k).water() <= 0) {
+                wrecks.remove(k);
+            }
+        }
+    }
+
+    private void decideOutcome() {
+        int in = 0;
+        int last = -1;
+        int best = 0;
+        for (int player = 0; player < players(); player++) {
+            if (isIn(player)) {
+                in++;
+                last = player;
+            }
+            best = Math.max(best, scores[player]);
+        }
+        if (best >= settings.winningScore()) {
+            end("a score of " + settings.winningScore() + " is reached");
+        } else if (in == 0) {
+            end("all are out");
+        } else if (in == 1 && isAhead(last)) {
+            end("all others are out and behind");
+        } else if (turn() >= settings.maximumTurns()) {
+            end("at most " + settings.maximumTurns() + " turns are played");
+        }
+    }
+
+    private boolean isAhead(int player) {
+        for (int other = 0; other < players(); other++) {
+            if (other != player && scores[other] >= scores[player]) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** By score; a player who is out keeps its own. */
+    @Override
+    public int[] ranks() {
+        return ranks((one, other) -> scores[one] > scores[other]);
+    }
+
+    /** The water harvested. */
+    @Override
+    public double[] scores() {
+        double[] of = new double[players()];
+        for (int player = 0; player < players(); player++) {
+            of[player] = scores[player];
+        }
+        return of;
+    }
+
+    /** The settings from the scene. */
+    public MeanMaxSettings settings() {
+        return settings;
+    }
+
+    /** The water that a player has harvested. */
+    public int score(int player) {
+        return scores[player];
+    }
+
+    /** The rage of a player, 0..{@value #MOST_RAGE}. */
+    public int rage(int player) {
+        return rages[player];
+    }
+
+    /** Looters, tankers, wrecks and effects. */
+    public MeanMaxWorld world() {
+        return world;
+    }
+
+    /** The player of a body, or -1 for a tanker. */
+    public int playerOf(int id) {
+        return id < players() * UnitKind.LOOTERS ? id / UnitKind.LOOTERS : -1;
+    }
+
+    @Override
+    public Bodies bodies() {
+        return world.bodies();
+    }
+
+    /** Order: turn; per player score, rage, whether in; the world. */
+    @Override
+    public long hash() {
+        hash.reset().add(turn());
+        for (int player = 0; player < players(); player++) {
+            hash.add(scores[player]).add(rages[player]).add(isIn(player));
+        }
+        world.addTo(hash);
+        return hash.value();
+    }
+}

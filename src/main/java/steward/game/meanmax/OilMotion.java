@@ -1,0 +1,27 @@
+package steward.game.meanmax;
+
+import java.util.List;
+import steward.physics.Bodies;
+import steward.physics.Motion;
+
+/**
+ * The end of a turn: positions are rounded, then speeds lose the friction of their kind, but not in oil (as seen from
+ * the rounded place), and are rounded; all halves away from zero.
+ */
+public final class OilMotion extends Motion {
+
+    /** The steps outside oil. */
+    public OilMotion() {
+        super(List.of(Step.ROUND_POSITION_AWAY, Step.DRAG, Step.ROUND_VELOCITY));
+    }
+
+    /** The end of a turn in a world with its effects. */
+    void endTurn(Bodies bodies, MeanMaxWorld world) {
+        apply(Of.POSITION, bodies);
+        for (int unit = 0; unit < bodies.size(); unit++) {
+            bodies.drag[unit] = world.isInOil(unit) ? 0 : UnitKind.of(bodies.kind[unit]).friction();
+        }
+        apply(Of.DRAG, bodies);
+        apply(Of.VELOCITY, bodies);
+    }
+}

@@ -1,0 +1,78 @@
+package steward.game.meanmax.protocol;
+
+import java.util.StringJoiner;
+import steward.game.Game;
+import steward.game.Pilot;
+import steward.game.meanmax.MeanMax;
+import steward.game.meanmax.MeanMaxWorld;
+import steward.game.meanmax.Skill;
+import steward.game.meanmax.UnitKind;
+import steward.numerics.SplitMix64;
+import steward.physics.Bodies;
+
+/**
+ * Looters by rule: destroyers head for tankers, reapers for wrecks, doofs for reapers of others; now and then a skill.
+ * Those that gather head for the centre; those that mingle for anywhere in the arena.
+ */
+final class MeanMaxPilot implements Pilot {
+
+    /** One of this many commands is a skill. */
+    private static final int SKILLS = 8;
+    /** The most by which a pilot misses its target along each axis, in u. */
+    private static final int AIM = 200;
+    private static final int MOST_POWER = 300;
+
+    private final Aim aim;
+
+    MeanMaxPilot(Aim aim) {
+        this.aim = aim;
+    }
+
+    @Override
+    public String answer(Game game, int player, SplitMix64 random) {
+        MeanMax of = (MeanMax) game;
+        StringJoiner all = new StringJoiner(",", "{\"looters\":[", "]}");
+        for (int looter = 0; looter < UnitKind.LOOTERS; looter++) {
+            double[] goal = goal(of, player, looter, random);
+            long x = Math.round(goal[0]) + random.nextInt(-AIM, AIM);
+            long y = Math.round(goal[1]) + random.nextInt(-AIM, AIM);
+            Skill skill = UnitKind.of(looter).skill();
+            boolean casts = random.nextInt(SKILLS) == 0 && of.rage(player) >= skill.cost();
+            int power = random.nextInt(MOST_POWER / 2, MOST_POWER);
+            all.add("{\"x\":" + x + ",\"y\":" + y + (casts ? ",\"skill\":true}" : ",\"power\":" + power + "}"));
+        }
+        return all.toString();
+    }
+
+    private double[] goal(MeanMax game, int player, int looter, SplitMix64 random) {
+        MeanMaxWorld world = game.world();
+        Bodies bodies = game.bodies();
+        int self = MeanMaxWorld.looter(player, looter);
+        if (aim == Aim.MINGLE) {
+            int far = (int) MeanMaxWorld.ARENA_RADIUS;
+            return new double[] {random.nextInt(-far, far), random.nextInt(-far, far)};
+        }
+        if (aim == Aim.GATHER) {
+            return new double[2];
+        }
+        if (looter == UnitKind.REAPER.ordinal() && !world.wrecks().isEmpty()) {
+            return new double[] {world.wrecks().get(0).x(), world.wrecks().get(0).y()};
+        }
+        int nearest = -1;
+        for (int unit = 0; unit < bodies.size(); unit++) {
+            boolean wanted = looter == UnitKind.DOOF.ordinal()
+                ? bodies.kind[unit] == UnitKind.REAPER.ordinal() && bodies.id(unit) / UnitKind.LOOTERS != player
+                : world.isTanker(unit);
+            if (wanted && (nearest < 0 || squared(bodies, self, unit) < squared(bodies, self, nearest))) {
+                nearest = unit;
+            }
+        }
+        return nearest < 0 ? new double[2] : new double[] {bodies.x[nearest], bodies.y[nearest]};
+    }
+
+    private static double squared(Bodies bodies, int a, int b) {
+        double dx = bodies.x[a] - bodies.x[b];
+        double dy = bodies.y[a] - bodies.y[b];
+        return dx * dx + dy * dy;
+    }
+}

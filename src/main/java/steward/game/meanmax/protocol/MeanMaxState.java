@@ -1,0 +1,118 @@
+package steward.game.meanmax.protocol;
+
+import steward.game.DrawingJson;
+import steward.game.StateCodec;
+import steward.game.meanmax.MeanMax;
+import steward.game.meanmax.MeanMaxWorld;
+import steward.game.meanmax.SkillEffect;
+import steward.game.meanmax.UnitKind;
+import steward.game.meanmax.Wreck;
+import tools.jackson.core.JsonGenerator;
+import tools.jackson.core.JsonParser;
+import tools.jackson.core.io.SerializedString;
+
+/** Commands and states of Mean Max as a replay keeps them. */
+final class MeanMaxState implements StateCodec {
+
+    private static final SerializedString BODIES = new SerializedString("bodies");
+
+    private final MeanMax game;
+    private final LooterCommandJson commands = new LooterCommandJson();
+
+    MeanMaxState(MeanMax game) {
+        this.game = game;
+    }
+
+    /** The fields {@code scores} and {@code rages}, per player. */
+    static void writePlayers(JsonGenerator out, MeanMax game) {
+        writeScores(out, game);
+        out.writeArrayPropertyStart("rages");
+        for (int player = 0; player < game.players(); player++) {
+            out.writeNumber(game.rage(player));
+        }
+        out.writeEndArray();
+    }
+
+    private static void writeScores(JsonGenerator out, MeanMax game) {
+        out.writeArrayPropertyStart("scores");
+        for (int player = 0; player < game.players(); player++) {
+            out.writeNumber(game.score(player));
+        }
+        out.writeEndArray();
+    }
+
+    @Override
+    public void writeCommand(JsonGenerator out, int player) {
+        out.writeStartArray();
+        for (int looter = 0; looter < UnitKind.LOOTERS; looter++) {
+            LooterCommandJson.write(out, game.command(player, looter));
+        }
+        out.writeEndArray();
+    }
+
+    @Override
+    public String readCommand(JsonParser in, int player) {
+        return read(in, player, false);
+    }
+
+    @Override
+    public String readPartialCommand(JsonParser in, int player) {
+        return read(in, player, true);
+    }
+
+    private String read(JsonParser in, int player, boolean partial) {
+        String wrong = commands.read(in, partial);
+        for (int looter = 0; wrong == null && looter < UnitKind.LOOTERS; looter++) {
+            game.command(player, looter, commands.command(looter));
+        }
+        return wrong;
+    }
+
+    @Override
+    public boolean hasPartialCommand(int player) {
+        return game.command(player, 0) != null;
+    }
+
+    @Override
+    public void clearCommand(int player) {
+        for (int looter = 0; looter < UnitKind.LOOTERS; looter++) {
+            game.command(player, looter, null);
+        }
+    }
+
+    @Override
+    public void writeState(JsonGenerator out) {
+        UnitJson.writeUnits(out, BODIES, game, true);
+        UnitJson.writePlaces(out, game);
+        writePlayers(out, game);
+        out.writeArrayPropertyStart("tankersLeft");
+        for (int player = 0; player < game.players(); player++) {
+            out.writeNumber(game.world().queue().left(player));
+        }
+        out.writeEndArray();
+        out.writeNumberProperty("nextId", game.bodies().nextId());
+    }
+
+    @Override
+    public void writeProgress(JsonGenerator out) {
+        MeanMaxWorld world = game.world();
+        out.writeArrayPropertyStart("zones");
+        for (int k = 0; k < world.wrecks().size(); k++) {
+            Wreck wreck = world.wrecks().get(k);
+            DrawingJson.zone(out, wreck.x(), wreck.y(), wreck.radius(), "wreck " + wreck.water());
+        }
+        for (int k = 0; k < world.effects().size(); k++) {
+            SkillEffect effect = world.effects().get(k);
+            DrawingJson.zone(out, effect.x(), effect.y(), MeanMaxWorld.SKILL_RADIUS, effect.skill().text());
+        }
+        out.writeEndArray();
+        writeScores(out, game);
+        out.writeArrayPropertyStart("resources");
+        for (int player = 0; player < game.players(); player++) {
+            out.writeStartObject();
+            out.writeNumberProperty("rage", game.rage(player));
+            out.writeEndObject();
+        }
+        out.writeEndArray();
+    }
+}

@@ -1,0 +1,102 @@
+package steward.game.meanmax.protocol;
+
+import java.util.List;
+import java.util.Optional;
+import steward.game.FrameCodec;
+import steward.game.Game;
+import steward.game.GameSetup;
+import steward.game.GameType;
+import steward.game.Pilot;
+import steward.game.TextCodec;
+import steward.game.meanmax.MeanMax;
+import steward.game.meanmax.MeanMaxSettings;
+import steward.game.meanmax.MeanMaxWorld;
+import steward.game.meanmax.OfficialMeanMax;
+import steward.game.meanmax.OilMotion;
+import steward.game.meanmax.Sinking;
+import steward.game.meanmax.UnitKind;
+import steward.physics.Contacts;
+import steward.physics.Contacts.Meaning;
+import steward.physics.PhysicsParts;
+import steward.scene.GameOwn;
+import steward.scene.Part;
+import steward.scene.Plan;
+import steward.scene.Scene;
+
+/** Mean Max as a {@link GameType}. */
+public final class MeanMaxType implements GameType {
+
+    /** Most tankers per player. */
+    private static final int TANKERS = 3;
+
+    @Override
+    public String id() {
+        return "mean-max";
+    }
+
+    @Override
+    public String about() {
+        return "Mean Max, the official rules, three players";
+    }
+
+    @Override
+    public int fewestPlayers() {
+        return MeanMaxSettings.PLAYERS;
+    }
+
+    @Override
+    public int mostPlayers() {
+        return MeanMaxSettings.PLAYERS;
+    }
+
+    @Override
+    public MeanMaxSetup open(Scene scene) {
+        MeanMaxSettings settings = MeanMaxSettings.read(scene);
+        scene.root().done();
+        int tanker = UnitKind.TANKER.ordinal();
+        Contacts contacts = new Contacts(UnitKind.values().length)
+            .set(UnitKind.DESTROYER.ordinal(), tanker, Meaning.ASK).setWall(tanker, Meaning.NONE);
+        Plan plan = Plan.of(scene, contacts, MeanMaxWorld.RESTITUTION, false,
+            MeanMaxSettings.PLAYERS * (UnitKind.LOOTERS + TANKERS), List.of(
+                new Part("skills", true, "tar, oil and grenades", Part.When.COMMANDS),
+                new Part("harvest", true, "reapers take water from wrecks", Part.When.OUTCOME)),
+            new GameOwn(OfficialMeanMax::new, new OilMotion(), "drag 0.2 to 0.4 by kind, none in oil"));
+        return new MeanMaxSetup(scene, settings, plan);
+    }
+
+    /**
+     * Mean Max with the settings of one scene.
+     *
+     * @param scene    the scene
+     * @param settings its block {@code harvest}
+     * @param plan     the parts that the scene requires
+     */
+    public record MeanMaxSetup(Scene scene, MeanMaxSettings settings, Plan plan) implements GameSetup {
+
+        @Override
+        public MeanMax create(long seed) {
+            return new MeanMax(settings, plan, seed);
+        }
+
+        @Override
+        public PhysicsParts physics() {
+            return plan.physics(new Sinking());
+        }
+
+        @Override
+        public Pilot pilot(Pilot.Aim aim) {
+            return new MeanMaxPilot(aim);
+        }
+
+        @Override
+        public FrameCodec codec(Game game) {
+            MeanMax of = (MeanMax) game;
+            return new FrameCodec(new MeanMaxFrames(of), new MeanMaxState(of), new MeanMaxDrawing(of));
+        }
+
+        @Override
+        public Optional<TextCodec> textCodec(Game game) {
+            return Optional.of(new MeanMaxText((MeanMax) game));
+        }
+    }
+}

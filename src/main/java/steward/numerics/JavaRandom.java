@@ -1,0 +1,78 @@
+package steward.numerics;
+
+import steward.Internal;
+
+/**
+ * The pseudo-random generator of {@code java.util.Random}, whose algorithm its documentation fixes to the bit (D.
+ * Knuth, "The Art of Computer Programming", volume 2, section 3.2.1: a linear congruential generator modulo 2^48).
+ * Official games draw their starts from it, so that an official seed names the same start here, on every JDK. Its whole
+ * state is one number. For anything else use {@link SplitMix64}.
+ *
+ * <p>Caveat: the low bits are weak, and seeds that differ little give first draws that differ little.
+ */
+@Internal
+public final class JavaRandom {
+
+    private static final long MULTIPLIER = 0x5DEECE66DL;
+    private static final long INCREMENT = 0xBL;
+    private static final long MASK = (1L << 48) - 1;
+
+    private long state;
+
+    /** @param seed any number; only its lowest 48 bits count */
+    public JavaRandom(long seed) {
+        state = (seed ^ MULTIPLIER) & MASK;
+    }
+
+    private JavaRandom(JavaRandom other) {
+        state = other.state;
+    }
+
+    /** A generator that goes on as this one does. */
+    public JavaRandom copy() {
+        return new JavaRandom(this);
+    }
+
+    /** The next 1..32 bits. */
+    private int next(int bits) {
+        state = state * MULTIPLIER + INCREMENT & MASK;
+        return (int) (state >> 48 - bits);
+    }
+
+    /** The next 32 bits. */
+    public int nextInt() {
+        return next(32);
+    }
+
+    /**
+     * A uniform whole number in {@code [0, bound)}; the number of draws varies.
+     *
+     * @throws IllegalArgumentException if {@code bound} is not positive
+     */
+    public int nextInt(int bound) {
+        if (bound <= 0) {
+            throw new IllegalArgumentException("bound " + bound + ", expected at least 1");
+        }
+        int bits = next(31);
+        if ((bound & -bound) == bound) {              // a power of two: the high bits, because the low ones are weak
+            return (int) (bound * (long) bits >> 31);
+        }
+        int value = bits % bound;
+        while (bits - value + (bound - 1) < 0) {      // overflows: in the last, incomplete, multiple of the bound
+            bits = next(31);
+            value = bits % bound;
+        }
+        return value;
+    }
+
+    /** A uniform multiple of 2^-53 in {@code [0, 1)}; two draws. */
+    public double nextDouble() {
+        long high = (long) next(26) << 27;
+        return (high + next(27)) * 0x1.0p-53;
+    }
+
+    /** What is left to draw, as a number: equal states give equal draws. */
+    public long state() {
+        return state;
+    }
+}

@@ -1,0 +1,39 @@
+package steward.physics.time;
+
+import steward.physics.Bodies;
+import steward.physics.Contacts;
+
+/**
+ * Contacts at a distance of their own ({@link Contacts#askWithin}): while a pair is looked at, each of the two has half
+ * of the distance as its radius, so that every arithmetic and every search can be used as it is. Made only for scenes
+ * that have such contacts.
+ */
+public final class ContactDistance {
+
+    private final Contacts contacts;
+    private double radiusI;
+    private double radiusJ;
+
+    public ContactDistance(Contacts contacts) {
+        this.contacts = contacts;
+    }
+
+    /** Gives the two the radii of their contact. @return whether it has a distance of its own; then {@link #leave} */
+    public boolean enter(Bodies bodies, int i, int j) {
+        double reach = contacts.reach(bodies.kind[i], bodies.kind[j]);
+        if (Double.isNaN(reach)) {
+            return false;
+        }
+        radiusI = bodies.radius[i];
+        radiusJ = bodies.radius[j];
+        bodies.radius[i] = reach / 2;
+        bodies.radius[j] = reach / 2;
+        return true;
+    }
+
+    /** Gives the two their own radii back. */
+    public void leave(Bodies bodies, int i, int j) {
+        bodies.radius[i] = radiusI;
+        bodies.radius[j] = radiusJ;
+    }
+}

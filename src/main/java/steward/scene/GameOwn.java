@@ -1,0 +1,17 @@
+package steward.scene;
+
+import steward.physics.Motion;
+import steward.physics.OfficialExpressions;
+
+/**
+ * What a game brings itself instead of what its scenes would say.
+ *
+ * @param official its referee's expressions for the rung {@code event/official}, or {@code null}
+ * @param motion   the end of its turns, or {@code null} where the scene says it
+ * @param drag     for people, what {@code motion} does to speeds, such as {@code drag 0.2 to 0.4 by kind}
+ */
+public record GameOwn(OfficialExpressions official, Motion motion, String drag) {
+
+    /** A game whose scenes say all. */
+    public static final GameOwn NOTHING = new GameOwn(null, null, "");
+}

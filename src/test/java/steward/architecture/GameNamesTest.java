@@ -1,0 +1,75 @@
+package steward.architecture;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.TreeSet;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+
+/**
+ * No file of the program names a game other than the first, but for its own room and resources, its bots, the list of
+ * games, the names of the shipped scenes, and one view file with its entry in the list of scripts.
+ */
+class GameNamesTest {
+
+    private static final Path MAIN = Path.of("src/main");
+    private static final Path GAMES = MAIN.resolve("java/steward/game");
+    private static final String FIRST = "podrace";
+
+    /** Where every game has a line. */
+    private static final List<String> LISTS = List.of("java/steward/cli/shared/Games.java",
+        "java/steward/scene/SceneFiles.java", "java/steward/replay/page/PageTemplate.java");
+
+    /** The ids of the games, as their rooms are called: without the hyphen. */
+    private static List<String> games() throws IOException {
+        try (Stream<Path> rooms = Files.list(GAMES)) {
+            return rooms.filter(Files::isDirectory).map(room -> room.getFileName().toString())
+                .filter(room -> !room.equals(FIRST)).sorted().toList();
+        }
+    }
+
+    /** A room's name with a hyphen at any place: {@code searchrace} is also {@code search-race} and SearchRace. */
+    private static Pattern nameOf(String game) {
+        return Pattern.compile(String.join("-?", game.split("")), Pattern.CASE_INSENSITIVE);
+    }
+
+    private static boolean isOwn(String file, String game) {
+        return file.startsWith("java/steward/game/" + game + "/")
+            || file.startsWith("resources/") && nameOf(game).matcher(file).find();
+    }
+
+    private static List<String> filesThatName(String game) throws IOException {
+        Pattern name = nameOf(game);
+        TreeSet<String> found = new TreeSet<>();
+        try (Stream<Path> files = Files.walk(MAIN)) {
+            for (Path path : files.filter(Files::isRegularFile).toList()) {
+                String file = MAIN.relativize(path).toString().replace('\\', '/');
+                if (!isOwn(file, game) && name.matcher(Files.readString(path)).find()) {
+                    found.add(file);
+                }
+            }
+        }
+        return List.copyOf(found);
+    }
+
+    @Test
+    void aGameIsNamedInTheListsAlone() throws IOException {
+        assertTrue(games().contains("searchrace"), "there are games to look for: " + games());
+        for (String game : games()) {
+            TreeSet<String> elsewhere = new TreeSet<>(filesThatName(game));
+            elsewhere.removeAll(LISTS);
+            assertEquals(new TreeSet<>(), elsewhere, game);
+        }
+    }
+
+    @Test
+    void theFirstGameIsFoundWhereItIsNamed() throws IOException {
+        assertTrue(filesThatName(FIRST).contains("java/steward/codingame/ObservedGame.java"), "it can find something");
+    }
+}

@@ -1,0 +1,281 @@
+package steward.game.meanmax;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import steward.game.Pilot;
+import steward.game.TurnEvent;
+import steward.game.meanmax.protocol.MeanMaxType;
+import steward.numerics.SplitMix64;
+import steward.physics.Bodies;
+import steward.scene.SceneFiles;
+import steward.scene.SceneReader;
+import steward.scene.json.SceneException;
+
+/** The rules of Mean Max where no referee's game is at hand; those of whole games are in the vectors. */
+class MeanMaxTest {
+
+    private static final MeanMaxType.MeanMaxSetup SETUP = open("official");
+
+    private static MeanMaxType.MeanMaxSetup open(String arithmetic) {
+        String text = SceneFiles.load("mean-max").text().replace("\"official\"", "\"" + arithmetic + "\"");
+        return new MeanMaxType().open(SceneReader.read(text, "mean-max.json"));
+    }
+
+    /** A game with all looters far apart at rest, and no tankers. */
+    private static MeanMax quiet(int[] rages) {
+        MeanMaxWorld world = MeanMaxWorld.empty(1, 3, 12);
+        for (int looter = 0; looter < 9; looter++) {
+            UnitKind kind = UnitKind.of(looter % 3);
+            int body = world.addUnit(looter, kind, looter / 3, 400, kind.mass(), 0, 0);
+            world.bodies().setPosition(body, 2000 * (looter % 3 - 1), 2000 * (looter / 3 - 1));
+        }
+        return SETUP.create(1).in(world, new int[3], rages);
+    }
+
+    private static void command(MeanMax game, SplitMix64 random) {
+        for (int player = 0; player < 3; player++) {
+            byte[] line = SETUP.pilot(Pilot.Aim.WIN).answer(game, player, random).getBytes();
+            assertEquals(null, SETUP.codec(game).frames().readAnswer(player, line, line.length));
+        }
+    }
+
+    @Test
+    void aThrustMovesALooterByItsMass() {
+        MeanMax game = quiet(new int[3]);
+        game.command(0, 0, LooterCommand.move(-2000, 5000, 1000));
+        game.play();
+        Bodies bodies = game.bodies();
+
+        assertEquals(-2000 + 600, bodies.y[0], "300 at most, divided by 0.5");
+        assertEquals(480, bodies.vy[0], "less 0.2");
+        assertEquals(0, bodies.vx[0]);
+    }
+
+    @Test
+    void aSkillCostsRageAndStaysForItsTurns() {
+        MeanMax game = quiet(new int[] {100, 29, 300});
+        game.command(0, 0, LooterCommand.skill(-2000, -500));
+        game.command(1, 0, LooterCommand.skill(-2000, 0));
+        game.command(2, 0, LooterCommand.skill(-2000, 2000 - 2001));
+        game.play();
+
+        assertEquals(70, game.rage(0));
+        assertEquals(29, game.rage(1), "too dear");
+        assertEquals(300, game.rage(2), "too far away");
+        assertEquals(1, game.world().effects().size());
+        SkillEffect tar = game.world().effects().get(0);
+        assertEquals(List.of(9, Skill.TAR, 2, 0), List.of(tar.id(), tar.skill(), tar.duration(), tar.looter()));
+        game.play();
+        game.play();
+        assertEquals(0, game.world().effects().size());
+    }
+
+    @Test
+    void tarMakesHeavyAndOilKeepsSpeed() {
+        MeanMax game = quiet(new int[] {300, 300, 300});
+        game.command(0, 0, LooterCommand.skill(-2000, -2000));
+        game.command(0, 1, LooterCommand.move(5000, -2000, 300));
+        game.command(1, 2, LooterCommand.skill(2000, 0));
+        game.command(1, 1, LooterCommand.move(5000, 0, 300));
+        game.play();
+        Bodies bodies = game.bodies();
+
+        assertEquals(0.5, bodies.mass[0], "tar has worn off at the end of the turn");
+        assertEquals(140, bodies.vx[1], "destroyer of player 0: 200 less 0.3");
+        assertEquals(140, bodies.vx[4], "2000 u from the oil's centre is out of reach");
+        game.command(1, 2, LooterCommand.move(2000, 5000, 300));
+        game.play();
+        assertEquals(300, bodies.vy[5], "in oil nothing is lost");
+    }
+
+    @Test
+    void aGrenadeThrowsUnitsAway() {
+        MeanMax game = quiet(new int[] {60, 0, 0});
+        game.command(0, 1, LooterCommand.skill(-1000, -2000));
+        game.play();
+        Bodies bodies = game.bodies();
+
+        assertEquals(-2000 - 2000, bodies.x[0], "reaper: 1000 / 0.5 to the left");
+        assertEquals(0, game.world().effects().size());
+        assertEquals(0, game.rage(0));
+    }
+
+    /** A destroyer sinks a tanker and goes on through; the reaper in the wreck takes a water each turn. */
+    @Test
+    void aSunkenTankerIsHarvested() {
+        MeanMaxWorld world = MeanMaxWorld.empty(1, 3, 12);
+        for (int looter = 0; looter < 9; looter++) {
+            UnitKind kind = UnitKind.of(looter % 3);
+            int body = world.addUnit(looter, kind, looter / 3, 400, kind.mass(), 0, 0);
+            world.bodies().setPosition(body, 2000 * (looter % 3 - 1), 2000 * (looter / 3 - 1));
+        }
+        int tanker = world.addUnit(9, UnitKind.TANKER, 2, 600, 3.5, 2, 4);
+        world.bodies().setPosition(tanker, 1000, -2600);
+        world.bodies().setPosition(1, -10, -2600);
+        world.bodies().setPosition(0, 1000, -3650);
+        MeanMax game = SETUP.create(1).in(world, new int[3], new int[3]);
+        game.command(0, 1, LooterCommand.move(5000, -2600, 300));
+        game.command(0, 0, LooterCommand.move(1000, 0, 300));
+        game.play();
+
+        assertEquals(1, game.world().wrecks().size());
+        Wreck wreck = game.world().wrecks().get(0);
+        assertEquals(List.of(10, 1000.0, -2600.0, 600.0), List.of(wreck.id(), wreck.x(), wreck.y(), wreck.radius()));
+        assertEquals(1, game.score(0), "at once");
+        assertEquals(11, game.bodies().id(9), "a new tanker comes");
+        assertEquals(2, (int) game.bodies().columns[MeanMaxWorld.OWNER][9], "for the same player");
+        assertEquals(List.of(TurnEvent.Kind.DEATH, TurnEvent.Kind.BIRTH),
+            game.events().stream().map(TurnEvent::kind).toList());
+    }
+
+    @Test
+    void tarSavesATankerFromSinking() {
+        Bodies bodies = new Bodies(2, 3);
+        bodies.add(0, 0, 400, 1.5);
+        bodies.setKind(0, UnitKind.DESTROYER.ordinal());
+        bodies.add(1000, 0, 600, 13.5);
+        bodies.setKind(1, UnitKind.TANKER.ordinal());
+
+        assertEquals(steward.physics.Reaction.Verdict.BOUNCE,
+            new Sinking().on(0.5, 0, 1, bodies, steward.physics.TurnSink.NONE));
+        bodies.setMass(1, 3.5);
+        assertEquals(steward.physics.Reaction.Verdict.CHANGED,
+            new Sinking().on(0.5, 0, 1, bodies, steward.physics.TurnSink.NONE));
+        assertEquals(1, bodies.size());
+        assertEquals(3, bodies.nextId(), "the wreck has taken an id");
+    }
+
+    /** Two pass 1 in the same turn: they tie before the third. */
+    @Test
+    void equalScoresTie() {
+        MeanMax game = SETUP.create(1).in(MeanMaxWorld.draw(3, 3), new int[] {4, 7, 7}, new int[3]);
+
+        assertEquals(List.of(2, 0, 0), java.util.Arrays.stream(game.ranks()).boxed().toList());
+    }
+
+    @Test
+    void theLastOneLeftMustBeAhead() {
+        MeanMax behind = SETUP.create(1).in(MeanMaxWorld.draw(3, 3), new int[] {4, 7, 2}, new int[3]);
+        behind.eliminate(1, "test");
+        behind.eliminate(2, "test");
+        behind.play();
+        assertFalse(behind.isOver());
+        MeanMax ahead = SETUP.create(1).in(MeanMaxWorld.draw(3, 3), new int[] {8, 7, 2}, new int[3]);
+        ahead.eliminate(1, "test");
+        ahead.eliminate(2, "test");
+        ahead.play();
+        assertEquals("all others are out and behind", ahead.ending());
+    }
+
+    @Test
+    void aCopyGoesOnAlikeAndIndependently() {
+        MeanMax game = SETUP.create(5);
+        for (int turn = 0; turn < 30; turn++) {
+            command(game, new SplitMix64(turn));
+            game.play();
+        }
+        MeanMax copy = game.copy();
+        assertEquals(game.hash(), copy.hash());
+        for (int turn = 30; turn < 80 && !game.isOver(); turn++) {
+            long before = copy.hash();
+            command(game, new SplitMix64(turn));
+            game.play();
+            assertEquals(before, copy.hash(), "the copy stays as it was");
+            command(copy, new SplitMix64(turn));
+            copy.play();
+            assertEquals(game.hash(), copy.hash(), "turn " + turn);
+        }
+        assertNotEquals(SETUP.create(5).hash(), SETUP.create(6).hash());
+    }
+
+    /** From the same states the rungs that compute the common law end nearly every turn in the same whole numbers. */
+    @ParameterizedTest
+    @CsvSource({"double", "compensated", "exact"})
+    void otherRungsPlayTheSameGame(String arithmetic) {
+        MeanMaxType.MeanMaxSetup other = open(arithmetic);
+        SplitMix64 random = new SplitMix64(2);
+        MeanMax game = SETUP.create(8);
+        int same = 0;
+        int turns = 150;
+        for (int turn = 0; turn < turns; turn++) {
+            if (game.isOver()) {
+                game = SETUP.create(8 + turn);
+            }
+            MeanMax twin = other.create(1).in(game.copy().world(), new int[] {game.score(0), game.score(1),
+                game.score(2)}, new int[] {game.rage(0), game.rage(1), game.rage(2)});
+            command(game, random);
+            for (int looter = 0; looter < 9; looter++) {
+                twin.command(looter / 3, looter % 3, game.command(looter / 3, looter % 3));
+            }
+            game.play();
+            twin.play();
+            same += isSame(game.bodies(), twin.bodies()) ? 1 : 0;
+        }
+        assertTrue(same >= turns * 0.95, same + " of " + turns + " turns");
+    }
+
+    private static boolean isSame(Bodies one, Bodies other) {
+        boolean same = one.size() == other.size();
+        for (int k = 0; same && k < one.size(); k++) {
+            same = one.x[k] == other.x[k] && one.y[k] == other.y[k] && one.vx[k] == other.vx[k]
+                && one.vy[k] == other.vy[k];
+        }
+        return same;
+    }
+
+    /** Turns in which no tanker comes or goes; some others allocate their events. */
+    @Test
+    void aTurnWithoutEventsAllocatesNothing() {
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        MeanMax game = SETUP.create(4);
+        SplitMix64 random = new SplitMix64(4);
+        for (int turn = 0; turn < 1500; turn++) {
+            game = game.isOver() ? SETUP.create(turn) : game;
+            command(game, random);
+            game.play();
+        }
+        int free = 0;
+        int eventless = 0;
+        for (int turn = 0; turn < 300; turn++) {
+            game = game.isOver() ? SETUP.create(turn) : game;
+            command(game, random);
+            int effects = game.world().effects().size();
+            long before = threads.getCurrentThreadAllocatedBytes();
+            game.play();
+            long allocated = threads.getCurrentThreadAllocatedBytes() - before;
+            if (game.events().isEmpty() && game.world().effects().size() <= effects) {
+                eventless++;
+                free += allocated == 0 ? 1 : 0;
+            }
+        }
+        assertTrue(eventless > 50, eventless + " turns");
+        // A new game's log grows in its first turns.
+        assertTrue(free >= 0.8 * eventless, "nothing allocated in " + free + " of " + eventless + " turns");
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
+        "winningScore": 50 | "winningScore": 0 | harvest.winningScore: found 0, expected a whole number 1..1000
+        "harvest":         | "motion": {}, "harvest": | motion: found a block motion, expected none
+        "radius": 6000     | "radius": 5000 | field: found another field, expected the arena of Mean Max
+        "pushOut": 1e-5    | "pushOut": 1 | impacts: found another law of impact, expected that of the scene mean-max
+        "harvest":         | "pods": {}, "harvest": | pods: found an unknown field
+        """)
+    void aSceneThatIsNotMeanMaxIsRefused(String part, String instead, String expected) {
+        String text = SceneFiles.load("mean-max").text();
+        assertTrue(text.contains(part), part);
+        String message = assertThrows(SceneException.class, () -> new MeanMaxType().open(
+            SceneReader.read(text.replace(part, instead), "s.json"))).getMessage();
+        assertTrue(message.contains(expected), message);
+    }
+}

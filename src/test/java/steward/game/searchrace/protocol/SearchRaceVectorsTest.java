@@ -1,0 +1,211 @@
+package steward.game.searchrace.protocol;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.zip.GZIPInputStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestReporter;
+import steward.game.Comparison;
+import steward.game.GroundTruth;
+import steward.game.TextCodec;
+import steward.game.TurnEvent;
+import steward.game.searchrace.SearchRace;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/**
+ * Whole matches of the published referee with correctly rounded sine and cosine, free-running from the start and from
+ * the recorded state before each turn; and games of the server. Another folder: {@code gradle test --tests
+ * '*VectorsTest' -Psteward.vectors=FOLDER -Psteward.recordings=FOLDER}.
+ */
+class SearchRaceVectorsTest {
+
+    private static final String GAME = "search-race";
+
+    private static List<JsonNode> read(Path file) throws IOException {
+        List<JsonNode> lines = new ArrayList<>();
+        try (BufferedReader in = new BufferedReader(new InputStreamReader(
+                new GZIPInputStream(Files.newInputStream(file)), StandardCharsets.UTF_8))) {
+            in.lines().forEach(line -> lines.add(JsonMapper.shared().readTree(line)));
+        }
+        return lines;
+    }
+
+    @Test
+    void everyMatchOfTheRefereeIsReproducedToTheLastBit(TestReporter report) throws IOException {
+        List<String> differences = new ArrayList<>();
+        long values = 0;
+        int turns = 0;
+        List<Path> files = GroundTruth.VECTORS.files(GAME, ".jsonl.gz");
+        for (Path file : files) {
+            List<JsonNode> lines = read(file);
+            Comparison free = compareFree(file.getFileName().toString(), lines);
+            Comparison each = compareEach(file.getFileName() + " (turn by turn)", lines);
+            values += free.values() + each.values();
+            turns += lines.size() - 3;
+            differences.addAll(free.differences());
+            differences.addAll(each.differences());
+        }
+        GroundTruth.tell(report, GAME + ": " + files.size() + " matches, " + turns + " turns, free and turn by turn, "
+            + values + " values compared, " + differences.size() + " different");
+
+        assertTrue(values > 0, "the folder holds matches");
+        assertEquals(List.of(), differences.stream().limit(20).toList());
+    }
+
+    /** From the start to the end, without looking at a recorded state. */
+    private static Comparison compareFree(String name, List<JsonNode> lines) {
+        Comparison found = new Comparison(name);
+        SearchRace race = SearchRaces.onMap(lines.get(0).get("map").asString());
+        TextCodec codec = new SearchRaceText(race);
+        StringBuilder sent = new StringBuilder();
+        codec.writeSetup(sent, 0);
+        found.same("setup", lines(lines.get(0).get("initInput")), sent.toString());
+        compareState(found, "turn 0", lines.get(1).get("state"), race);
+        for (JsonNode turn : lines.subList(2, lines.size() - 1)) {
+            String when = "turn " + turn.get("turn").asInt();
+            if (race.isOver()) {
+                found.same(when, "a turn", "over: " + race.ending());
+                return found;
+            }
+            sent.setLength(0);
+            codec.writeTurn(sent, 0);
+            found.same(when + " input", lines(turn.get("input")), sent.toString());
+            play(found, when, turn, race, codec);
+        }
+        JsonNode end = lines.get(lines.size() - 1);
+        if (!end.get("truncated").asBoolean()) {
+            found.same("over", true, race.isOver());
+            found.same("turns", end.get("turnsPlayed").asInt(), race.turn());
+            found.same("won", end.get("won").asBoolean(), race.scores()[0] < 1000);
+            found.same("time", end.get("time").asDouble(), race.scores()[0]);
+        }
+        return found;
+    }
+
+    /** Each turn alone, from the recorded state before it. */
+    private static Comparison compareEach(String name, List<JsonNode> lines) {
+        Comparison found = new Comparison(name);
+        JsonNode before = lines.get(1).get("state");
+        for (JsonNode turn : lines.subList(2, lines.size() - 1)) {
+            SearchRace race = SearchRaces.onMap(lines.get(0).get("map").asString());
+            race.set(before.get("x").asDouble(), before.get("y").asDouble(), before.get("vx").asDouble(),
+                before.get("vy").asDouble(), before.get("angle").asDouble(), before.get("checkpoint").asInt(),
+                before.get("timer").asInt(), before.get("colTime").asDouble());
+            if (before.get("debug").asBoolean()) {
+                race.askForTimes();
+            }
+            play(found, "turn " + turn.get("turn").asInt(), turn, race, new SearchRaceText(race));
+            before = turn.get("state");
+        }
+        return found;
+    }
+
+    private static void play(Comparison found, String when, JsonNode turn, SearchRace race, TextCodec codec) {
+        if (turn.get("command").isNull()) {
+            race.eliminate(0, "no answer");
+        } else {
+            byte[] answer = turn.get("command").asString().getBytes(StandardCharsets.UTF_8);
+            String wrong = codec.readAnswer(0, answer, answer.length);
+            found.same(when + " valid", !turn.has("fault"), wrong == null);
+            if (wrong != null) {
+                race.eliminate(0, wrong);
+            }
+        }
+        race.play();
+        if (!turn.has("fault")) {
+            found.same(when + " done", turn.get("state").get("done").asBoolean(), race.isOver());
+            found.same(when + " pass times", doubles(turn.get("passTimes")),
+                race.events().stream().map(TurnEvent::time).toList());
+        }
+        compareState(found, when, turn.get("state"), race);
+    }
+
+    private static void compareState(Comparison found, String when, JsonNode state, SearchRace race) {
+        found.same(when + " x", state.get("x").asDouble(), race.bodies().x[0]);
+        found.same(when + " y", state.get("y").asDouble(), race.bodies().y[0]);
+        found.same(when + " vx", state.get("vx").asDouble(), race.bodies().vx[0]);
+        found.same(when + " vy", state.get("vy").asDouble(), race.bodies().vy[0]);
+        found.same(when + " heading", state.get("angle").asDouble(), race.heading());
+        found.same(when + " passed", state.get("checkpoint").asInt(), race.passed());
+        found.same(when + " timer", state.get("timer").asInt(), race.timer());
+        found.same(when + " pass time", recorded(state, when), race.turn() == 0 ? 0.0 : race.passTime());
+        found.same(when + " debug", state.get("debug").asBoolean(), race.wantsTimes());
+    }
+
+    /** Before the first turn that referee has the initial value of a field, which it never shows. */
+    private static double recorded(JsonNode state, String when) {
+        return when.equals("turn 0") ? 0.0 : state.get("colTime").asDouble();
+    }
+
+    private static List<Double> doubles(JsonNode list) {
+        List<Double> values = new ArrayList<>();
+        list.forEach(one -> values.add(one.asDouble()));
+        return values;
+    }
+
+    private static String lines(JsonNode list) {
+        StringBuilder lines = new StringBuilder();
+        list.forEach(line -> lines.append(line.asString()).append('\n'));
+        return lines.toString();
+    }
+
+    /** A recording is the lines of both sides of a game; the first checkpoint of the map is the last of each lap. */
+    @Test
+    void everyGameOfTheServerIsReproducedInAllThatItShows(TestReporter report) throws IOException {
+        List<String> differences = new ArrayList<>();
+        long values = 0;
+        int turns = 0;
+        List<Path> files = GroundTruth.RECORDINGS.files(GAME, ".json");
+        for (Path file : files) {
+            JsonNode game = JsonMapper.shared().readTree(Files.readString(file));
+            Comparison found = new Comparison(file.getFileName().toString());
+            turns += replay(found, game);
+            values += found.values();
+            differences.addAll(found.differences());
+        }
+        GroundTruth.tell(report, GAME + ": " + files.size() + (files.size() == 1 ? " game" : " games")
+            + " of the server, " + turns + " turns, " + values + " lines compared, " + differences.size()
+            + " different");
+
+        assertTrue(values > 0, "the folder holds games");
+        assertEquals(List.of(), differences.stream().limit(20).toList());
+    }
+
+    private static int replay(Comparison found, JsonNode game) {
+        List<String> stdin = new ArrayList<>();
+        game.get("stdin").forEach(line -> stdin.add(line.asString()));
+        int toFinish = Integer.parseInt(stdin.get(0));
+        List<String> points = new ArrayList<>(stdin.subList(1, 1 + toFinish / 3));
+        points.add(0, points.remove(points.size() - 1));
+        SearchRace race = SearchRaces.onMap(String.join(";", points));
+        TextCodec codec = new SearchRaceText(race);
+        StringBuilder sent = new StringBuilder();
+        codec.writeSetup(sent, 0);
+        List<String> shown = new ArrayList<>(sent.toString().lines().toList());
+        int turns = 0;
+        for (JsonNode command : game.get("stdout")) {
+            sent.setLength(0);
+            codec.writeTurn(sent, 0);
+            shown.addAll(sent.toString().lines().toList());
+            byte[] answer = command.asString().getBytes(StandardCharsets.UTF_8);
+            found.same("answer " + turns, "null", String.valueOf(codec.readAnswer(0, answer, answer.length)));
+            race.play();
+            turns++;
+        }
+        found.same("lines", stdin.size(), shown.size());
+        for (int k = 0; k < Math.min(stdin.size(), shown.size()); k++) {
+            found.same("line " + k, stdin.get(k), shown.get(k));
+        }
+        return turns;
+    }
+}
