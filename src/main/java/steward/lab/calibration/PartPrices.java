@@ -2,7 +2,9 @@ package steward.lab.calibration;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.DoubleConsumer;
 import java.util.function.LongSupplier;
 import steward.game.GameSetup;
@@ -112,12 +114,13 @@ public final class PartPrices {
     }
 
     private static TimedTurns flights(Bodies[] states, Advance advance, Motion motion) {
-        Bodies bodies = new Bodies(Arrays.stream(states).mapToInt(Bodies::capacity).max().orElse(1));
+        Bodies[] played = alike(states);
         TurnLog log = new TurnLog();
         return new TimedTurns() {
             @Override
             public void run() {
                 for (int turn = 0; turn < TURNS; turn++) {
+                    Bodies bodies = played[turn % states.length];
                     bodies.copyFrom(states[turn % states.length]);
                     log.clear();
                     advance.turn(bodies, log);
@@ -130,6 +133,13 @@ public final class PartPrices {
                 return TURNS;
             }
         };
+    }
+
+    /** For each state the bodies that take copies of it; states of one capacity, as most scenes have, share theirs. */
+    private static Bodies[] alike(Bodies[] states) {
+        Map<Integer, Bodies> shared = new HashMap<>();
+        return Arrays.stream(states).map(state -> shared.computeIfAbsent(state.capacity(), capacity -> state.copy()))
+            .toArray(Bodies[]::new);
     }
 
     private void time(LongSupplier work, LongSupplier wall, long budget, DoubleConsumer progress) {

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import steward.cli.Cli;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
@@ -132,5 +133,19 @@ class ExplainCommandTest {
             + "rounds; < is less than can be told apart.", prices.legend());
         String told = err.toString(StandardCharsets.UTF_8);
         assertTrue(told.startsWith("\rmeasuring prices: 38%") && told.contains("\rmeasuring prices: 100%"), told);
+    }
+
+    /** Mean Max had none: its states need not have room for equally many bodies. */
+    @ParameterizedTest
+    @MethodSource("steward.scene.SceneFiles#shipped")
+    void everyShippedSceneHasPrices(String scene) {
+        GameSetup setup = Games.open(scene);
+        long[] wall = new long[1];
+        PriceList prices = PriceList.measure(new Streams(new ByteArrayOutputStream(), new ByteArrayOutputStream(), true,
+            true), setup, () -> 0, () -> wall[0] += 700_000_000);
+        assertTrue(prices.legend().startsWith("A turn takes <1 ns here"), prices.legend());
+        for (Part part : setup.plan().parts()) {
+            assertEquals(part.name().equals(Part.BROAD_PHASE) ? "" : part.in() ? "<1 ns" : "(<1 ns)", prices.of(part));
+        }
     }
 }
