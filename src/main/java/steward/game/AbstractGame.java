@@ -1,6 +1,5 @@
 package steward.game;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import steward.numerics.StateHash;
@@ -18,7 +17,7 @@ public abstract class AbstractGame implements Game {
     /** Impacts and knots of the turn that is played. */
     protected final TurnLog log = new TurnLog();
     /** Events of the turn that is played. */
-    protected final List<TurnEvent> events = new ArrayList<>();
+    protected final TurnEvents events = new TurnEvents();
     /** For {@link #hash}, to be reset first. */
     protected final StateHash hash = new StateHash();
 
@@ -123,7 +122,7 @@ public abstract class AbstractGame implements Game {
 
     @Override
     public final List<TurnEvent> events() {
-        return events;
+        return events.list();
     }
 
     /** Per player how many others are ahead. */

@@ -128,7 +128,7 @@ final class Pond extends AbstractGame {
     }
 
     void report(TurnEvent.Kind kind, double time, int body, String text) {
-        events.add(new TurnEvent(kind, time, bodies.id(body), bodies.x[body], bodies.y[body], text, false));
+        events.add(kind, time, bodies.id(body), bodies.x[body], bodies.y[body], text, false);
     }
 
     void command(int player, double x, double y) {

@@ -29,6 +29,8 @@ public final class MeanMax extends AbstractGame {
     private final Advance advance;
     private final OilMotion motion = new OilMotion();
 
+    private static final String[] SUNK_BY = {"sunk by player 0", "sunk by player 1", "sunk by player 2"};
+
     private final LooterCommand[] commands = new LooterCommand[MeanMaxSettings.PLAYERS * UnitKind.LOOTERS];
     private final int[] scores = new int[MeanMaxSettings.PLAYERS];
     private final int[] rages = new int[MeanMaxSettings.PLAYERS];
@@ -143,12 +145,10 @@ public final class MeanMax extends AbstractGame {
     private void takeFacts() {
         for (int k = 0; k < log.facts(); k++) {
             if (log.factKind(k) == Sinking.WRECK) {
-                world.wrecks().add(new Wreck(log.factB(k), log.factX(k), log.factY(k), log.factQ(k),
-                    (int) log.factP(k)));
+                world.addWreck(log.factB(k), log.factX(k), log.factY(k), log.factQ(k), (int) log.factP(k));
             } else {
-                int by = playerOf(log.factB(k));
-                events.add(new TurnEvent(TurnEvent.Kind.DEATH, log.factTime(k), log.factA(k), log.factX(k),
-                    log.factY(k), "sunk by player " + by, false));
+                events.add(TurnEvent.Kind.DEATH, log.factTime(k), log.factA(k), log.factX(k), log.factY(k),
+                    SUNK_BY[playerOf(log.factB(k))], false);
             }
         }
     }
@@ -160,11 +160,11 @@ public final class MeanMax extends AbstractGame {
         for (int k = 0; k < count; k++) {
             int tanker = leaving[k];
             leaving[k] = (int) bodies.columns[MeanMaxWorld.OWNER][tanker];
-            events.add(new TurnEvent(TurnEvent.Kind.DEATH, 1, bodies.id(tanker), bodies.x[tanker], bodies.y[tanker],
-                "left full", false));
+            events.add(TurnEvent.Kind.DEATH, 1, bodies.id(tanker), bodies.x[tanker], bodies.y[tanker], "left full",
+                false);
         }
         for (int k = events.size() - 1, left = count; left > 0; k--, left--) {
-            bodies.remove(bodies.indexOf(events.get(k).body()));
+            bodies.remove(bodies.indexOf(events.body(k)));
         }
         for (int k = 0; k < log.facts(); k++) {
             if (log.factKind(k) == Sinking.SUNK) {
@@ -179,8 +179,8 @@ public final class MeanMax extends AbstractGame {
     private void spawn(int player) {
         int tanker = world.spawnTanker(player);
         if (tanker >= 0) {
-            events.add(new TurnEvent(TurnEvent.Kind.BIRTH, 1, world.bodies().id(tanker), world.bodies().x[tanker],
-                world.bodies().y[tanker], "", false));
+            events.add(TurnEvent.Kind.BIRTH, 1, world.bodies().id(tanker), world.bodies().x[tanker],
+                world.bodies().y[tanker], "", false);
         }
     }
 
@@ -199,7 +199,7 @@ public final class MeanMax extends AbstractGame {
         }
         for (int k = wrecks.size() - 1; k >= 0; k--) {
             if (wrecks.get(k).water() <= 0) {
-                wrecks.remove(k);
+                world.removeWreck(k);
             }
         }
     }

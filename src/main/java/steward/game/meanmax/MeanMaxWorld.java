@@ -45,11 +45,16 @@ public final class MeanMaxWorld {
     private static final double RADIUS_BY_SIZE = 50;
     private static final double TANKER_POWER = 500;
     private static final double GRENADE_POWER = -1000;
+    /** More wrecks or effects at a time are rare. */
+    private static final int SPARE = 16;
     private static final double EPSILON = 1e-5;
 
     private final Bodies bodies;
     private final List<Wreck> wrecks = new ArrayList<>();
     private final List<SkillEffect> effects = new ArrayList<>();
+    /** Objects of wrecks and effects that are gone, for those to come: a turn allocates nothing. */
+    private final List<Wreck> spareWrecks = new ArrayList<>();
+    private final List<SkillEffect> spareEffects = new ArrayList<>();
     private final TankerQueue queue;
     private final int players;
     private final SineCosine direction = new SineCosine();
@@ -59,6 +64,10 @@ public final class MeanMaxWorld {
         this.players = players;
         this.queue = queue;
         bodies = new Bodies(capacity, COLUMNS);
+        for (int k = 0; k < SPARE; k++) {
+            spareWrecks.add(new Wreck());
+            spareEffects.add(new SkillEffect());
+        }
     }
 
     private MeanMaxWorld(MeanMaxWorld other) {
@@ -132,14 +141,20 @@ public final class MeanMaxWorld {
         return body;
     }
 
-    /** Adds a wreck with any id: for tests of the rules. */
+    /** Adds a wreck. */
     public void addWreck(int id, double x, double y, double radius, int water) {
-        wrecks.add(new Wreck(id, x, y, radius, water));
+        Wreck wreck = spareWrecks.isEmpty() ? new Wreck() : spareWrecks.remove(spareWrecks.size() - 1);
+        wrecks.add(wreck.set(id, x, y, radius, water));
+    }
+
+    /** Removes a wreck; its object serves the next one. */
+    void removeWreck(int index) {
+        spareWrecks.add(wrecks.remove(index));
     }
 
     /** Adds a skill effect with any id, in its place behind those of its skill: for tests of the rules. */
     public void addEffect(int id, Skill skill, double x, double y, int duration, int looter) {
-        insert(new SkillEffect(id, skill, x, y, duration, looter));
+        insert(id, skill, x, y, duration, looter);
     }
 
     /** @return false if two came too near, looters without a place at (0, 0) included */
@@ -223,15 +238,16 @@ public final class MeanMaxWorld {
 
     /** Adds a new effect. */
     void cast(Skill skill, double x, double y, int looter) {
-        insert(new SkillEffect(bodies.takeId(), skill, x, y, skill.turns(), bodies.id(looter)));
+        insert(bodies.takeId(), skill, x, y, skill.turns(), bodies.id(looter));
     }
 
-    private void insert(SkillEffect effect) {
+    private void insert(int id, Skill skill, double x, double y, int duration, int looter) {
         int place = 0;
-        while (place < effects.size() && effects.get(place).skill().compareTo(effect.skill()) <= 0) {
+        while (place < effects.size() && effects.get(place).skill().compareTo(skill) <= 0) {
             place++;
         }
-        effects.add(place, effect);
+        SkillEffect effect = spareEffects.isEmpty() ? new SkillEffect() : spareEffects.remove(spareEffects.size() - 1);
+        effects.add(place, effect.set(id, skill, x, y, duration, looter));
     }
 
     /** Whether the centre of a place is so near that a unit is touched by an effect. */
@@ -310,7 +326,7 @@ public final class MeanMaxWorld {
     void removeSpentEffects() {
         for (int k = effects.size() - 1; k >= 0; k--) {
             if (effects.get(k).duration() <= 0) {
-                effects.remove(k);
+                spareEffects.add(effects.remove(k));
             }
         }
     }

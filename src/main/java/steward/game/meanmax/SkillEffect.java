@@ -1,30 +1,36 @@
 package steward.game.meanmax;
 
-/** A skill that was cast: a place that is no body, with an id from the same counter. */
+/**
+ * A skill that was cast: a place that is no body, with an id from the same counter. When it is spent, a later turn may
+ * use the object for another.
+ */
 public final class SkillEffect {
 
-    private final int id;
-    private final Skill skill;
-    private final double x;
-    private final double y;
-    private final int looter;
+    private int id;
+    private Skill skill;
+    private double x;
+    private double y;
+    private int looter;
     private int duration;
 
     /**
-     * @param duration turns that it still works
-     * @param looter   id of the looter that cast it
+     * Makes it this effect.
+     *
+     * @param turnsLeft that it still works
+     * @param by        id of the looter that cast it
      */
-    SkillEffect(int id, Skill skill, double x, double y, int duration, int looter) {
-        this.id = id;
-        this.skill = skill;
-        this.x = x;
-        this.y = y;
-        this.duration = duration;
-        this.looter = looter;
+    SkillEffect set(int newId, Skill newSkill, double newX, double newY, int turnsLeft, int by) {
+        id = newId;
+        skill = newSkill;
+        x = newX;
+        y = newY;
+        duration = turnsLeft;
+        looter = by;
+        return this;
     }
 
     SkillEffect copy() {
-        return new SkillEffect(id, skill, x, y, duration, looter);
+        return new SkillEffect().set(id, skill, x, y, duration, looter);
     }
 
     void countDown() {

@@ -1,24 +1,28 @@
 package steward.game.meanmax;
 
-/** A sunken tanker from which reapers harvest water: a place that is no body, with an id from the same counter. */
+/**
+ * A sunken tanker from which reapers harvest water: a place that is no body, with an id from the same counter. When it
+ * is gone, a later turn may use the object for another.
+ */
 public final class Wreck {
 
-    private final int id;
-    private final double x;
-    private final double y;
-    private final double radius;
+    private int id;
+    private double x;
+    private double y;
+    private double radius;
     private int water;
 
-    Wreck(int id, double x, double y, double radius, int water) {
-        this.id = id;
-        this.x = x;
-        this.y = y;
-        this.radius = radius;
-        this.water = water;
+    Wreck set(int newId, double newX, double newY, double newRadius, int newWater) {
+        id = newId;
+        x = newX;
+        y = newY;
+        radius = newRadius;
+        water = newWater;
+        return this;
     }
 
     Wreck copy() {
-        return new Wreck(id, x, y, radius, water);
+        return new Wreck().set(id, x, y, radius, water);
     }
 
     void takeWater() {

@@ -2,6 +2,8 @@ package steward.game.podrace;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.IntFunction;
+import java.util.stream.IntStream;
 import steward.Internal;
 import steward.game.AbstractGame;
 import steward.game.AngleVariants;
@@ -41,6 +43,7 @@ public final class PodRace extends AbstractGame {
     private final Plan plan;
     private final Angles angles;
     private final double[][] checkpoints;
+    private final List<IntFunction<String>> passTexts;
     private final Bodies bodies;
     private final Advance advance;
     private final Motion motion;
@@ -81,6 +84,7 @@ public final class PodRace extends AbstractGame {
         this.settings = settings;
         this.plan = plan;
         this.checkpoints = checkpoints;
+        passTexts = passTexts();
         angles = scene.angles();
         rules = RaceRules.of(angles);
         List<Bumper> bumpers = scene.field().map(field -> field.bumpers()).orElse(List.of());
@@ -117,6 +121,7 @@ public final class PodRace extends AbstractGame {
         angles = other.angles;
         rules = RaceRules.of(angles);
         checkpoints = other.checkpoints;
+        passTexts = other.passTexts;
         this.advance = advance;
         motion = other.motion;
         bodies = new Bodies(other.bodies.capacity());
@@ -233,9 +238,14 @@ public final class PodRace extends AbstractGame {
 
     private void markCheckpoint(int pod) {
         boolean lap = passed[pod] % checkpoints.length == 0;
-        String text = lap ? "pod " + pod + ", lap " + lap(pod) + " of " + settings.laps() + " done"
-            : "pod " + pod + ", checkpoint " + passed[pod] % checkpoints.length;
-        events.add(new TurnEvent(TurnEvent.Kind.MARK, 1, pod, bodies.x[pod], bodies.y[pod], text, lap));
+        events.add(TurnEvent.Kind.MARK, 1, pod, bodies.x[pod], bodies.y[pod], passTexts.get(pod), passed[pod], lap);
+    }
+
+    private List<IntFunction<String>> passTexts() {
+        return IntStream.range(0, settings.pods()).<IntFunction<String>>mapToObj(pod -> passes -> {
+            String lap = ", lap " + passes / checkpoints.length + " of " + settings.laps() + " done";
+            return "pod " + pod + (passes % checkpoints.length == 0 ? lap : ", checkpoint " + passes % checkpoints.length);
+        }).toList();
     }
 
     /** Eliminations and the end of the race: step 4 of the official turn. */
@@ -247,8 +257,8 @@ public final class PodRace extends AbstractGame {
             if (isIn(player) && turnsLeft[player] <= 0 && !standing.hasFinished(player)) {
                 putOut(player, "no checkpoint in " + settings.turnsWithoutCheckpoint() + " turns");
                 int pod = standing.bestPod(player);
-                events.add(new TurnEvent(TurnEvent.Kind.MARK, 1, pod, bodies.x[pod], bodies.y[pod],
-                    "player " + player + " is out: " + eliminationReason(player), true));
+                events.add(TurnEvent.Kind.MARK, 1, pod, bodies.x[pod], bodies.y[pod],
+                    "player " + player + " is out: " + eliminationReason(player), true);
             }
             in += isIn(player) ? 1 : 0;
         }

@@ -1,6 +1,7 @@
 package steward.game.searchrace;
 
 import java.util.Arrays;
+import java.util.function.IntFunction;
 import steward.game.AbstractGame;
 import steward.game.TurnEvent;
 import steward.numerics.SineCosine;
@@ -46,6 +47,7 @@ public final class SearchRace extends AbstractGame {
     private final Advance advance;
     private final Motion motion;
     private final SineCosine direction = new SineCosine();
+    private final IntFunction<String> passText = this::passText;
 
     private double heading;
     private int passed;
@@ -209,13 +211,17 @@ public final class SearchRace extends AbstractGame {
             settings.checkpointRadius());
     }
 
+    private String passText(int passes) {
+        return passes % checkpoints.length == 0
+            ? "lap " + passes / checkpoints.length + " of " + settings.laps() + " done"
+            : "checkpoint " + passes % checkpoints.length;
+    }
+
     private void pass(double time, double x, double y) {
         passed++;
         passTime = time;
         boolean lap = passed % checkpoints.length == 0;
-        String text = lap ? "lap " + passed / checkpoints.length + " of " + settings.laps() + " done"
-            : "checkpoint " + passed % checkpoints.length;
-        events.add(new TurnEvent(TurnEvent.Kind.MARK, time, 0, x, y, text, lap));
+        events.add(TurnEvent.Kind.MARK, time, 0, x, y, passText, passed, lap);
     }
 
     private void decideOutcome() {

@@ -1,0 +1,96 @@
+package steward.game;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.IntFunction;
+
+/** The events of a turn, in columns that every turn uses again: as long as nothing asks for a list, none is made. */
+public final class TurnEvents {
+
+    private static final int ROOM = 16;
+    private static final int QUANTITIES = 3;
+
+    private TurnEvent.Kind[] kinds = new TurnEvent.Kind[ROOM];
+    private int[] bodies = new int[ROOM];
+    private double[] quantities = new double[QUANTITIES * ROOM];
+    private String[] texts = new String[ROOM];
+    private IntFunction<String>[] textsOf = functions(ROOM);
+    private int[] numbers = new int[ROOM];
+    private boolean[] headlines = new boolean[ROOM];
+    private int size;
+
+    /** No events. */
+    public TurnEvents() {
+        // The columns are there.
+    }
+
+    /** Adds an event; the parameters are those of {@link TurnEvent}. */
+    public void add(TurnEvent.Kind kind, double time, int body, double x, double y, String text, boolean headline) {
+        add(kind, time, body, x, y, null, 0, headline);
+        texts[size - 1] = text;
+    }
+
+    /**
+     * The same with a text that is made of a number, when a list is asked for.
+     *
+     * @param textOf the text of a number, the same every time
+     */
+    public void add(TurnEvent.Kind kind, double time, int body, double x, double y, IntFunction<String> textOf,
+                    int number, boolean headline) {
+        if (size == kinds.length) {
+            grow();
+        }
+        kinds[size] = kind;
+        bodies[size] = body;
+        quantities[QUANTITIES * size] = time;
+        quantities[QUANTITIES * size + 1] = x;
+        quantities[QUANTITIES * size + 2] = y;
+        texts[size] = null;
+        textsOf[size] = textOf;
+        numbers[size] = number;
+        headlines[size] = headline;
+        size++;
+    }
+
+    @SuppressWarnings("unchecked")
+    private static IntFunction<String>[] functions(int count) {
+        return new IntFunction[count];
+    }
+
+    private void grow() {
+        int room = 2 * size;
+        kinds = Arrays.copyOf(kinds, room);
+        bodies = Arrays.copyOf(bodies, room);
+        quantities = Arrays.copyOf(quantities, QUANTITIES * room);
+        texts = Arrays.copyOf(texts, room);
+        textsOf = Arrays.copyOf(textsOf, room);
+        numbers = Arrays.copyOf(numbers, room);
+        headlines = Arrays.copyOf(headlines, room);
+    }
+
+    /** Removes all. */
+    public void clear() {
+        size = 0;
+    }
+
+    /** How many there are. */
+    public int size() {
+        return size;
+    }
+
+    /** The body of event k, -1 for none. */
+    public int body(int k) {
+        return bodies[k];
+    }
+
+    /** The events in order; a new list, which does not change with the next turn. */
+    public List<TurnEvent> list() {
+        List<TurnEvent> list = new ArrayList<>(size);
+        for (int k = 0; k < size; k++) {
+            list.add(new TurnEvent(kinds[k], quantities[QUANTITIES * k], bodies[k], quantities[QUANTITIES * k + 1],
+                quantities[QUANTITIES * k + 2], texts[k] == null ? textsOf[k].apply(numbers[k]) : texts[k], headlines[k]));
+        }
+        return list;
+    }
+}

@@ -1,0 +1,74 @@
+package steward.cli.shared;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
+import java.nio.charset.StandardCharsets;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import steward.game.FrameCodec;
+import steward.game.Game;
+import steward.game.GameSetup;
+import steward.game.Pilot;
+import steward.numerics.SplitMix64;
+
+/**
+ * A turn of every shipped scene allocates nothing once its buffers have grown, births, deaths, skills and passed
+ * checkpoints included: counted by the JVM, to the byte.
+ */
+class GameAllocationTest {
+
+    private static final int COUNTS = 5;
+    private static final int LEAST_TURNS = 40;
+    private static final int MOST_TURNS = 400;
+    /** Of so many turns in the second half of a game, one may be the first with so many impacts, events or things. */
+    private static final int TURNS_PER_GROWTH = 20;
+
+    private final ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+
+    /** The same game every time, so that whatever a turn allocates shows in every count; what the JVM adds does not. */
+    @ParameterizedTest
+    @MethodSource("steward.scene.SceneFiles#shipped")
+    void aTurnAllocatesNothing(String scene) {
+        GameSetup setup = Games.open(scene);
+        boolean[] allocates = new boolean[MOST_TURNS];
+        int turns = 0;
+        for (int count = 0; count < COUNTS; count++) {
+            boolean[] now = new boolean[MOST_TURNS];
+            turns = play(setup, now);
+            for (int turn = 0; turn < turns; turn++) {
+                allocates[turn] = now[turn] && (count == 0 || allocates[turn]);
+            }
+        }
+        int grown = 0;
+        for (int turn = turns / 2; turn < turns; turn++) {
+            grown += allocates[turn] ? 1 : 0;
+        }
+        assertTrue(turns >= LEAST_TURNS, turns + " turns");
+        assertTrue(grown <= turns / 2 / TURNS_PER_GROWTH, grown + " of the last " + turns / 2 + " turns allocate");
+    }
+
+    /** @return how many turns were played, without the one that ends the game and puts its end into words */
+    private int play(GameSetup setup, boolean[] allocates) {
+        Game game = setup.create(1);
+        FrameCodec codec = setup.codec(game);
+        Pilot pilot = setup.pilot(Pilot.Aim.WIN);
+        SplitMix64 random = new SplitMix64(1);
+        while (true) {
+            for (int player = 0; player < game.players(); player++) {
+                if (game.isIn(player)) {
+                    byte[] answer = pilot.answer(game, player, random).getBytes(StandardCharsets.UTF_8);
+                    codec.frames().readAnswer(player, answer, answer.length);
+                }
+            }
+            long before = threads.getCurrentThreadAllocatedBytes();
+            game.play();
+            long allocated = threads.getCurrentThreadAllocatedBytes() - before;
+            if (game.isOver() || game.turn() == allocates.length) {
+                return game.turn() - 1;
+            }
+            allocates[game.turn() - 1] = allocated > 0;
+        }
+    }
+}
