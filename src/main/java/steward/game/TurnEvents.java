@@ -88,8 +88,9 @@ public final class TurnEvents {
     public List<TurnEvent> list() {
         List<TurnEvent> list = new ArrayList<>(size);
         for (int k = 0; k < size; k++) {
+            String text = texts[k] == null ? textsOf[k].apply(numbers[k]) : texts[k];
             list.add(new TurnEvent(kinds[k], quantities[QUANTITIES * k], bodies[k], quantities[QUANTITIES * k + 1],
-                quantities[QUANTITIES * k + 2], texts[k] == null ? textsOf[k].apply(numbers[k]) : texts[k], headlines[k]));
+                quantities[QUANTITIES * k + 2], text, headlines[k]));
         }
         return list;
     }

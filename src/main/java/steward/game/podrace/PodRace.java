@@ -244,7 +244,8 @@ public final class PodRace extends AbstractGame {
     private List<IntFunction<String>> passTexts() {
         return IntStream.range(0, settings.pods()).<IntFunction<String>>mapToObj(pod -> passes -> {
             String lap = ", lap " + passes / checkpoints.length + " of " + settings.laps() + " done";
-            return "pod " + pod + (passes % checkpoints.length == 0 ? lap : ", checkpoint " + passes % checkpoints.length);
+            int checkpoint = passes % checkpoints.length;
+            return "pod " + pod + (checkpoint == 0 ? lap : ", checkpoint " + checkpoint);
         }).toList();
     }
 
