@@ -1,4 +1,4 @@
-package steward.cli.lab;
+package steward.cli.shared;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -7,7 +7,6 @@ import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import steward.cli.shared.Streams;
 
 /** The time left of a run of parts of unequal length. */
 class RunProgressTest {
