@@ -6,15 +6,15 @@ import java.util.Map;
 final class TradeoffSeconds {
 
     /**
-     * With {@code --quick} and without, measured once on two processors that did other work too; without it the first
-     * three, the others so that all take 288 s, as was measured.
+     * With {@code --quick} and without: each measured once on two busy processors but for the last two without it, and
+     * those without it scaled to the 288 s that all took together.
      */
-    private static final Map<String, int[]> SECONDS = Map.of("official-race", new int[] {7, 45},
-        "brawl", new int[] {7, 45}, "dense-box", new int[] {6, 82}, "gas", new int[] {20, 25},
-        "bullets", new int[] {10, 25}, "grazing", new int[] {7, 25}, "walled-race", new int[] {10, 35},
-        "headings", new int[] {2, 6});
+    private static final Map<String, int[]> SECONDS = Map.of("official-race", new int[] {7, 32},
+        "brawl", new int[] {7, 32}, "dense-box", new int[] {6, 59}, "gas", new int[] {20, 50},
+        "bullets", new int[] {10, 39}, "grazing", new int[] {7, 42}, "walled-race", new int[] {10, 30},
+        "headings", new int[] {2, 4});
     /** Another scene takes about as long as the walled race. */
-    private static final int[] OTHER = {10, 45};
+    private static final int[] OTHER = {10, 30};
 
     private TradeoffSeconds() {
     }

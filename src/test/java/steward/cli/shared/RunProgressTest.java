@@ -45,4 +45,20 @@ class RunProgressTest {
         assertTrue(shown.contains("1 of 2: short") && shown.contains("2 of 2: long"), shown);
         assertTrue(shown.contains(" 550/1000 "), shown);
     }
+
+    /** Four steps of a part that is expected to take a tenth of all; a fifth is no more than the whole part. */
+    @Test
+    void aPartMayReportItsSteps() {
+        ByteArrayOutputStream err = new ByteArrayOutputStream();
+        RunProgress run = new RunProgress(new Streams(new ByteArrayOutputStream(), err, true, true),
+            List.of(10.0, 90.0));
+        run.begin("short");
+        Runnable step = run.steps(4);
+        for (int k = 0; k < 5; k++) {
+            step.run();
+        }
+        run.end();
+        String shown = err.toString(StandardCharsets.UTF_8);
+        assertTrue(shown.contains(" 100/1000 ") && !shown.contains(" 125/1000 "), shown);
+    }
 }
