@@ -3,6 +3,7 @@ package steward.codingame;
 import java.util.stream.Collectors;
 import steward.replay.ReplayHeader;
 import steward.scene.json.JsonProblem;
+import steward.text.TextFormat;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.exc.UnexpectedEndOfInputException;
 import tools.jackson.databind.DeserializationFeature;
@@ -20,6 +21,7 @@ final class GameRecordingFile {
 
     private static final String EXPECTED = "expected CodinGame's game result with an array \"frames\"";
     private static final int MOST_NAMES = 8;
+    private static final int MOST_SHOWN = 40;
 
     private GameRecordingFile() {
     }
@@ -56,8 +58,8 @@ final class GameRecordingFile {
             throw new IllegalArgumentException(source + place(cut)
                 + ": found the end of the file within the JSON: it was cut off, expected all of it");
         } catch (JacksonException problem) {
-            String lines = jsonLines(text);
-            throw new IllegalArgumentException(source + (lines != null ? ": found " + lines + ", " + EXPECTED
+            String kind = otherKind(text);
+            throw new IllegalArgumentException(source + (kind != null ? ": found " + kind + ", " + EXPECTED
                 : place(problem) + ": not JSON: " + JsonProblem.message(problem)));
         }
     }
@@ -67,11 +69,14 @@ final class GameRecordingFile {
             : ":" + problem.getLocation().getLineNr() + ":" + problem.getLocation().getColumnNr();
     }
 
-    /** Several JSON values, one a line; {@code null} if it is something else. */
-    private static String jsonLines(String text) {
+    /** What a file is that is not one JSON value; {@code null} if it looks like damaged JSON. */
+    private static String otherKind(String text) {
         String first = text.stripLeading().lines().findFirst().orElse("");
         if (first.startsWith("<")) {
             return "a web page or XML";
+        }
+        if (!first.isEmpty() && "{[\"".indexOf(first.charAt(0)) < 0) {
+            return "a text file, not JSON: it begins with \"" + TextFormat.shorten(first, MOST_SHOWN) + "\"";
         }
         try {
             return MAPPER.readTree(first).isContainer() ? "JSON Lines, one value a line" : null;

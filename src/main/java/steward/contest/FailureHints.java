@@ -36,6 +36,13 @@ final class FailureHints {
     private static final Pattern CLEAR = Pattern.compile("SyntaxError|IndentationError|ModuleNotFoundError|ImportError"
         + "|No such file|can't open|cannot open|ClassNotFound|Could not find or load|command not found|not found$");
 
+    /** Where a program says with a traceback why it ended: that of a parser that met JSON, or did not find its number. */
+    private static final Pattern TRACEBACK = Pattern.compile("Traceback \\(most recent call last\\)"
+        + "|^Exception in thread|^\\s+at .+[(:]\\S*\\d+\\)?$|^panicked at|^thread '.*' panicked");
+    private static final Pattern OF_INPUT = Pattern.compile("ValueError|not enough values|too many values|IndexError"
+        + "|NumberFormat|InputMismatch|NoSuchElement|ArrayIndexOutOfBounds|StringIndexOutOfBounds|ParseIntError"
+        + "|invalid digit|invalid literal|FormatException|NaN|\\{\\s*\\\\?\"|JSON|Json|json");
+
     private FailureHints() {
     }
 
@@ -81,8 +88,10 @@ final class FailureHints {
     /** Whether it exited at its first input, or answered in the form of the other protocol. */
     private static boolean speaksTheOther(Protocol protocol, String reason, String received, List<String> stderr) {
         if (FaultMessages.isExit(reason)) {
-            return !reason.equals(FaultMessages.exited(0)) && stderr.stream().noneMatch(line
-                -> CLEAR.matcher(line).find());
+            return !reason.equals(FaultMessages.exited(0))
+                && stderr.stream().noneMatch(line -> CLEAR.matcher(line).find())
+                && (stderr.stream().noneMatch(line -> TRACEBACK.matcher(line).find())
+                || stderr.stream().anyMatch(line -> OF_INPUT.matcher(line).find()));
         }
         boolean object = received.stripLeading().startsWith("{");
         return !received.isBlank() && object == (protocol == Protocol.CODINGAME);

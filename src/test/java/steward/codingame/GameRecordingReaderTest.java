@@ -124,6 +124,10 @@ class GameRecordingReaderTest {
         "`{\"a\":1}\\n{\"b\":2}\\n` | found JSON Lines, one value a line, expected CodinGame's",
         "{\"frames\":[{\"view\":\" 0 | 1:23: found the end of the file within the JSON: it was cut "
             + "off, expected all of it",
+        "`Replay between Neumann and pb4GOD\\nROUND` | found a text file, not JSON: it begins with \"Replay between "
+            + "Neumann and pb4GOD\", expected CodinGame's",
+        "`S 34 4072 4725 -102 76 -0.5585049757212007 0 2` | found a text file, not JSON: it begins with \"S 34 4072 "
+            + "4725 -102 76 -0.55850497572...\", expected",
         "<!DOCTYPE html> | found a web page or XML, expected CodinGame's",
         "[1,2] | found no frames: the file is an array, expected CodinGame's",
         "{\"id\":403,\"message\":\"no\"} | found no frames: the object has id, message, expected CodinGame's"})

@@ -70,6 +70,7 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
             throw new IllegalArgumentException("bot '" + name.substring(0, SHOWN) + "...': found a name of "
                 + name.length() + " characters, expected at most " + LONGEST_NAME);
         }
+        checkName(text, named.matches());
         String rest = named.matches() ? named.group(2) : text;
         Prefix written = writtenPrefix(rest);
         int start = text.length() - rest.length() + (written == null ? 0 : written.written().length());
@@ -92,6 +93,7 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
         String first = words.isEmpty() ? "" : words.get(0);
         Matcher named = NAMED.matcher(first);
         String name = named.matches() ? named.group(1) : null;
+        checkName(first, named.matches());
         String rest = named.matches() ? named.group(2) : first;
         Prefix written = writtenPrefix(rest);
         String program = written == null ? rest : rest.substring(written.written().length());
@@ -103,6 +105,15 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
             throw new IllegalArgumentException("bot '" + first + "': there is no command; expected " + FORM);
         }
         return new BotCommand(name, written == null ? usual : written, all);
+    }
+
+    /** A single word before {@code =} and a known prefix can only be meant as a name. */
+    private static void checkName(String text, boolean named) {
+        int equals = text.indexOf('=');
+        if (!named && equals >= 0 && !text.substring(0, equals).contains(" ") && writtenPrefix(text.substring(equals + 1)) != null) {
+            throw new IllegalArgumentException("bot '" + text + "': found the name '" + text.substring(0, equals)
+                + "', expected one of letters, digits, dots, underscores and hyphens");
+        }
     }
 
     private static Prefix writtenPrefix(String text) {
@@ -159,7 +170,9 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
             ProgramFinder.check(words.get(0));
             return words;
         } catch (IllegalArgumentException e) {
-            throw new IllegalArgumentException("bot '" + this + "': " + e.getMessage() + hint(), e);
+            String shown = toString();
+            throw new IllegalArgumentException("bot " + (shown.indexOf('\'') < 0 ? "'" + shown + "'" : shown) + ": "
+                + e.getMessage() + hint(), e);
         }
     }
 

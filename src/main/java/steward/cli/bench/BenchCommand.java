@@ -9,17 +9,20 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.bench.BenchFiles;
 import steward.bench.Effort;
+import steward.bench.Row;
 import steward.bench.Section;
 import steward.cli.options.CallCheck;
 import steward.cli.options.TableFolder;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Interruption;
 import steward.cli.shared.ProgressLine;
+import steward.cli.shared.RunProgress;
 import steward.cli.shared.Streams;
 import steward.files.InputException;
 import steward.files.OutputFiles;
@@ -55,7 +58,7 @@ public final class BenchCommand implements Callable<Integer> {
         description = "Only this part; can be repeated.")
     private List<String> only = new ArrayList<>();
 
-    @Option(names = "--quick", description = "Measures rough figures, in about a minute.")
+    @Option(names = "--quick", description = "Measures rough figures, in about half a minute.")
     private boolean quick;
 
     @Option(names = "--long", description = "Measures for tables that are kept, and a million bodies.")
@@ -159,27 +162,28 @@ public final class BenchCommand implements Callable<Integer> {
 
     private int measureAll(List<Section> sections, BenchFiles files) {
         BenchTable table = new BenchTable(streams);
-        if (only.isEmpty() && games == null && bodies.isEmpty()) {
-            ProgressLine.announce(streams, full ? "tens of minutes" : quick ? "about a minute" : "some minutes");
-        }
         Runtime.getRuntime().addShutdownHook(new Thread(table::release, "bench-interrupted"));
         Effort effort = quick ? Effort.QUICK : full ? Effort.LONG : Effort.NORMAL;
+        RunProgress progress = new RunProgress(streams,
+            sections.stream().map(section -> BenchSeconds.of(section.name(), effort)).toList());
+        if (games == null && bodies.isEmpty()) {
+            ProgressLine.announce(streams, TextFormat.about(progress.total()));
+        }
         streams.out().println(TradeoffMachine.line());
         int status = ExitStatus.DONE;
-        int part = 1;
         for (Section section : sections) {
             table.begin(section);
-            String task = part++ + " of " + sections.size() + ": " + section.name();
-            try (ProgressLine progress = ProgressLine.watched(streams, task, section.steps(effort))) {
-                section.run(effort, about -> ProgressLine.step(progress), row -> {
+            progress.begin(section.name());
+            try {
+                measureOne(section, effort, progress, row -> {
                     any = true;
                     if (files != null) {
                         files.add(row);
                     }
-                    if (progress == null) {
-                        table.add(row);
-                    } else {
+                    if (streams.errTerminal()) {
                         table.hold(row);
+                    } else {
+                        table.add(row);
                     }
                 });
             } catch (Exception | OutOfMemoryError problem) {
@@ -194,5 +198,16 @@ public final class BenchCommand implements Callable<Integer> {
             table.release();
         }
         return status;
+    }
+
+    /** The line is erased at the end, so that rows and errors can be printed. */
+    private static void measureOne(Section section, Effort effort, RunProgress progress, Consumer<Row> rows)
+        throws Exception {
+        Runnable step = progress.steps(section.steps(effort));
+        try {
+            section.run(effort, about -> step.run(), rows);
+        } finally {
+            progress.end();
+        }
     }
 }

@@ -16,6 +16,7 @@ import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
 import steward.cli.shared.Interruption;
 import steward.cli.shared.ProgressLine;
+import steward.cli.shared.RunProgress;
 import steward.cli.shared.Streams;
 import steward.files.OutputFiles;
 import steward.lab.stability.GoldenHash;

@@ -4,6 +4,7 @@ import java.util.Locale;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import steward.cli.shared.Colour;
+import steward.cli.shared.RunProgress;
 import steward.cli.shared.Streams;
 import steward.lab.stability.StabilityRow;
 import steward.lab.trial.Finding;

@@ -14,6 +14,7 @@ import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
 import steward.cli.shared.Interruption;
 import steward.cli.shared.ProgressLine;
+import steward.cli.shared.RunProgress;
 import steward.cli.shared.Streams;
 import steward.files.InputException;
 import steward.files.OutputFiles;
@@ -35,10 +36,6 @@ import steward.text.TextFormat;
         "", "Exit status: 0 done; 2 the call or a scene cannot be used; 130 Ctrl-C: what was",
         "measured is kept."})
 public final class TradeoffCommand implements Callable<Integer> {
-
-    /** How long a scene takes, approximately: all 8 parts took 288 s, with --quick 53 s, on two busy processors. */
-    private static final double SECONDS = 288 / 8.0;
-    private static final double QUICK_SECONDS = 53 / 8.0;
 
     private final Streams streams;
 
@@ -105,15 +102,16 @@ public final class TradeoffCommand implements Callable<Integer> {
     private void measure(List<TradeoffScene> chosen, boolean headings, TradeoffReport files) {
         TradeoffEffort effort = quick ? TradeoffEffort.QUICK : TradeoffEffort.NORMAL;
         TradeoffTable table = new TradeoffTable(streams);
-        int parts = chosen.size() + (headings ? 1 : 0);
-        ProgressLine.announce(streams, TextFormat.about(parts * (quick ? QUICK_SECONDS : SECONDS)));
-        int part = 1;
+        RunProgress progress = new RunProgress(streams, seconds(chosen, headings));
+        ProgressLine.announce(streams, TextFormat.about(progress.total()));
         for (TradeoffScene scene : chosen) {
             TradeoffMeasurement measurement = new TradeoffMeasurement(scene, effort);
+            progress.begin(scene.name());
             List<TradeoffRow> rows;
-            try (ProgressLine progress = ProgressLine.watched(streams, part++ + " of " + parts + ": " + scene.name(),
-                measurement.steps())) {
-                rows = measurement.run(() -> ProgressLine.step(progress));
+            try {
+                rows = measurement.run(progress.steps(measurement.steps()));
+            } finally {
+                progress.end();
             }
             if (files != null) {
                 files.add(rows);
@@ -121,10 +119,13 @@ public final class TradeoffCommand implements Callable<Integer> {
             table.add(scene, rows);
         }
         for (boolean aligned : headings ? new boolean[] {false, true} : new boolean[0]) {
+            progress.begin(aligned ? "headings, aligned" : "headings");
             TradeoffHeadings row;
-            try (ProgressLine progress = ProgressLine.watched(streams, parts + " of " + parts + ": headings",
-                TradeoffHeadings.steps(effort.podTurns()))) {
-                row = TradeoffHeadings.measure(aligned, effort.podTurns(), () -> ProgressLine.step(progress));
+            try {
+                row = TradeoffHeadings.measure(aligned, effort.podTurns(),
+                    progress.steps(TradeoffHeadings.steps(effort.podTurns())));
+            } finally {
+                progress.end();
             }
             if (files != null) {
                 files.addHeadings(row);
@@ -134,5 +135,15 @@ public final class TradeoffCommand implements Callable<Integer> {
         if (!chosen.isEmpty()) {
             table.end();
         }
+    }
+
+    /** How long each part takes, approximately. */
+    private List<Double> seconds(List<TradeoffScene> chosen, boolean headings) {
+        List<Double> seconds = new ArrayList<>();
+        chosen.forEach(scene -> seconds.add(TradeoffSeconds.of(scene.name(), quick)));
+        for (int k = 0; k < 2 && headings; k++) {
+            seconds.add(TradeoffSeconds.of(TradeoffScenes.HEADINGS, quick) / 2);
+        }
+        return seconds;
     }
 }

@@ -1,7 +1,11 @@
 package steward.cli.play;
 
 import java.io.PrintStream;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
 import steward.cli.shared.Colour;
 import steward.cli.shared.FailureText;
 import steward.contest.AnswerTimes;
@@ -148,10 +152,13 @@ final class SeriesText {
     }
 
     private static void failures(PrintStream out, Colour colour, Series series, List<FailureKind> kinds) {
-        for (FailureKind kind : kinds.subList(0, Math.min(KINDS_SHOWN, kinds.size()))) {
+        List<List<FailureKind>> alike = alike(kinds);
+        for (List<FailureKind> bots : alike.subList(0, Math.min(KINDS_SHOWN, alike.size()))) {
+            FailureKind kind = bots.get(0);
             List<FailureKind.Occurrence> all = kind.occurrences();
             out.println();
-            out.println(TextFormat.plain(series.contest().entrants().get(kind.entrant()).name()) + " "
+            out.println(TextFormat.plain(bots.stream().map(bot -> series.contest().entrants().get(bot.entrant()).name())
+                .collect(Collectors.joining(" and "))) + " "
                 + colour.bad("failed") + TextFormat.plain(" in " + TextFormat.count(all.size(), "game")
                 + (all.size() == 1 ? ", game " : ", first in game ") + kind.game().number() + " (seed "
                 + kind.game().seed() + ") in turn " + kind.first().turn() + ": "
@@ -165,11 +172,21 @@ final class SeriesText {
                     one -> "game " + one.game().number() + ", turn " + one.turn()).toList(), all.size() - 1));
             }
         }
-        if (kinds.size() > KINDS_SHOWN) {
+        if (alike.size() > KINDS_SHOWN) {
             out.println();
-            out.println("and " + TextFormat.count(kinds.size() - KINDS_SHOWN, "kind") + " of failure more; "
+            out.println("and " + TextFormat.count(alike.size() - KINDS_SHOWN, "kind") + " of failure more; "
                 + "--json lists all");
         }
+    }
+
+    /** Kinds about which the same would be said of several bots, together. */
+    private static List<List<FailureKind>> alike(List<FailureKind> kinds) {
+        Map<List<Object>, List<FailureKind>> alike = new LinkedHashMap<>();
+        for (FailureKind kind : kinds) {
+            alike.computeIfAbsent(List.of(kind.first().reason(), kind.first().stderr(), kind.first().hints(),
+                kind.occurrences()), any -> new ArrayList<>()).add(kind);
+        }
+        return List.copyOf(alike.values());
     }
 
     /** Games that were lost on time on a starved machine, with the evidence. */

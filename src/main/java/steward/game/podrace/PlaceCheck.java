@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import steward.Internal;
+import steward.scene.Accuracy;
 import steward.scene.Field;
 import steward.scene.Scene;
 import steward.scene.json.Block;
@@ -43,7 +44,7 @@ public final class PlaceCheck {
             atStart.add(Obstacle.edge(field));
         }
         check.starts(atStart);
-        return check.checkpoints(obstacles);
+        return check.checkpoints(obstacles, scene.accuracy().way() == Accuracy.Way.EVENT ? field : null);
     }
 
     private void starts(List<Obstacle> obstacles) {
@@ -80,19 +81,20 @@ public final class PlaceCheck {
             + "this checkpoint, up to " + number(farthest) + " u from it";
     }
 
-    private List<String> checkpoints(List<Obstacle> obstacles) {
-        CheckpointReach reach = new CheckpointReach(settings, obstacles);
+    private List<String> checkpoints(List<Obstacle> obstacles, Field field) {
+        CheckpointReach reach = new CheckpointReach(settings, obstacles, field);
         List<String> warnings = new ArrayList<>();
         int more = 0;
         for (int map = 0; map < settings.maps().size(); map++) {
             double[][] checkpoints = settings.maps().get(map);
+            int[] shutOut = reach.shutOut(checkpoints);
             for (int k = 0; k < checkpoints.length; k++) {
                 String barrier = reach.barrier(checkpoints[k][0], checkpoints[k][1]);
-                if (barrier != null && warnings.size() < MOST_WARNINGS) {
-                    warnings.add(at(map, k, "a checkpoint that no pod can reach" + (settings.jitter() == 0 ? ""
-                        : " at some jitter") + ": what counts is behind or under " + barrier, "a place nearer than "
-                        + number(settings.checkpointRadius()) + " u to where pods can be").getMessage());
-                } else if (barrier != null) {
+                boolean warned = barrier != null || shutOut[k] >= 0;
+                if (warned && warnings.size() < MOST_WARNINGS) {
+                    warnings.add((barrier != null ? covered(map, k, barrier) : shutIn(map, k, shutOut[k]))
+                        .getMessage());
+                } else if (warned) {
                     more++;
                 }
             }
@@ -101,6 +103,19 @@ public final class PlaceCheck {
             warnings.add(scene.root().source() + ": found " + more + " more checkpoints that no pod can reach");
         }
         return warnings;
+    }
+
+    private SceneException covered(int map, int checkpoint, String barrier) {
+        return at(map, checkpoint, "a checkpoint that no pod can reach" + (settings.jitter() == 0 ? ""
+            : " at some jitter") + ": what counts is behind or under " + barrier, "a place nearer than "
+            + number(settings.checkpointRadius()) + " u to where pods can be");
+    }
+
+    private SceneException shutIn(int map, int checkpoint, int first) {
+        return at(map, checkpoint, "a checkpoint that no pod can reach from a start at checkpoint " + first
+            + (first == 0 ? "" : " (shifted: races may start there)") + ": walls and bumpers shut it in or the start",
+            "a gap at least " + number(2 * settings.radius()) + " u wide, for pods of radius "
+            + number(settings.radius()));
     }
 
     /** An error at a checkpoint of the file, or at the word for the official maps. */

@@ -18,10 +18,8 @@ record StartOverlap(int map, int first, double[][] drawn, int pod, Obstacle obst
     private static final double TOUCHING = 1e-6;
 
     /*
-     * Jitter moves checkpoint 0 by at most j = jitter * sqrt(2), and the vector d to checkpoint 1 by at most 2j. If 2j
-     * is less than its length, d turns by at most a with sin a = 2j / |d|, and a place at the side s moves along a
-     * chord of at most 2 |s| sin(a / 2) = |s| sqrt(2 - 2 cos a). Gaps change by no more than places move. So a nominal
-     * gap above j + that chord is never closed, and a pod with less is looked at for each of the extreme draws.
+     * Gaps change by no more than places move. So a nominal gap above StartPlaces.slack is never closed, and a pod with
+     * less is looked at for each of the extreme draws.
      */
 
     /**
@@ -107,11 +105,7 @@ record StartOverlap(int map, int first, double[][] drawn, int pod, Obstacle obst
 
         /** How far jitter can move the pod at a place of the line. */
         private double slack(int place) {
-            double move = jitter * Math.sqrt(2);
-            double side = Math.abs(StartPlaces.side(podAt(place), pods));
-            double sine = 2 * move / length;
-            double turn = sine < 1 ? Math.sqrt(2 - 2 * Math.sqrt(1 - sine * sine)) : 2;
-            return move + (jitter == 0 ? 0 : side * turn);
+            return StartPlaces.slack(StartPlaces.side(podAt(place), pods), jitter, length);
         }
 
         private StartOverlap deepest(Obstacle obstacle, int pod) {

@@ -35,4 +35,19 @@ public final class StartPlaces {
         double offset = START_OFFSET + START_SPACING * (pod / 2);
         return (pod % 2 == 0 ? -offset : offset) + (pods % 2) * START_OFFSET;
     }
+
+    /**
+     * How far jitter can move a start place, in u, before rounding. It moves checkpoint 0 by at most
+     * j = jitter * sqrt(2), and the vector d to checkpoint 1 by at most 2j. If 2j is less than its length, d turns by
+     * at most a with sin a = 2j / |d|, and a place at the side s moves along a chord of at most
+     * 2 |s| sin(a / 2) = |s| sqrt(2 - 2 cos a).
+     *
+     * @param length between the checkpoints without jitter
+     */
+    static double slack(double side, int jitter, double length) {
+        double move = jitter * Math.sqrt(2);
+        double sine = 2 * move / length;
+        double turn = sine < 1 ? Math.sqrt(2 - 2 * Math.sqrt(1 - sine * sine)) : 2;
+        return move + (jitter == 0 ? 0 : Math.abs(side) * turn);
+    }
 }

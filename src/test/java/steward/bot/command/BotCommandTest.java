@@ -68,7 +68,14 @@ class BotCommandTest {
         assertEquals("bot '': there is no command; expected [NAME=][builtin:|json:|codingame:]COMMAND", failure(""));
         assertEquals("bot 'blue=json: ': there is no command after 'blue=json:';"
             + " expected [NAME=][builtin:|json:|codingame:]COMMAND", failure("blue=json: "));
-        assertEquals("bot '''': the command is an empty word; expected a program", failure("''"));
+        assertEquals("bot '': the command is an empty word; expected a program", failure("''"));
+    }
+
+    @Test
+    void aNameWithOtherCharactersIsNoPartOfAProgram() {
+        assertEquals("bot 'x\u202ey=builtin:racer': found the name 'x\u202ey', expected one of letters, digits, dots, "
+            + "underscores and hyphens", failure("x\u202ey=builtin:racer"));
+        reads("sh -c x=json:a", null, Prefix.JSON, "sh", "-c", "x=json:a");
     }
 
     @Test
@@ -96,7 +103,7 @@ class BotCommandTest {
     @Test
     void aCommandThatIsNotThereIsAnErrorAtOnce() {
         assertEquals("bot 'no-such-bot -v': there is no program 'no-such-bot' on the PATH", failure("no-such-bot -v"));
-        assertEquals("bot ''python3 b.py'': there is no program 'python3 b.py' on the PATH;"
+        assertEquals("bot 'python3 b.py': there is no program 'python3 b.py' on the PATH;"
             + " its quotes make it one word: without them it is a command and its arguments",
             failure("'python3 b.py'"));
         assertEquals("bot '/no/such/bot': there is no file '/no/such/bot'", failure("/no/such/bot"));

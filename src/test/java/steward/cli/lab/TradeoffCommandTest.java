@@ -50,7 +50,7 @@ class TradeoffCommandTest {
         }
         assertTrue(cli.out().contains("headings, axis-aligned: "), cli.out());
         assertTrue(cli.out().lines().allMatch(line -> line.length() <= 120), cli.out());
-        assertTrue(cli.err().contains("1 of 2: duel"), "progress: " + cli.err());
+        assertTrue(cli.err().contains("1 of 3: duel"), "progress: " + cli.err());
         for (String name : TradeoffReport.ALL) {
             assertTrue(Files.size(out.resolve(name)) > 0, name);
         }

@@ -92,6 +92,15 @@ class FailureReportTest {
     }
 
     @Test
+    void aTracebackThatHasNothingToDoWithItsInputIsNoReasonToAskForTheProtocol() throws IOException {
+        String traceback = "echo 'Traceback (most recent call last):' >&2; echo '  File \"b.py\", line 3' >&2; echo '";
+        String other = match("", traceback + "ZeroDivisionError: division by zero' >&2; exit 1", "--no-deadline").out();
+        assertTrue(other.contains("ZeroDivisionError") && !other.contains("codingame:"), other);
+        String input = match("", traceback + "ValueError: invalid literal for int()' >&2; exit 1", "--no-deadline").out();
+        assertTrue(input.contains("is it a CodinGame bot?"), input);
+    }
+
+    @Test
     void aBotThatNeverFlushesIsAskedWhetherItDoes() throws IOException {
         String out = match("", "sleep 30", "--time-factor", "0.2").out();
         assertTrue(out.contains("me failed in turn 1: no answer within 200 ms"), out);

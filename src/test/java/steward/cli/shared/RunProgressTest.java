@@ -1,4 +1,4 @@
-package steward.cli.lab;
+package steward.cli.shared;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -7,7 +7,6 @@ import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import steward.cli.shared.Streams;
 
 /** The time left of a run of parts of unequal length. */
 class RunProgressTest {
@@ -45,5 +44,21 @@ class RunProgressTest {
         String shown = err.toString(StandardCharsets.UTF_8);
         assertTrue(shown.contains("1 of 2: short") && shown.contains("2 of 2: long"), shown);
         assertTrue(shown.contains(" 550/1000 "), shown);
+    }
+
+    /** Four steps of a part that is expected to take a tenth of all; a fifth is no more than the whole part. */
+    @Test
+    void aPartMayReportItsSteps() {
+        ByteArrayOutputStream err = new ByteArrayOutputStream();
+        RunProgress run = new RunProgress(new Streams(new ByteArrayOutputStream(), err, true, true),
+            List.of(10.0, 90.0));
+        run.begin("short");
+        Runnable step = run.steps(4);
+        for (int k = 0; k < 5; k++) {
+            step.run();
+        }
+        run.end();
+        String shown = err.toString(StandardCharsets.UTF_8);
+        assertTrue(shown.contains(" 100/1000 ") && !shown.contains(" 125/1000 "), shown);
     }
 }

@@ -1,16 +1,15 @@
-package steward.cli.lab;
+package steward.cli.shared;
 
 import java.time.Duration;
 import java.util.List;
-import steward.cli.shared.ProgressLine;
-import steward.cli.shared.Streams;
+import java.util.concurrent.atomic.AtomicInteger;
 
 /**
  * How far a run of many parts is and how long all the rest will take, on one line of a terminal. Parts differ in length
  * by factors of thousands, so each counts by the time that it is expected to take; how much slower or faster this
  * machine is shows as the run goes on.
  */
-final class RunProgress {
+public final class RunProgress {
 
     private static final int STEPS = 1000;
     private static final double NANOS = 1e9;
@@ -27,19 +26,19 @@ final class RunProgress {
     private volatile double done;
 
     /** @param expected seconds of each part, in order */
-    RunProgress(Streams streams, List<Double> expected) {
+    public RunProgress(Streams streams, List<Double> expected) {
         this.streams = streams;
         this.expected = List.copyOf(expected);
         total = expected.stream().mapToDouble(Double::doubleValue).sum();
     }
 
     /** How long all parts together are expected to take, in seconds. */
-    double total() {
+    public double total() {
         return total;
     }
 
     /** The next part begins. */
-    void begin(String what) {
+    public void begin(String what) {
         begun++;
         done = before;
         line = ProgressLine.watched(streams, begun + " of " + expected.size() + ": " + what, STEPS, steps(),
@@ -47,15 +46,21 @@ final class RunProgress {
     }
 
     /** @param share of the part, 0..1 */
-    void reach(double share) {
+    public void reach(double share) {
         done = before + share * expected.get(begun - 1);
         if (line != null) {
             line.reach(steps());
         }
     }
 
+    /** @param steps of how many the part reports each, to {@link #reach} in equal shares; by any thread */
+    public Runnable steps(int steps) {
+        AtomicInteger taken = new AtomicInteger();
+        return () -> reach(Math.min(1, taken.incrementAndGet() / (double) steps));
+    }
+
     /** The part is over, and the line erased. */
-    void end() {
+    public void end() {
         before += expected.get(begun - 1);
         done = before;
         if (line != null) {
