@@ -86,6 +86,9 @@ public final class TurnEvents {
 
     /** The events in order; a new list, which does not change with the next turn. */
     public List<TurnEvent> list() {
+        if (size == 0) {
+            return List.of();
+        }
         List<TurnEvent> list = new ArrayList<>(size);
         for (int k = 0; k < size; k++) {
             String text = texts[k] == null ? textsOf[k].apply(numbers[k]) : texts[k];
