@@ -65,12 +65,13 @@ final class ProcessSection implements Section {
             + " together, and by that of the asking thread alone. Then whole matches of a single turn between two"
             + " shells, against starting and asking the same shells without a referee, the second when the first has"
             + " answered, as in a match, and ending them: the rest is our own. Last, a bot's start up to its first"
-            + " answer at each level of isolation, and a turn after that.";
+            + " answer at each level of isolation, and a turn after that; and a turn with limits of time by the clock"
+            + " and of CPU time.";
     }
 
     @Override
     public int steps(Effort effort) {
-        return warmUps(effort) + 2 * effort.rounds() + 2 * (starts(effort) * 3 / 2);
+        return warmUps(effort) + 2 * effort.rounds() + 3 * (starts(effort) * 3 / 2);
     }
 
     private static int warmUps(Effort effort) {
@@ -103,6 +104,7 @@ final class ProcessSection implements Section {
         }
         starts(effort, about, rows);
         new SandboxStarts(name(), shell).run(starts(effort) * 3 / 2, about, rows);
+        new TimeBasisTurns(name(), fixture.responder(), frame()).run(starts(effort) * 3 / 2, about, rows);
     }
 
     private void tellTurns(double[][] bare, double[][] match, int rounds, String note, Consumer<Row> rows) {
@@ -119,9 +121,7 @@ final class ProcessSection implements Section {
     }
 
     private void bare(double[][] into, int round) throws IOException {
-        byte[] frame = new byte[FRAME_BYTES];
-        Arrays.fill(frame, (byte) 'x');
-        frame[FRAME_BYTES - 1] = '\n';
+        byte[] frame = frame();
         try (PipeRoundTrip one = new PipeRoundTrip(fixture.responder());
                 PipeRoundTrip other = new PipeRoundTrip(fixture.responder())) {
             exchange(one, other, frame, WARM_TURNS);
@@ -131,6 +131,13 @@ final class ProcessSection implements Section {
             clocks.stop();
             clocks.write(into, round, longTurns - WARM_TURNS);
         }
+    }
+
+    private static byte[] frame() {
+        byte[] frame = new byte[FRAME_BYTES];
+        Arrays.fill(frame, (byte) 'x');
+        frame[FRAME_BYTES - 1] = '\n';
+        return frame;
     }
 
     private static void exchange(PipeRoundTrip one, PipeRoundTrip other, byte[] frame, int turns) throws IOException {

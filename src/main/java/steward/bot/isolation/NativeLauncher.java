@@ -14,7 +14,10 @@ import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
+import java.util.stream.Stream;
+import java.util.zip.CRC32;
 import steward.bot.command.ProgramFinder;
 import steward.bot.command.ProgramTrial;
 
@@ -23,7 +26,9 @@ import steward.bot.command.ProgramTrial;
  * the machine and kept in the user's cache. Where there is no compiler a shell does the same, see
  * {@link ShellLauncher}, but that starts several programs for every bot.
  *
- * <p>The program is used only if it belongs to this user and others cannot write to it or to its folder.
+ * <p>The program is used only if it belongs to this user and others cannot write to it or to its folder. Its name has a
+ * digest of the source and a checksum of the program in it: one that was damaged, or that does not run any more, is
+ * compiled again. The checksum finds accidents; against attacks there are the owner and the permissions.
  */
 final class NativeLauncher {
 
@@ -33,6 +38,8 @@ final class NativeLauncher {
     private static final String SOURCE = "/steward/sandbox/launch.c";
     private static final List<String> COMPILERS = List.of("cc", "gcc", "clang");
     private static final long PATIENCE_MS = 60_000;
+    /** The exit status of the program where it is called without words. */
+    private static final int NO_COMMAND = 125;
     private static final int DIGEST = 8;
     private static final String OWNER_ONLY = "rwx------";
     private static final Set<PosixFilePermission> OTHERS_WRITE
@@ -74,13 +81,50 @@ final class NativeLauncher {
             : Path.of(System.getProperty("user.home"), ".cache")).resolve("steward");
     }
 
-    /** The program in a folder; compiled if it is not there. */
+    /** The program in a folder; compiled if it is not there, or not as it was made. */
     static Path in(Path folder, byte[] source) throws IOException, InterruptedException {
-        Path program = folder.resolve("launch-" + System.getProperty("os.arch") + "-" + digest(source));
-        if (Files.exists(program) && Files.size(program) > 0) {
-            return isOurs(folder) && isOurs(program) && Files.isExecutable(program) ? program : null;
+        String name = "launch-" + System.getProperty("os.arch") + "-" + digest(source) + "-";
+        List<Path> found = named(folder, name);
+        for (Path program : found) {
+            if (!isOurs(folder) || !isOurs(program)) {
+                return null;
+            }
+            if (program.getFileName().toString().equals(name + checksum(program)) && runs(program)) {
+                return program;
+            }
         }
-        String compiler = COMPILERS.stream().filter(name -> ProgramFinder.find(name) != null).findFirst().orElse(null);
+        Path made = compiled(folder, name, source);
+        for (Path program : found) {
+            if (made != null && !program.equals(made)) {
+                Files.deleteIfExists(program);
+            }
+        }
+        return made;
+    }
+
+    private static List<Path> named(Path folder, String beginning) throws IOException {
+        if (!Files.isDirectory(folder)) {
+            return List.of();
+        }
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.filter(file -> file.getFileName().toString().startsWith(beginning)).sorted().toList();
+        }
+    }
+
+    private static String checksum(Path program) throws IOException {
+        CRC32 sum = new CRC32();
+        sum.update(Files.readAllBytes(program));
+        return String.format(Locale.ROOT, "%08x", sum.getValue());
+    }
+
+    /** Whether it starts here, and is what it should be: without words it says that there is no command. */
+    private static boolean runs(Path program) throws InterruptedException {
+        return Files.isExecutable(program) && ProgramTrial.of(List.of(program.toString()), PATIENCE_MS).status()
+            == NO_COMMAND;
+    }
+
+    private static Path compiled(Path folder, String name, byte[] source) throws IOException, InterruptedException {
+        String compiler = COMPILERS.stream().filter(each -> ProgramFinder.find(each) != null).findFirst().orElse(null);
         if (compiler == null) {
             return null;
         }
@@ -99,12 +143,11 @@ final class NativeLauncher {
         try {
             Path text = Files.write(work.resolve("launch.c"), source);
             Path made = work.resolve("launch");
-            boolean compiled = compile(compiler, text, made, "-static") || compile(compiler, text, made, "-O2");
-            if (!compiled) {
+            if (!compile(compiler, text, made, "-static") && !compile(compiler, text, made, "-O2")) {
                 return null;
             }
-            // Another process may be doing the same: whoever is last replaces it by an equal one.
-            return Files.move(made, program, StandardCopyOption.ATOMIC_MOVE);
+            // Another process may be doing the same: the last one replaces it by an equal one.
+            return Files.move(made, folder.resolve(name + checksum(made)), StandardCopyOption.ATOMIC_MOVE);
         } finally {
             for (Path each : List.of(work.resolve("launch.c"), work.resolve("launch"), work)) {
                 Files.deleteIfExists(each);
@@ -116,7 +159,7 @@ final class NativeLauncher {
             throws InterruptedException {
         List<String> command = new ArrayList<>(List.of(compiler, "-O2", option, "-o", program.toString(),
             source.toString()));
-        return ProgramTrial.of(command, PATIENCE_MS).works() && Files.isExecutable(program);
+        return ProgramTrial.of(command, PATIENCE_MS).works() && runs(program);
     }
 
     private static boolean isOurs(Path file) throws IOException {

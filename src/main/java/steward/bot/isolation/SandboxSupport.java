@@ -1,7 +1,5 @@
 package steward.bot.isolation;
 
-import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import steward.bot.command.ProgramFinder;
@@ -58,6 +56,16 @@ public final class SandboxSupport {
         return UserNumbers.isRoot();
     }
 
+    /**
+     * The folders hidden at {@link SandboxLevel#STRICT} that are inside another, which cannot be shown as a whole;
+     * empty for one that is itself hidden, or in a hidden one, or has none in it.
+     *
+     * @param folder absolute
+     */
+    public static List<Path> hiddenInside(Path folder) {
+        return StrictView.hiddenInside(folder);
+    }
+
     private static String tried(List<String> programs, SandboxLevel level) {
         for (String program : programs) {
             if (ProgramFinder.find(program) == null) {
@@ -70,7 +78,8 @@ public final class SandboxSupport {
         try {
             ProgramTrial tried = ProgramTrial.of(Launch.words(Isolation.at(level), bot, List.of(), null), PATIENCE_MS);
             return tried.status() == INSIDE ? null
-                : reason(TextFormat.shorten(TextFormat.plain(tried.line()), SHOWN), tried.status());
+                : FailedTrial.here().reason(TextFormat.shorten(TextFormat.plain(tried.line()), SHOWN),
+                tried.status());
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
             return "interrupted while it was tried";
@@ -78,33 +87,6 @@ public final class SandboxSupport {
             // The JDK's class for processes refuses to load where jdk.lang.Process.launchMechanism is not a known one,
             // at the first use by a plain Error, later by a NoClassDefFoundError.
             return "this JVM cannot start programs";
-        }
-    }
-
-    /** What the system says, and what is known to cause it. */
-    private static String reason(String line, int status) {
-        String said = line.isEmpty() ? "status " + status : line;
-        if (line.contains("unrecognized option") || line.contains("Unknown option")) {
-            return said + "; it is too old";
-        }
-        if (isNumber("/proc/sys/user/max_user_namespaces", "0")
-            || isNumber("/proc/sys/kernel/unprivileged_userns_clone", "0")) {
-            return "user namespaces are switched off on this machine (" + said + ")";
-        }
-        if (isNumber("/proc/sys/kernel/apparmor_restrict_unprivileged_userns", "1")) {
-            return "AppArmor does not let programs make user namespaces (" + said + ")";
-        }
-        if (Files.exists(Path.of("/.dockerenv")) || Files.exists(Path.of("/run/.containerenv"))) {
-            return "this is a container that does not let programs make namespaces (" + said + ")";
-        }
-        return said;
-    }
-
-    private static boolean isNumber(String file, String number) {
-        try {
-            return Files.readString(Path.of(file)).strip().equals(number);
-        } catch (IOException none) {
-            return false;
         }
     }
 }

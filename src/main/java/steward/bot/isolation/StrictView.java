@@ -68,6 +68,14 @@ record StrictView(List<Path> hidden, Map<Path, Treatment> treated) {
         }
     }
 
+    /** See {@link SandboxSupport#hiddenInside}. */
+    static List<Path> hiddenInside(Path folder) {
+        List<Path> hidden = new ArrayList<>(hiddenFolders());
+        hidden.add(Path.of(StrictSandbox.TEMPORARY));
+        return hidden.stream().anyMatch(folder::startsWith) ? List.of()
+            : hidden.stream().filter(each -> each.startsWith(folder)).sorted().toList();
+    }
+
     /** Without the private folder for temporary files, which has a size of its own. */
     private static List<Path> hiddenFolders() {
         Set<Path> folders = new LinkedHashSet<>();

@@ -116,6 +116,9 @@ public final class SandboxOptions {
             + "expected --sandbox light or strict" + (word.equals(AUTO) ? ", which do not work here" : ""));
         check.that(used == SandboxLevel.STRICT || shown.isEmpty(),
             "--visible: expected --sandbox strict with it: " + used.word() + " hides no files");
+        shown.forEach(this::checkShown);
+        check.that(!network || !word.equals(SandboxLevel.OFF.word()),
+            "--network: expected --sandbox light or strict with it: off leaves bots the network of this machine");
         check.that(!network || used != SandboxLevel.LIGHT || ProgramFinder.find("ip") != null
             || SandboxSupport.isNative(), "--network: there is no program 'ip', which brings up the loopback device");
         String problem = word.equals(AUTO) ? SandboxSupport.problem(SandboxLevel.LIGHT) : null;
@@ -159,9 +162,9 @@ public final class SandboxOptions {
     }
 
     private ResourceLimits limits() {
-        range("--memory", size("--memory", memory), ResourceLimits.LEAST_MEMORY, ResourceLimits.MOST_BYTES);
+        sizeRange("--memory", memory, ResourceLimits.LEAST_MEMORY);
         range("--processes", processes, ResourceLimits.LEAST_PROCESSES, ResourceLimits.MOST_PROCESSES);
-        range("--file-size", size("--file-size", fileSize), ResourceLimits.LEAST_FILE_SIZE, ResourceLimits.MOST_BYTES);
+        sizeRange("--file-size", fileSize, ResourceLimits.LEAST_FILE_SIZE);
         range("--open-files", openFiles, ResourceLimits.LEAST_OPEN_FILES, ResourceLimits.MOST_OPEN_FILES);
         return new ResourceLimits(number(size("--memory", memory)), number(processes),
             number(size("--file-size", fileSize)), number(openFiles));
@@ -169,6 +172,24 @@ public final class SandboxOptions {
 
     private void range(String option, Long found, long least, long most) {
         check.range(option, found, least, most);
+    }
+
+    /** A size that is out of range is named as it was written, and its range in the largest units that fit. */
+    private void sizeRange(String option, String text, long least) {
+        Long bytes = size(option, text);
+        check.that(bytes == null || CallCheck.isWithin(bytes, least, ResourceLimits.MOST_BYTES), option + ": found "
+            + text + ", expected " + sizeText(least) + " to " + sizeText(ResourceLimits.MOST_BYTES));
+    }
+
+    /** A number of bytes as it is written in a call; in bytes if it is no multiple of a unit. */
+    static String sizeText(long bytes) {
+        long number = bytes;
+        int unit = 0;
+        while (unit < UNITS.length() && number >= 1L << UNIT_BITS && number % (1L << UNIT_BITS) == 0) {
+            number >>= UNIT_BITS;
+            unit++;
+        }
+        return number + (unit == 0 ? "" : UNITS.substring(unit - 1, unit));
     }
 
     private static long number(Long value) {
@@ -200,6 +221,16 @@ public final class SandboxOptions {
             check.that(System.getenv(name) != null, "--env: there is no variable '" + name + "'");
         }
         return new BotEnvironment(cleanEnvironment, variables);
+    }
+
+    /** What cannot be shown: folders that are the sandbox's own, and those that are hidden only in parts. */
+    private void checkShown(Path path) {
+        check.that(!path.startsWith("/dev") && !path.startsWith("/proc"), "--visible: found '" + path
+            + "', expected a path outside /dev and /proc, of which strict has its own");
+        List<Path> hidden = SandboxSupport.hiddenInside(path);
+        check.that(hidden.isEmpty(), "--visible: found '" + path + "', in which strict hides "
+            + String.join(", ", hidden.stream().map(Path::toString).toList())
+            + ": expected the files or folders that the bot needs");
     }
 
     private List<Path> visiblePaths() {

@@ -1,6 +1,8 @@
 package steward.bot.isolation;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
@@ -10,12 +12,16 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
+import java.util.zip.CRC32;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import steward.bot.command.ProgramFinder;
 import steward.bot.command.ProgramTrial;
 
@@ -23,7 +29,7 @@ import steward.bot.command.ProgramTrial;
 @Tag("process")
 class NativeLauncherTest {
 
-    private static final byte[] SOURCE = "int main(void) { return 7; }\n".getBytes(StandardCharsets.US_ASCII);
+    private static final byte[] SOURCE = "int main(void) { return 125; }\n".getBytes(StandardCharsets.US_ASCII);
 
     @TempDir
     private Path folder;
@@ -38,7 +44,7 @@ class NativeLauncherTest {
     void itIsCompiledOnceAndKept() throws IOException, InterruptedException {
         Path cache = folder.resolve("cache/steward");
         Path program = NativeLauncher.in(cache, SOURCE);
-        assertEquals(7, ProgramTrial.of(List.of(program.toString()), 60_000).status());
+        assertEquals(125, ProgramTrial.of(List.of(program.toString()), 60_000).status());
         Object when = Files.getLastModifiedTime(program);
         assertEquals(program, NativeLauncher.in(cache, SOURCE));
         assertEquals(when, Files.getLastModifiedTime(program));
@@ -47,13 +53,58 @@ class NativeLauncherTest {
         }
     }
 
-    /** A machine that lost power can leave an empty file; that one ends with status 0 and starts nothing. */
-    @Test
-    void anEmptyOneIsCompiledAgain() throws IOException, InterruptedException {
+    /**
+     * A machine that lost power, or a bad disk, can leave something else: nothing (which ends with status 0 and starts
+     * none), a beginning, other bytes. It was never compiled again unless it was empty.
+     */
+    @ParameterizedTest
+    @ValueSource(strings = {"empty", "half", "text", "one byte", "not executable"})
+    void aBrokenOneIsCompiledAgain(String damage) throws IOException, InterruptedException {
         Path cache = folder.resolve("steward");
-        Files.write(NativeLauncher.in(cache, SOURCE), new byte[0]);
+        Path first = NativeLauncher.in(cache, SOURCE);
+        byte[] right = Files.readAllBytes(first);
+        byte[] bytes = right.clone();
+        bytes[bytes.length / 2] ^= 1;
+        switch (damage) {
+            case "empty" -> Files.write(first, new byte[0]);
+            case "half" -> Files.write(first, Arrays.copyOf(right, right.length / 2));
+            case "text" -> Files.writeString(first, "exit 125\n");
+            case "one byte" -> Files.write(first, bytes);
+            default -> Files.setPosixFilePermissions(first, PosixFilePermissions.fromString("rw-------"));
+        }
         Path program = NativeLauncher.in(cache, SOURCE);
-        assertEquals(7, ProgramTrial.of(List.of(program.toString()), 60_000).status());
+        assertEquals(125, ProgramTrial.of(List.of(program.toString()), 60_000).status());
+        assertArrayEquals(right, Files.readAllBytes(program));
+        try (Stream<Path> files = Files.list(cache)) {
+            assertEquals(List.of(program), files.toList());
+        }
+    }
+
+    /** A library that it needs may be gone, or it is of another machine: it is as it was made, and does not run. */
+    @Test
+    void oneThatDoesNotRunIsCompiledAgain() throws IOException, InterruptedException {
+        Path cache = folder.resolve("steward");
+        Path right = NativeLauncher.in(cache, SOURCE);
+        String name = right.getFileName().toString();
+        byte[] other = "#!/no/such/interpreter\n".getBytes(StandardCharsets.US_ASCII);
+        CRC32 sum = new CRC32();
+        sum.update(other);
+        Path wrong = cache.resolve(name.substring(0, name.lastIndexOf('-') + 1)
+            + String.format("%08x", sum.getValue()));
+        Files.move(right, wrong);
+        Files.write(wrong, other);
+        assertEquals(right, NativeLauncher.in(cache, SOURCE));
+        assertFalse(Files.exists(wrong), "the one that does not run is kept");
+    }
+
+    /** What is compiled here, and does not run here, is not used: a shell does the same. */
+    @Test
+    void aNewOneThatDoesNotRunIsNotUsed() throws IOException, InterruptedException {
+        Path cache = folder.resolve("steward");
+        assertNull(NativeLauncher.in(cache, "int main(void) { return 0; }\n".getBytes(StandardCharsets.US_ASCII)));
+        try (Stream<Path> files = Files.list(cache)) {
+            assertTrue(files.findAny().isEmpty(), "something is left");
+        }
     }
 
     @Test

@@ -62,15 +62,18 @@ class SandboxOptionsTest {
     @CsvSource(delimiter = '|', textBlock = """
         --sandbox soft                       | --sandbox: found 'soft', expected auto, strict, light or off
         --memory lots                        | --memory: found 'lots', expected a size such as 512M or 2G
-        --memory 1M                          | --memory: found 1048576, expected 16777216 to
-        --memory 9999T                       | --memory: found
+        --memory 1M                          | --memory: found 1M, expected 16M to 1024T
+        --memory 9999T                       | --memory: found 9999T, expected 16M to 1024T
+        --memory 0                           | --memory: found 0, expected 16M to 1024T
+        --memory 99999999999G                | --memory: found 99999999999G, expected 16M to 1024T
         --processes 1                        | --processes: found 1, expected 4 to
         --open-files 3                       | --open-files: found 3, expected 64 to
-        --file-size 1K                       | --file-size: found 1024, expected 536870912 to
+        --file-size 1K                       | --file-size: found 1K, expected 512M to 1024T
         --env A=1                            | --env: found 'A=1', expected the name of a variable
         --env STEWARD_NO_SUCH_VARIABLE       | --env: there is no variable 'STEWARD_NO_SUCH_VARIABLE'
         --sandbox off --memory 1G            | --memory: found no way to hold it at level off
         --sandbox off --processes 9          | --processes: found no way to hold it at level off
+        --sandbox off --network              | --network: expected --sandbox light or strict with it
         --sandbox off --visible /            | --visible: expected --sandbox strict with it
         --visible /no/such/dir               | --visible: found '/no/such/dir', expected a file or folder that is there
         """)
@@ -78,6 +81,27 @@ class SandboxOptionsTest {
         List<String> call = new ArrayList<>(List.of("match", "--scene", "duel", "--bot", "sh", "--bot", "sh"));
         call.addAll(List.of(options.strip().split(" +")));
         Cli.run(call.toArray(String[]::new)).assertRefused(message.strip());
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+        /        | in which strict hides
+        /var     | in which strict hides /var/tmp
+        /dev     | expected a path outside /dev and /proc
+        /proc/1  | expected a path outside /dev and /proc
+        """)
+    void whatStrictCannotShowIsRefused(String path, String message) {
+        assumeWorks(SandboxLevel.STRICT);
+        assumeTrue(Files.isDirectory(Path.of("/var/tmp")), "skipped: there is no /var/tmp");
+        Cli.run("match", "--scene", "duel", "--bot", "sh", "--bot", "sh", "--sandbox", "strict", "--visible", path)
+            .assertRefused("--visible: found '" + path + "', " + message);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"16777216, 16M", "1125899906842624, 1024T", "1536, 1536", "2048, 2K", "1023, 1023", "0, 0",
+        "1572864, 1536K"})
+    void sizesAreToldAsTheyAreWritten(long bytes, String text) {
+        assertEquals(text, SandboxOptions.sizeText(bytes));
     }
 
     /** Nothing but what was measured tells the level: the lines of two replays are equal without it. */
