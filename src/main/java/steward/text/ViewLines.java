@@ -41,9 +41,9 @@ public final class ViewLines {
         return lines.length;
     }
 
-    /** The number of the frame. */
-    public int frame() {
-        return frame;
+    /** The name of the file. */
+    public String source() {
+        return source;
     }
 
     /** A line; empty behind the last one. */
