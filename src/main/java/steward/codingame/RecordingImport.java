@@ -48,7 +48,7 @@ public interface RecordingImport {
         if (read != null && read.has("stdin") && read.has("stdout")) {
             return LineRecordingImport.of(read, source, types);
         }
-        RecordingImport ofServer = ServerGameImport.of(GameRecordingFile.gameResult(json, source), source, types);
-        return ofServer != null ? ofServer : GameRecordingImport.of(json, source, types);
+        RecordingImport known = ServerGameImport.of(GameRecordingFile.gameResult(json, source), source, types);
+        return known != null ? known : GameRecordingImport.of(json, source, types);
     }
 }

@@ -4,7 +4,9 @@ import java.io.OutputStream;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.regex.Pattern;
 import steward.game.GameSetup;
+import steward.game.GameType;
 import steward.game.GameTypes;
 import steward.game.ServerView;
 import steward.text.ViewLines;
@@ -13,6 +15,9 @@ import tools.jackson.databind.JsonNode;
 
 /** CodinGame's own JSON of any game that says how its views are read. */
 final class ServerGameImport implements RecordingImport {
+
+    private static final String POD_RACE = "CodersStrikeBack";
+    private static final Pattern TITLE = Pattern.compile("[A-Za-z]{3,}");
 
     private final List<ServerFrames.Turn> turns;
     private final ServerView.Shown shown;
@@ -36,17 +41,30 @@ final class ServerGameImport implements RecordingImport {
         scores = frames.scores(players);
     }
 
-    /** @return {@code null} if this is not the view of a game that says how it is read */
+    /**
+     * @return {@code null} if this is a recording of the pod race, or none at all
+     * @throws IllegalArgumentException if it is of a game that is not known, or wrong
+     */
     static ServerGameImport of(JsonNode gameResult, String source, GameTypes types) {
-        if (!gameResult.get("frames").get(0).isObject()
-            || !gameResult.get("frames").get(0).path("view").isString()) {
+        JsonNode start = gameResult.get("frames").get(0);
+        if (!start.isObject() || !start.path("view").isString()) {
             return null;
         }
         ServerFrames frames = new ServerFrames(gameResult, source);
         ViewLines first = frames.first();
-        return types.types().stream().flatMap(type -> type.serverView().stream())
-            .filter(view -> view.title().equals(first.line(1).strip())).findFirst()
-            .map(view -> new ServerGameImport(frames, view, source, types)).orElse(null);
+        String title = first.line(1).strip();
+        List<String> known = new ArrayList<>(List.of(POD_RACE));
+        for (GameType type : types.types()) {
+            ServerView view = type.serverView().orElse(null);
+            if (view != null && view.title().equals(title)) {
+                return new ServerGameImport(frames, view, source, types);
+            }
+            known.addAll(view == null ? List.of() : List.of(view.title()));
+        }
+        if (TITLE.matcher(title).matches() && !title.equals(POD_RACE)) {
+            throw first.wrong(1, "the name of a game that is known: " + String.join(", ", known));
+        }
+        return null;
     }
 
     @Override
