@@ -93,7 +93,8 @@ final class FrameView {
             throw lines.wrong(line + 1, "the message of pod " + pod + " in quotes");
         }
         double heading = words[8].equals("null") ? Double.NaN : lines.number(words[8], line);
-        return new Pod(lines.number(words[0], line) + 0.0, lines.number(words[1], line) + 0.0, lines.number(words[2], line) + 0.0,
+        return new Pod(lines.number(words[0], line) + 0.0, lines.number(words[1], line) + 0.0, lines.number(words[2],
+            line) + 0.0,
             lines.number(words[3], line) + 0.0, heading, lines.whole(words[9], 1, line) == 1,
             lines.whole(words[10], checkpoints - 1, line));
     }

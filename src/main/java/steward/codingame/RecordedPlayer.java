@@ -48,7 +48,8 @@ final class RecordedPlayer implements Player {
                 : "answered " + said.size() + " of " + answerLines + " lines in the recording");
             return Ending.FAULT;
         }
-        List<String> lines = said == null ? idle.lines(new String(frame, 0, length, StandardCharsets.UTF_8), answerLines)
+        List<String> lines = said == null ? idle.lines(new String(frame, 0, length, StandardCharsets.UTF_8),
+            answerLines)
             : said.subList(0, answerLines);
         byte[] bytes = String.join("\n", lines).getBytes(StandardCharsets.UTF_8);
         answer.append(bytes, 0, bytes.length);
