@@ -193,7 +193,8 @@ class ServerGameImportTest {
             + "missing",
         "\"agentId\":2 | \"agentId\":1 | frame 3, agentId: found 1, expected a player behind 1, or a key frame before",
         "\"agentId\":2 | \"agentId\":3 | found answers of 4 players, expected 3 of mean-max",
-        "\"agentId\":2 | \"agentId\":\"2\" | frame 3, agentId: found \"2\", expected the number of a player 0..7, or -1",
+        "\"agentId\":2 | \"agentId\":\"2\" | frame 3, agentId: found \"2\", expected the number of a player "
+            + "0..7, or -1",
         "\"keyframe\":true,\"agentId\":2 | \"keyframe\":1,\"agentId\":2 | frame 3, keyframe: found 1, expected true",
         "\"stdout\":\"0 0 300 | \"stdout\":5,\"b\":\"0 0 300 | frame 1, stdout: found 5, expected a text",
         "#1.00000 | #0.99999 | frame 0, view line 21: found \"#0.99999\", expected #1.00000, then all that is there",

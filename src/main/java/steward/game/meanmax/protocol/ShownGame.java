@@ -2,9 +2,9 @@ package steward.game.meanmax.protocol;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import steward.game.ServerView;
@@ -46,9 +46,9 @@ final class ShownGame implements ServerView.Shown {
     private final long seed;
     private final ShownTurn start;
     private final List<ShownTurn> turns = new ArrayList<>();
-    private final Map<Integer, ShownTurn.What> known = new HashMap<>();
-    private final Map<Integer, ShownTurn.Wreck> wrecks = new HashMap<>();
-    private final Map<Integer, ShownTurn.Effect> effects = new HashMap<>();
+    private final Map<Integer, ShownTurn.What> known = new TreeMap<>();
+    private final Map<Integer, ShownTurn.Wreck> wrecks = new TreeMap<>();
+    private final Map<Integer, ShownTurn.Effect> effects = new TreeMap<>();
 
     ShownGame(ViewLines first, String input) {
         Matcher matcher = SEED.matcher(input.replace("\r", ""));
@@ -60,7 +60,7 @@ final class ShownGame implements ServerView.Shown {
         if (!first.line(PLAYERS_LINE).strip().equals(Integer.toString(PLAYERS))) {
             throw first.wrong(PLAYERS_LINE, PLAYERS + ", the number of players");
         }
-        start = read(first, FIRST_SCORE_OF_START, new HashMap<>());
+        start = read(first, FIRST_SCORE_OF_START, new TreeMap<>());
     }
 
     @Override
@@ -75,7 +75,7 @@ final class ShownGame implements ServerView.Shown {
 
     @Override
     public void add(ViewLines view) {
-        Map<Integer, Integer> before = turns.isEmpty() || turns.get(turns.size() - 1) == null ? new HashMap<>()
+        Map<Integer, Integer> before = turns.isEmpty() || turns.get(turns.size() - 1) == null ? new TreeMap<>()
             : turns.get(turns.size() - 1).water();
         turns.add(view.count() == 0 ? null : read(view, FIRST_SCORE, before));
     }
@@ -101,7 +101,7 @@ final class ShownGame implements ServerView.Shown {
             rages[player] = single(view, firstScore + PLAYERS + player, "the rage of player " + player);
         }
         ShownTurn turn = new ShownTurn(new ArrayList<>(), new ArrayList<>(), new ArrayList<>(), new ArrayList<>(),
-            new HashMap<>(), new ArrayList<>(), scores, rages);
+            new TreeMap<>(), new ArrayList<>(), scores, rages);
         int end = view.count() - 1;
         while (end > 0 && !view.line(end).startsWith("#")) {
             end--;
