@@ -3,20 +3,8 @@ package steward.codingame;
 import java.io.OutputStream;
 import java.util.ArrayList;
 import java.util.List;
-import steward.game.FrameCodec;
-import steward.game.Game;
 import steward.game.GameSetup;
 import steward.game.GameTypes;
-import steward.game.podrace.PodRace;
-import steward.match.MatchListener;
-import steward.match.MatchResult;
-import steward.match.Protocol;
-import steward.match.Referee;
-import steward.match.Seat;
-import steward.match.TimeControl;
-import steward.match.Turn;
-import steward.replay.ReplayHeader;
-import steward.replay.ReplayWriter;
 import steward.scene.SceneFiles;
 import steward.scene.SceneText;
 import tools.jackson.databind.json.JsonMapper;
@@ -24,9 +12,7 @@ import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * Makes a replay of ours from an official recording: the recorded lines are played by our referee as if bots had just
- * said them, and what the server saw is kept in place of our own outcomes, so that verifying the replay compares our
- * physics with the server's.
+ * Makes a replay of ours from an official recording of a pod race.
  */
 public final class GameRecordingImport implements RecordingImport {
 
@@ -70,97 +56,24 @@ public final class GameRecordingImport implements RecordingImport {
 
     @Override
     public Imported write(OutputStream out) throws InterruptedException {
-        List<Seat> seats = new ArrayList<>();
-        List<String> names = new ArrayList<>();
+        List<RecordedPlayer> players = new ArrayList<>();
         for (int player = 0; player < GameRecording.PLAYERS; player++) {
-            RecordedPlayer recorded = new RecordedPlayer(recording, player);
-            seats.add(new Seat(recorded, Protocol.CODINGAME));
-            names.add(recorded.name());
+            int number = player;
+            players.add(new RecordedPlayer(player, recording.turns().stream()
+                .map(turn -> turn.commands().get(number)).toList(), GameRecordingImport::idle));
         }
-        ReplayHeader header = new ReplayHeader(setup.scene().gameId(), setup.scene().json(), 0, names,
-            List.of("recorded", "recorded"), List.of(Protocol.CODINGAME, Protocol.CODINGAME),
-            Double.POSITIVE_INFINITY);
-        ObservedGame observed = new ObservedGame(recording);
-        ReplayWriter writer = new ReplayWriter(out, header, observed);
-        Recorder recorder = new Recorder(recording, observed, writer);
-        try {
-            MatchResult result = Referee.of(setup, 0, seats, TimeControl.UNLIMITED, recorder).play();
-            return new Imported(recorder.turns, result.ending());
-        } catch (RecordingEnds end) {
-            if (!recording.ranks().isEmpty()) {
-                writer.end(over(names));
-            }
-            return new Imported(recorder.turns, null);
-        }
+        return new ImportedMatch(setup, 0, new ObservedGame(recording), players).write(out);
     }
 
-    /** The result of a game that the server has ended, but our rules have not: verification will say so. */
-    private MatchResult over(List<String> names) {
-        List<MatchResult.PlayerResult> players = new ArrayList<>();
-        for (int player = 0; player < names.size(); player++) {
-            players.add(new MatchResult.PlayerResult(names.get(player), recording.ranks().get(player), 0, null, null,
-                0, 0, 0, 0, 0));
-        }
-        return new MatchResult(recording.turns().size(), "the recording ends", players);
-    }
-
-    /** The recording has no more turns, but by our rules the game goes on. */
-    private static final class RecordingEnds extends RuntimeException {
-
-        private static final long serialVersionUID = 1L;
-
-        RecordingEnds() {
-            super("the recording ends", null, false, false);
-        }
-    }
-
-    /** Passes a match on to a writer as far as it was recorded. */
-    private static final class Recorder implements MatchListener {
-
-        private final GameRecording recording;
-        private final ObservedGame observed;
-        private final ReplayWriter writer;
-        private int turns;
-
-        Recorder(GameRecording recording, ObservedGame observed, ReplayWriter writer) {
-            this.recording = recording;
-            this.observed = observed;
-            this.writer = writer;
-        }
-
-        @Override
-        public void start(Game game, FrameCodec codec) {
-            observed.start((PodRace) game);
-            writer.start(game, codec);
-        }
-
-        @Override
-        public void commands(Turn turn) {
-            if (turn.number() > recording.turns().size()) {
-                throw new RecordingEnds();
+    /** The answer where none is recorded: every pod aims at its own position, which has no effect. */
+    private static List<String> idle(String frame, int pods) {
+        List<String> lines = new ArrayList<>();
+        for (String line : frame.split("\n")) {
+            String[] words = line.split(" ");
+            if (lines.size() < pods) {
+                lines.add(words[0] + " " + words[1] + " 0 not asked any more");
             }
-            boolean anyFault = false;
-            for (int player = 0; player < turn.players(); player++) {
-                anyFault |= turn.fault(player) != null;
-            }
-            observed.failed(anyFault);
-            writer.commands(turn);
         }
-
-        @Override
-        public void played(Turn turn) {
-            writer.played(turn);
-            turns++;
-        }
-
-        /** The result counts the turns that the server played after the end by our rules. */
-        @Override
-        public void end(MatchResult result) {
-            int all = recording.turns().size();
-            while (all > turns && recording.turns().get(all - 1).isSilent()) {
-                all--;
-            }
-            writer.end(new MatchResult(all, result.ending(), result.players(), result.data()));
-        }
+        return lines;
     }
 }

@@ -3,6 +3,7 @@ package steward.codingame;
 import java.util.ArrayList;
 import java.util.List;
 import steward.text.TextFormat;
+import steward.text.ViewLines;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -67,9 +68,9 @@ final class GameRecordingReader {
         if (!none && !view.isString()) {
             throw wrong(number, "view", view.toString(), "a text");
         }
-        FrameView lines = new FrameView(source, number, none ? null : view.stringValue());
+        ViewLines lines = new ViewLines(source, number, none ? null : view.stringValue());
         lines.checkNumber();
-        return lines;
+        return new FrameView(lines);
     }
 
     private List<GameRecording.Turn> turns(JsonNode frames, boolean over) {
@@ -170,16 +171,11 @@ final class GameRecordingReader {
             }
         }
         if (!node.isArray() || ranks.size() != node.size() || ranks.size() != GameRecording.PLAYERS) {
-            throw new IllegalArgumentException(source + ": ranks: found " + quote(node.toString())
+            throw new IllegalArgumentException(source + ": ranks: found " + ViewLines.quote(node.toString())
                 + ", expected an array of " + GameRecording.PLAYERS + " whole numbers 0.."
                 + (GameRecording.PLAYERS - 1));
         }
         return ranks;
-    }
-
-    /** A text as it stands in an error. */
-    static String quote(String text) {
-        return "\"" + TextFormat.beginning(text, SHOWN) + "\"";
     }
 
     private IllegalArgumentException wrong(int frame, String where, String found, String expected) {

@@ -2,10 +2,10 @@ package steward.codingame;
 
 import java.util.Arrays;
 import java.util.List;
+import steward.game.Game;
 import steward.game.JsonNumbers;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodRaceSettings;
-import steward.replay.Observations;
 import tools.jackson.core.JsonGenerator;
 
 /**
@@ -14,7 +14,7 @@ import tools.jackson.core.JsonGenerator;
  * here. Its counters are those of a race that goes on: before the first turn all players have rank 1, and those of the
  * last turn are left out.
  */
-final class ObservedGame implements Observations {
+final class ObservedGame implements ServerObservations {
 
     private final GameRecording recording;
     private final int[] passed = new int[GameRecording.PODS];
@@ -30,13 +30,29 @@ final class ObservedGame implements Observations {
         Arrays.fill(next, 1 % recording.checkpoints().length);
     }
 
-    /** The same game as we play it. */
-    void start(PodRace played) {
-        race = played;
+    @Override
+    public int turns() {
+        return recording.turns().size();
     }
 
-    /** Says before a turn's outcome whether a player fails in it: then the server played no further. */
-    void failed(boolean anyPlayer) {
+    @Override
+    public boolean isSilent(int turn) {
+        return recording.turns().get(turn - 1).isSilent();
+    }
+
+    @Override
+    public boolean isOver() {
+        return !recording.ranks().isEmpty();
+    }
+
+    @Override
+    public void start(Game played) {
+        race = (PodRace) played;
+    }
+
+    /** Where a player fails the server played no further. */
+    @Override
+    public void failed(boolean anyPlayer) {
         failed = anyPlayer;
     }
 

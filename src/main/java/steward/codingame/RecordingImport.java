@@ -35,18 +35,20 @@ public interface RecordingImport {
      * @param json   the text
      * @param source its name, for errors
      * @param types  the games that are known
-     * @throws IllegalArgumentException     if it is no recording; says where
+     * @throws IllegalArgumentException     if it is no recording of a game that is known; says where
      * @throws steward.scene.json.SceneException if its map is none that can be played on
      */
     static RecordingImport of(String json, String source, GameTypes types) {
-        JsonNode lines = null;
+        JsonNode read = null;
         try {
-            JsonNode read = JsonMapper.shared().readTree(json);
-            lines = read.has("stdin") && read.has("stdout") ? read : null;
+            read = JsonMapper.shared().readTree(json);
         } catch (JacksonException problem) {
             // said below, with its place
         }
-        return lines == null ? GameRecordingImport.of(json, source, types)
-            : LineRecordingImport.of(lines, source, types);
+        if (read != null && read.has("stdin") && read.has("stdout")) {
+            return LineRecordingImport.of(read, source, types);
+        }
+        RecordingImport known = ServerGameImport.of(GameRecordingFile.gameResult(json, source), source, types);
+        return known != null ? known : GameRecordingImport.of(json, source, types);
     }
 }

@@ -1,6 +1,8 @@
 package steward.game;
 
 import java.util.List;
+import java.util.Optional;
+import steward.Internal;
 import steward.scene.Scene;
 
 /** A kind of game, stateless; the command line lists them all. */
@@ -24,6 +26,12 @@ public interface GameType {
      */
     default String sceneOfLines(List<String> lines) {
         return null;
+    }
+
+    /** How the site's server shows this game in its recordings; without, none of them can be imported this way. */
+    @Internal
+    default Optional<ServerView> serverView() {
+        return Optional.empty();
     }
 
     /** The fewest players that a scene of this game can have. */

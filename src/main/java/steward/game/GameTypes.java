@@ -2,6 +2,8 @@ package steward.game;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import steward.Internal;
 import steward.scene.Scene;
 import steward.scene.SceneReader;
 import steward.text.NearestName;
@@ -45,6 +47,12 @@ public record GameTypes(List<GameType> types) {
         }
         throw scene.root().error("game", "unknown game \"" + scene.gameId() + "\"",
             "one of " + String.join(", ", known) + NearestName.question(scene.gameId(), known, "\""));
+    }
+
+    /** How the site's server shows a game; empty also for an unknown one. */
+    @Internal
+    public Optional<ServerView> serverView(String gameId) {
+        return types.stream().filter(type -> type.id().equals(gameId)).findFirst().flatMap(GameType::serverView);
     }
 
     private static void checkPlayers(GameType type, Scene scene) {

@@ -26,4 +26,9 @@ public interface Observations {
 
     /** A player's rank as observed, or -1: then ours is kept. */
     int rank(int player);
+
+    /** A player's final score as observed, or NaN: then ours is kept. */
+    default double score(int player) {
+        return Double.NaN;
+    }
 }

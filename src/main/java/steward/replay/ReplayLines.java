@@ -211,7 +211,8 @@ public final class ReplayLines {
             int observed = observations.rank(player);
             out.writeStartObject();
             out.writeNumberProperty("rank", observed < 0 ? ranks[player] : observed);
-            JsonNumbers.write(out, "score", scores[player]);
+            double score = observations.score(player);
+            JsonNumbers.write(out, "score", Double.isFinite(score) ? score : scores[player]);
             out.writeEndObject();
         }
         out.writeEndArray();

@@ -69,7 +69,7 @@ class Match {
       impactsInAll: outcome.impactsInAll ?? (outcome.impacts ?? []).length,
       impactLimit: outcome.impactLimit ?? null,
       events: outcome.events ?? [],
-      knots: new Map((outcome.paths ?? []).map(path => [path.id, path.knots])),
+      knots: outcome.paths ? new Map(outcome.paths.map(path => [path.id, path.knots])) : cornersOf(outcome.impacts),
       bodies: byId(state.bodies),
       paths: new Map(),
       state,
@@ -83,7 +83,7 @@ class Match {
   #collect(turn) {
     for (const impact of turn.impacts) {
       this.impacts.push({ time: turn.number - 1 + impact.time, turn: turn.number, impact });
-      this.largestImpulse = Math.max(this.largestImpulse, Math.abs(impact.impulse));
+      this.largestImpulse = Math.max(this.largestImpulse, Math.abs(impact.impulse ?? 0));
     }
     for (const event of turn.events) {
       this.events.push({ time: turn.number - 1 + event.time, turn: turn.number, event });
@@ -214,6 +214,17 @@ class Match {
 
 function byId(bodies) {
   return new Map(bodies.map(body => [body.id, body]));
+}
+
+/** The corners of bodies' ways where only impacts are told, as in an imported turn. */
+function cornersOf(impacts) {
+  const corners = new Map();
+  const add = (id, corner) => corners.set(id, [...corners.get(id) ?? [], corner]);
+  for (const { time, a, b, ax, ay, bx, by } of impacts ?? []) {
+    add(a, [time, ax, ay]);
+    if (b !== undefined) add(b, [time, bx, by]);
+  }
+  return corners;
 }
 
 /** The point of a path at a time 0..1; of several corners at that time the last counts. Null before and after it. */

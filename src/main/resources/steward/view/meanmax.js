@@ -2,6 +2,8 @@
 
 const LOOTER_SIDES = { destroyer: 6, doof: 3 };       // a reaper is round
 const SKILL_RADIUS = 1000;
+const LOOTER_RADIUS = 400;
+const RADIUS_BY_SIZE = 50;
 const SKILL_OF = ['tar', 'grenade', 'oil'];
 const LOOTER_NAMES = ['reaper', 'destroyer', 'doof'];
 const NAME_PIXELS = 7;          // looters drawn smaller than this have no letters
@@ -101,7 +103,7 @@ function drawWreck(scene, wreck) {
   ctx.strokeStyle = paint.shield;
   ctx.lineWidth = 1.5;
   ctx.stroke();
-  write({ ctx, paint }, String(wreck.water), x, y, Math.max(11, Math.min(22, radius * 0.6)), paint.ink, '800');
+  write({ ctx, paint }, String(wreck.water ?? '?'), x, y, Math.max(11, Math.min(22, radius * 0.6)), paint.ink, '800');
 }
 
 function effectColour(paint, skill) {
@@ -159,7 +161,8 @@ function traceForm(ctx, x, y, radius, sides) {
 function drawTanker(scene, body) {
   const { ctx, view, paint } = scene;
   const [x, y, radius] = [view.x(body.x), view.y(body.y), body.radius * view.scale];
-  const { water, size, mass } = body.after;
+  const { water, mass } = body.after;
+  const size = body.after.size ?? (body.radius - LOOTER_RADIUS) / RADIUS_BY_SIZE;      // a server shows no sizes
   circle(ctx, x, y, radius);
   ctx.fillStyle = withAlpha(paint.muted, 0.3);
   ctx.fill();

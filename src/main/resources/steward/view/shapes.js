@@ -5,7 +5,7 @@ const FONT = 'ui-sans-serif, system-ui, "Segoe UI", Roboto, "Helvetica Neue", Ar
 
 /** Where two bodies, or a body and a wall, touched in a turn. */
 function contactOf(match, { impact, turn }) {
-  if (impact.wall !== undefined) return { x: impact.bx, y: impact.by };
+  if (impact.wall !== undefined) return { x: impact.bx ?? impact.ax, y: impact.by ?? impact.ay };
   const a = match.describeIn(impact.a, turn).radius;
   const b = match.describeIn(impact.b, turn).radius;
   const share = a + b > 0 ? a / (a + b) : 0.5;
@@ -15,7 +15,7 @@ function contactOf(match, { impact, turn }) {
 /** A flash in units of the field: the stronger the impulse, the larger, against the strongest of the match. */
 function flashRadius(match, { impact, turn }) {
   const radius = match.describeIn(impact.a, turn).radius;
-  const strength = match.largestImpulse > 0 ? Math.abs(impact.impulse) / match.largestImpulse : 0;
+  const strength = match.largestImpulse > 0 ? Math.abs(impact.impulse ?? 0) / match.largestImpulse : 0;
   return radius * (0.5 + 1.5 * Math.sqrt(strength));
 }
 
@@ -39,7 +39,7 @@ function drawFlash({ ctx, view, paint, match, theme, turnsPerSecond }, met, age)
   ctx.stroke();
   traceRays(ctx, radius);
   ctx.stroke();
-  if (turnsPerSecond <= TURNS_PER_SECOND && age < 0.6) {
+  if (turnsPerSecond <= TURNS_PER_SECOND && age < 0.6 && met.impact.impulse !== undefined) {
     write({ ctx, paint }, Math.round(Math.abs(met.impact.impulse)).toString(), 0, -radius - 8, 11, paint.ink, '600');
   }
   ctx.restore();

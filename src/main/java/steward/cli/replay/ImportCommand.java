@@ -1,5 +1,6 @@
 package steward.cli.replay;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -10,6 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
+import java.util.zip.GZIPInputStream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -31,11 +33,12 @@ import steward.replay.page.UnclosedOutputStream;
 import steward.text.TextFormat;
 
 /** {@code steward import}: makes a replay from an official recording. */
-@Command(name = "import", description = "Makes a replay from CodinGame's own JSON of a pod race. Verifying it compares "
+@Command(name = "import", description = "Makes a replay from CodinGame's own JSON of a game. Verifying it compares "
     + "the official game with these rules and this physics, to the last bit.",
     footer = {"",
         "The JSON is what the site's own page asks its server for: the answer of",
-        "gameResult/findByGameId, or of any request whose answer has \"frames\".",
+        "gameResult/findByGameId, or of any request whose answer has \"frames\". Which",
+        "game it is its first view tells. Packed by gzip it is read as well.",
         "Of a game for one player it can also be {\"stdin\":[..],\"stdout\":[..]}, the lines",
         "that it was sent and has answered: each is compared while it is imported.",
         "", "--json: turns, ending (null where the recording ends before), replay.",
@@ -108,8 +111,8 @@ public final class ImportCommand implements Callable<Integer> {
     private RecordingImport read(Path replay) {
         boolean piped = StandardFiles.is(file);
         String source = piped ? StandardFiles.INPUT : file;
-        byte[] bytes = piped ? StandardFiles.readAll(streams, RecordingImport.MOST_BYTES, RECORDING)
-            : readFile(OutputFiles.path(file), replay);
+        byte[] bytes = unpacked(piped ? StandardFiles.readAll(streams, RecordingImport.MOST_BYTES, RECORDING)
+            : readFile(OutputFiles.path(file), replay), source);
         try {
             String text = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
             return RecordingImport.of(text.startsWith(BYTE_ORDER_MARK) ? text.substring(1) : text, source,
@@ -119,6 +122,19 @@ public final class ImportCommand implements Callable<Integer> {
                 + ": found bytes that are no text in UTF-8, expected CodinGame's JSON of a game");
         } catch (IllegalArgumentException problem) {
             throw new InputException(problem.getMessage());
+        }
+    }
+
+    /** Files that gzip has packed begin with two bytes of their own, which no text does. */
+    private static byte[] unpacked(byte[] bytes, String source) {
+        if (bytes.length < 2 || (bytes[0] & 0xFF | (bytes[1] & 0xFF) << 8) != GZIPInputStream.GZIP_MAGIC) {
+            return bytes;
+        }
+        try (InputStream in = new GZIPInputStream(new ByteArrayInputStream(bytes))) {
+            return StandardFiles.readAll(in, source, RecordingImport.MOST_BYTES, RECORDING);
+        } catch (IOException problem) {
+            throw new InputException(source + ": found a file of gzip that is damaged or was cut off, expected all of "
+                + "it");
         }
     }
 

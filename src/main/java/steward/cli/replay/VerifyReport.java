@@ -75,6 +75,9 @@ record VerifyReport(PrintStream out, Colour colour, boolean partial, Path file, 
     }
 
     private static String impacts(ImpactCounts impacts) {
+        if (impacts.shown() > 0) {
+            return "impacts: " + impacts.shown() + " equal in all that the server shows of them";
+        }
         return "impacts: " + impacts.equal() + " equal to the last bit, " + impacts.within()
             + " within what a unit in the last place of sines and cosines makes, " + impacts.outside() + " outside";
     }

@@ -19,6 +19,7 @@ final class ImpactComparison {
     private int equal;
     private int within;
     private int outside;
+    private int shown;
     private double[] times = {};
     private double[] impulses = {};
 
@@ -50,6 +51,11 @@ final class ImpactComparison {
                 outside++;
             }
         }
+    }
+
+    /** Counts the impacts of a turn all of whose recorded fields are equal to ours, as far as a server shows them. */
+    void addShown(byte[] recordedOutcome) {
+        shown += read(recordedOutcome, new double[0], new double[0]);
     }
 
     /** Reads as many as there are places for. @return how many impacts are recorded */
@@ -90,6 +96,6 @@ final class ImpactComparison {
 
     /** What was found in all turns. */
     ImpactCounts counts() {
-        return new ImpactCounts(equal, within, outside);
+        return new ImpactCounts(equal, within, outside, shown);
     }
 }

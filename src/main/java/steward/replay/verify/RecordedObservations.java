@@ -2,6 +2,7 @@ package steward.replay.verify;
 
 import java.util.HashSet;
 import java.util.Set;
+import java.util.regex.Pattern;
 import steward.game.JsonNumbers;
 import steward.replay.JsonLine;
 import steward.replay.Observations;
@@ -18,7 +19,7 @@ import tools.jackson.core.ObjectReadContext;
  */
 final class RecordedObservations implements Observations {
 
-    private static final int RANK_DIGITS = 9;
+    private static final Pattern RANK = Pattern.compile("[0-9]{1,9}");
 
     private final ReplayReader replay;
     private byte[] outcome;
@@ -83,20 +84,35 @@ final class RecordedObservations implements Observations {
 
     @Override
     public int rank(int player) {
+        String rank = standing(player, "rank");
+        return rank != null && RANK.matcher(rank).matches() ? Integer.parseInt(rank) : -1;
+    }
+
+    @Override
+    public double score(int player) {
+        String score = standing(player, "score");
+        return score == null ? Double.NaN : Double.parseDouble(score);
+    }
+
+    /** A number that the result says of a player, {@code null} if there is none. */
+    private String standing(int player, String field) {
         byte[] standing = replay.result().array("standing");
         try (JsonParser in = parser(standing)) {
             in.nextToken();
             for (int k = 0; in.nextToken() == JsonToken.START_OBJECT; k++) {
+                String found = null;
                 while (in.nextToken() == JsonToken.PROPERTY_NAME) {
-                    boolean wanted = k == player && in.currentName().equals("rank");
-                    JsonToken token = in.nextToken();
-                    if (wanted && token == JsonToken.VALUE_NUMBER_INT && in.getString().length() <= RANK_DIGITS) {
-                        return in.getIntValue();
+                    boolean wanted = k == player && in.currentName().equals(field);
+                    if (in.nextToken().isNumeric() && wanted) {
+                        found = in.getString();
                     }
                     in.skipChildren();
                 }
+                if (k == player) {
+                    return found;
+                }
             }
-            return -1;
+            return null;
         }
     }
 

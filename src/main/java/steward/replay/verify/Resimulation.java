@@ -6,6 +6,7 @@ import steward.game.GameSetup;
 import steward.game.GameTypes;
 import steward.game.JsonNumbers;
 import steward.game.LineParser;
+import steward.game.ServerView;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayException;
 import steward.replay.ReplayHeader;
@@ -22,6 +23,7 @@ public final class Resimulation {
     private final GameSetup setup;
     private final Game game;
     private final FrameCodec codec;
+    private final ServerView serverView;
     private final LineParser lines = new LineParser();
     private final String[] noFaults;
 
@@ -36,6 +38,7 @@ public final class Resimulation {
             throw new ReplayException(source + ":1: game: found \"" + header.game() + "\", expected \""
                 + setup.scene().gameId() + "\" as in the scene");
         }
+        serverView = types.serverView(header.game()).orElse(null);
         game = setup.create(header.seed());
         codec = setup.codec(game);
         noFaults = new String[game.players()];
@@ -53,6 +56,11 @@ public final class Resimulation {
     /** The game as it stands after the turns played again. */
     public Game game() {
         return game;
+    }
+
+    /** How the site's server shows the game, or {@code null}. */
+    ServerView serverView() {
+        return serverView;
     }
 
     /** Its codec. */

@@ -12,7 +12,9 @@ import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
+import java.util.zip.GZIPOutputStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -24,6 +26,7 @@ import steward.cli.ShellBots;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Streams;
 import steward.codingame.OfficialGame;
+import steward.codingame.ServerMeanMax;
 
 /** {@code steward import}, and what the other commands make of its replays. */
 class ImportCommandTest {
@@ -119,6 +122,30 @@ class ImportCommandTest {
         }
         assertEquals(1, replay("--impacts").out().lines().filter(line -> line.equals("0 impacts")).count());
         assertTrue(replay("--frames", "--player", "0").out().lines().count() > 4 * SKETCHED);
+    }
+
+    /** Mean Max, packed: what a server does not show of it is nowhere missed. */
+    @Test
+    void aGameWithViewsOfItsOwnIsShownFedAndPlayedOn() throws IOException {
+        ByteArrayOutputStream packed = new ByteArrayOutputStream();
+        try (OutputStream out = new GZIPOutputStream(packed)) {
+            out.write(ServerMeanMax.play(5, 300).json().getBytes(StandardCharsets.UTF_8));
+        }
+        Files.write(recording, packed.toByteArray());
+        assertEquals(ExitStatus.DONE, Cli.run("import", recording.toString(), "--out", replay.toString()).status());
+        assertTrue(replay("--verify").out().contains("equal in all that the server shows of them"));
+        replay();
+        replay("--turn", "10");
+        replay("--impacts");
+        replay("--frames", "--player", "1");
+        String again = folder.resolve("again.jsonl").toString();
+        Cli fed = Cli.run("feed", replay.toString(), "--player", "0", "--from-turn", "9", "--replace", "--out", again,
+            "--", "builtin:regular");
+        assertEquals("", fed.err());
+        assertTrue(Cli.run("replay", again, "--verify").out().startsWith("verified"), fed.out());
+        Files.write(recording, Arrays.copyOf(packed.toByteArray(), packed.size() / 2));
+        refused("found a file of gzip that is damaged or was cut off, expected all of it", "import",
+            recording.toString(), "--out", folder.resolve("cut.jsonl").toString());
     }
 
     @Test

@@ -10,6 +10,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.codingame.GameRecordingImport;
 import steward.codingame.OfficialGame;
+import steward.codingame.RecordingImport;
+import steward.codingame.ServerMeanMax;
 import steward.match.TestScenes;
 
 /** The page of an imported match in a real browser: states without hashes and paths, turns without any state. */
@@ -34,6 +36,24 @@ class ImportedPageTest {
                 browser.run("steward.seek(arguments[0], 0.5)", turn);
             }
             browser.seek(TURNS, 1);
+            assertEquals(List.of(), browser.complaints());
+            assertEquals(TURNS, browser.number("steward.lastTurn()"));
+        }
+    }
+
+    /** States without speeds, masses and sizes, impacts without impulses, walls without places. */
+    @Test
+    void aGameWithViewsOfItsOwnIsShownWithoutComplaint() throws InterruptedException {
+        ByteArrayOutputStream replay = new ByteArrayOutputStream();
+        RecordingImport.of(ServerMeanMax.play(5, TURNS).json(), "game.json", TestScenes.TYPES).write(replay);
+        Path page = new PageTestPages(folder).page(replay.toByteArray(), "Imported");
+        try (PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+            browser.open(page, "#turn=1");
+            browser.run("steward.pause()");
+            for (int turn = 0; turn <= TURNS; turn++) {
+                browser.seek(turn, 1);
+                browser.run("steward.seek(arguments[0], 0.5)", turn);
+            }
             assertEquals(List.of(), browser.complaints());
             assertEquals(TURNS, browser.number("steward.lastTurn()"));
         }

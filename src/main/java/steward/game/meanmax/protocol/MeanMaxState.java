@@ -82,7 +82,12 @@ final class MeanMaxState implements StateCodec {
 
     @Override
     public void writeState(JsonGenerator out) {
-        UnitJson.writeUnits(out, BODIES, game, true);
+        writeState(out, game.bodies().size());
+    }
+
+    /** The state with the first units only. */
+    void writeState(JsonGenerator out, int units) {
+        UnitJson.writeUnits(out, BODIES, game, units, true);
         UnitJson.writePlaces(out, game);
         writePlayers(out, game);
         out.writeArrayPropertyStart("tankersLeft");

@@ -7,6 +7,7 @@ import steward.game.Game;
 import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.Pilot;
+import steward.game.ServerView;
 import steward.game.TextCodec;
 import steward.game.meanmax.MeanMax;
 import steward.game.meanmax.MeanMaxSettings;
@@ -37,6 +38,11 @@ public final class MeanMaxType implements GameType {
     @Override
     public String about() {
         return "Mean Max, the official rules, three players";
+    }
+
+    @Override
+    public Optional<ServerView> serverView() {
+        return Optional.of(new MeanMaxView());
     }
 
     @Override

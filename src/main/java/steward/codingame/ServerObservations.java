@@ -1,0 +1,27 @@
+package steward.codingame;
+
+import steward.game.Game;
+import steward.replay.Observations;
+
+/** What a server saw of a match whose answers are played again, and how far it goes. */
+interface ServerObservations extends Observations {
+
+    /** How many turns were recorded. */
+    int turns();
+
+    /** Whether no player said anything in a turn, counted from 1. */
+    boolean isSilent(int turn);
+
+    /** Whether the server has ended the game: it says who has won. */
+    boolean isOver();
+
+    /** The same game as we play it, before its first turn. */
+    default void start(Game game) {
+        // Most servers show all that is kept.
+    }
+
+    /** Says before a turn's outcome whether a player fails in it. */
+    default void failed(boolean anyPlayer) {
+        // Most servers play such a turn to its end.
+    }
+}

@@ -1,0 +1,73 @@
+package steward.game;
+
+import steward.Internal;
+import steward.text.ViewLines;
+import tools.jackson.core.JsonGenerator;
+
+/**
+ * What the site's server shows of a game in the views of its recordings, which {@code steward import} reads. A view is
+ * that of one kind of game; everything else in a recording is the same for all.
+ *
+ * <p>An imported turn holds what was shown, as fields of a recorded outcome, in their order; what was not shown is left
+ * out. {@link #writeShown} writes the same of a turn of ours, with the same rounding, and may write more: verification
+ * compares the fields that were recorded.
+ */
+@Internal
+public interface ServerView {
+
+    /** Line 1 of the first view, by which the game is recognised. */
+    String title();
+
+    /**
+     * Reads how a game begins.
+     *
+     * @param first   the view of frame 0
+     * @param input   what the server's referee was given, field {@code refereeInput}; empty if that is not recorded
+     * @param players how many players the frames are of
+     * @throws IllegalArgumentException if anything about it is wrong: names the line, what was found and was expected
+     */
+    Shown open(ViewLines first, String input, int players);
+
+    /**
+     * Fields of the outcome of the turn just played, as the server would have shown it.
+     *
+     * @param state the codec of the game
+     */
+    void writeShown(JsonGenerator out, Game game, StateCodec state);
+
+    /** One recorded game. */
+    interface Shown {
+
+        /** Its scene, as JSON. */
+        String scene();
+
+        /** Its seed. */
+        long seed();
+
+        /**
+         * Adds the view of the next turn.
+         *
+         * @param view that of the frame that ends the turn; without lines if it has none
+         * @throws IllegalArgumentException if anything about it is wrong: names the line
+         */
+        void add(ViewLines view);
+
+        /** Fields of the state before the first turn. */
+        void writeStart(JsonGenerator out);
+
+        /**
+         * Fields of the outcome of a turn.
+         *
+         * @param turn counted from 1, at most as many as were added
+         */
+        void writeOutcome(JsonGenerator out, int turn);
+
+        /**
+         * One line of the answer of a player that the server did not ask any more in the turn in which the game ended:
+         * it should have no effect.
+         */
+        default String idle() {
+            return "WAIT";
+        }
+    }
+}
