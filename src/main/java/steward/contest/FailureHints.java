@@ -36,7 +36,7 @@ final class FailureHints {
     private static final Pattern CLEAR = Pattern.compile("SyntaxError|IndentationError|ModuleNotFoundError|ImportError"
         + "|No such file|can't open|cannot open|ClassNotFound|Could not find or load|command not found|not found$");
 
-    /** Where a program says with a traceback why it ended: that of a parser that met JSON, or did not find its number. */
+    /** Where a program says with a traceback why it ended: a parser met JSON, or did not find its number. */
     private static final Pattern TRACEBACK = Pattern.compile("Traceback \\(most recent call last\\)"
         + "|^Exception in thread|^\\s+at .+[(:]\\S*\\d+\\)?$|^panicked at|^thread '.*' panicked");
     private static final Pattern OF_INPUT = Pattern.compile("ValueError|not enough values|too many values|IndexError"

@@ -6,7 +6,6 @@ import steward.numerics.JavaRandom;
 import steward.numerics.SineCosine;
 import steward.numerics.StateHash;
 import steward.physics.Bodies;
-import steward.physics.Motion;
 
 /**
  * Everything in the arena: looters and tankers, which are bodies, and wrecks and skill effects, which are places. All
