@@ -89,7 +89,7 @@ final class ServerFrames {
 
     @SuppressWarnings("unchecked")
     private static List<String>[] none(int players) {
-        return new List[players];
+        return (List<String>[]) new List<?>[players];
     }
 
     /** The final scores; empty if not recorded. */

@@ -55,7 +55,7 @@ public final class TurnEvents {
 
     @SuppressWarnings("unchecked")
     private static IntFunction<String>[] functions(int count) {
-        return new IntFunction[count];
+        return (IntFunction<String>[]) new IntFunction<?>[count];
     }
 
     private void grow() {

@@ -96,7 +96,8 @@ class FailureReportTest {
         String traceback = "echo 'Traceback (most recent call last):' >&2; echo '  File \"b.py\", line 3' >&2; echo '";
         String other = match("", traceback + "ZeroDivisionError: division by zero' >&2; exit 1", "--no-deadline").out();
         assertTrue(other.contains("ZeroDivisionError") && !other.contains("codingame:"), other);
-        String input = match("", traceback + "ValueError: invalid literal for int()' >&2; exit 1", "--no-deadline").out();
+        String input = match("", traceback + "ValueError: invalid literal for int()' >&2; exit 1", "--no-deadline")
+            .out();
         assertTrue(input.contains("is it a CodinGame bot?"), input);
     }
 

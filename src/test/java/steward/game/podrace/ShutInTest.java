@@ -93,7 +93,7 @@ class ShutInTest {
         assertEquals(List.of(), check(scene("\"box\"", ring(12_000, 4500, 2000, 12, 100))));
     }
 
-    /** Between twelve bumpers on a circle of 2000 there are 2 * 2000 * sin(15 degrees) = 1035.28 from centre to centre. */
+    /** Of twelve bumpers on a circle of 2000 the centres are 2 * 2000 * sin(15 degrees) = 1035.28 apart. */
     @ParameterizedTest
     @CsvSource({"117.5, 0", "118.0, 0", "120.0, 1", "125.0, 1"})
     void aGapOfAPodIsAWay(double bumper, int warnings) {
