@@ -150,7 +150,7 @@ public final class TextMap {
                     text.append(letter.getValue()).append(' ');
                 }
             }
-            text.append(TextFormat.plain(replay.header().names().get(player))).append("    ");
+            text.append(HeaderText.name(replay.header(), player)).append("    ");
         }
         return text.toString();
     }

@@ -47,7 +47,7 @@ public final class PodRace implements Game {
     private final Bodies bodies;
     private final Advance advance;
     private final Motion motion;
-    private final TurnLog log = new TurnLog();
+    private final TurnLog log = new TurnLog(TurnLog.RECORDED);
     private final List<TurnEvent> events = new ArrayList<>();
     private final StateHash hash = new StateHash();
     private final RaceRules rules;
