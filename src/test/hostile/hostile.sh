@@ -15,17 +15,17 @@ stay() { exec sh -c 'while :; do sleep 0.1; done' stay "$mark"; }
 
 # The numbers of marked processes whose command line has a word.
 marked() {
-  for process in /proc/[0-9]*; do
-    pid=${process#/proc/}
-    [ "$pid" != $$ ] && tr '\0' ' ' <"$process/cmdline" 2>/dev/null | grep -q "$1.*$mark" && echo "$pid"
+  for line in $(grep -lsa "$mark" /proc/[0-9]*/cmdline); do
+    pid=${line#/proc/}
+    [ "${pid%/*}" != $$ ] && grep -qsa "$1" "$line" && echo "${pid%/*}"
   done
 }
 referee() { marked steward.cli.Main; }
 sentinel() {
-  for process in /proc/[0-9]*; do
-    for referee in $(referee); do
-      tr '\0' ' ' <"$process/cmdline" 2>/dev/null | grep -q steward-sentinel \
-        && grep -qs "^PPid:.$referee\$" "$process/status" && echo "${process#/proc/}"
+  for referee in $(referee); do
+    for line in $(grep -lsa steward-sentinel /proc/[0-9]*/cmdline); do
+      pid=${line#/proc/}
+      grep -qs "^PPid:.$referee\$" "${line%cmdline}status" && echo "${pid%/*}"
     done
   done
 }
@@ -35,13 +35,14 @@ send() { signal=$1; shift; for pid in "$@"; do kill -s "$signal" "$pid"; done; }
 if [ "$attack" = early ]; then
   for k in 1 2 3 4 5; do say; done
 fi
-[ "$attack" = silent-start ] && exec sleep 1000 "$mark"
+[ "$attack" = silent-start ] && stay
 read -r setup
 read -r turn
 say
 read -r turn
 exec 7>&2 2>/dev/null
 case $attack in
+  early) ;;
   exit-0) exit 0 ;;
   exit-3) exit 3 ;;
   exit-255) exit 255 ;;
@@ -49,7 +50,7 @@ case $attack in
   kill-group) kill -s KILL 0 ;;
   stop) kill -s STOP $$ ;;
   loop) while :; do :; done ;;
-  half) printf '{"pods":'; exec sleep 1000 "$mark" ;;
+  half) printf '{"pods":'; stay ;;
   doubled) say; say ;;
   flooded) k=0; while [ $k -lt 5000 ]; do say; k=$((k + 1)); done ;;
   long-line) while printf %s "$big"; do :; done ;;
@@ -62,8 +63,8 @@ case $attack in
   nan) echo '{"pods":[{"x":NaN,"y":2,"thrust":50}]}' ;;
   empty) echo ;;
   stderr-flood) yes "$big" | head -c 50000000 >/dev/fd/7 ;;
-  no-stdin) exec <&-; say; exec sleep 1000 "$mark" ;;
-  no-stdout) exec >&-; exec sleep 1000 "$mark" ;;
+  no-stdin) exec <&-; say; stay ;;
+  no-stdout) exec >&- 7>&-; stay ;;
   children) k=0; while [ $k -lt 20 ]; do (stay) & k=$((k + 1)); done ;;
   children-exit) (stay) & exit 5 ;;
   deaf-children) trap '' HUP INT TERM; (stay) & ;;

@@ -30,6 +30,8 @@ record Attack(String what, String program, String word, String verdict, Effect o
     }
 
     private static final int GENEROUS = 20;
+    /** For those that look through all processes of a machine. */
+    private static final int LONG = 200;
 
     /** One that is held everywhere. */
     static Attack held(String what, String program, String word, String verdict) {
@@ -42,7 +44,7 @@ record Attack(String what, String program, String word, String verdict, Effect o
 
     /** On a referee with a JVM of its own. */
     Attack onReferee() {
-        return new Attack(what, program, word, verdict, off, true, factor, shortRun);
+        return new Attack(what, program, word, verdict, off, true, LONG, shortRun);
     }
 
     /** With the time limits as they are. */

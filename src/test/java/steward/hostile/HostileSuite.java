@@ -10,6 +10,7 @@ import java.util.Map;
 import steward.bot.isolation.SandboxLevel;
 import steward.bot.isolation.SandboxSupport;
 import steward.hostile.HostileTrial.Finding;
+import steward.text.TextFormat;
 
 /**
  * Plays every hostile bot at every level of isolation that works here, and prints what became of it: {@code held},
@@ -87,7 +88,7 @@ public final class HostileSuite {
             markdown.append(' ').append(finding.effect().word()).append(" |");
             verdict = finding.verdict();
         }
-        System.out.printf(ROW, attack.what(), cells[0], cells[1], cells[2], verdict);
+        System.out.printf(ROW, attack.what(), cells[0], cells[1], cells[2], TextFormat.shorten(verdict, 70));
         return markdown.toString();
     }
 }

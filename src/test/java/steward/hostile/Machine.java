@@ -19,6 +19,8 @@ final class Machine {
     /** What a loaded machine may need for something that takes milliseconds. */
     private static final long PATIENCE_NANOS = 20_000_000_000L;
 
+    private static final int NONE_LEFT = 10;
+
     private Machine() {
     }
 
@@ -68,9 +70,18 @@ final class Machine {
             .contains("\nPPid:\t" + parent + "\n")).toList();
     }
 
-    /** Ends processes that this program has started, by their numbers. */
-    static void kill(List<Long> pids) {
-        pids.forEach(pid -> ProcessHandle.of(pid).ifPresent(ProcessHandle::destroyForcibly));
+    /**
+     * Ends the processes with a mark, which this program has started, by their numbers; returns whether all are gone. A
+     * process that forks may be missed between two numbers: none may be found many times in a row.
+     */
+    static boolean end(String mark) {
+        int[] none = {0};
+        return await(() -> {
+            List<Long> found = marked(mark);
+            found.forEach(pid -> ProcessHandle.of(pid).ifPresent(ProcessHandle::destroyForcibly));
+            none[0] = found.isEmpty() ? none[0] + 1 : 0;
+            return none[0] > NONE_LEFT;
+        });
     }
 
     /** Names of files of ours in the folder for temporary files. */
