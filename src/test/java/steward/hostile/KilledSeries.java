@@ -22,15 +22,16 @@ import steward.cli.shared.Streams;
  * no temporary file, and replays that all verify up to their cut. Prints a row for each signal and level. Exit status 1
  * if anything is left or does not verify.
  *
- * <p>{@code --times N} (200) is how often each signal is sent, {@code --seed S} (17) chooses the moments. SIGINT is
+ * <p>{@code --times N} (200) is how often each signal is sent, {@code --seed S} (17) chooses the moments, and
+ * {@code --signals KILL,TERM} some of the signals. SIGINT is
  * skipped where this process, and so what it starts, ignores it: a shell starts what runs in the background so.
  */
 public final class KilledSeries {
 
     private static final String HEAD = "%-7s %-7s %5s  %9s %5s  %7s %5s %7s %6s  %-18s %s%n";
 
-    /** The latest moment, in milliseconds after the start of the JVM: then the series has played for seconds. */
-    private static final int LATEST_MS = 3000;
+    /** The latest moment, in milliseconds after the start of the JVM: then the series has played for a second. */
+    private static final int LATEST_MS = 1500;
 
     private final Path work;
     private final Programs programs;
@@ -64,7 +65,8 @@ public final class KilledSeries {
             "exit status", "gone after");
         List<SandboxLevel> levels = Stream.of(SandboxLevel.values())
             .filter(level -> SandboxSupport.problem(level) == null).toList();
-        for (String signal : List.of("KILL", "TERM", "INT")) {
+        int signals = options.indexOf("--signals");
+        for (String signal : signals < 0 ? List.of("KILL", "TERM", "INT") : List.of(options.get(signals + 1).split(","))) {
             if (signal.equals("INT") && ignoresInterrupts()) {
                 System.out.println("INT is skipped: this process ignores it");
                 continue;
