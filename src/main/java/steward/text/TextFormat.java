@@ -27,9 +27,9 @@ public final class TextFormat {
         return text.length() <= 16 ? text : Double.toString(value);
     }
 
-    /** A number with exactly {@code decimals} decimals. */
+    /** A number with exactly {@code decimals} decimals; NaN as a dash, an infinite one in words. */
     public static String fixed(double value, int decimals) {
-        return Double.isNaN(value) ? "-" : BigDecimal.valueOf(value).setScale(decimals, RoundingMode.HALF_EVEN)
+        return Double.isNaN(value) ? "-" : Double.isInfinite(value) ? Double.toString(value) : BigDecimal.valueOf(value).setScale(decimals, RoundingMode.HALF_EVEN)
             .toPlainString();
     }
 

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import steward.cli.BrokenInputs.Kind;
 import steward.match.Protocol;
+import steward.text.TextFormat;
 
 /**
  * Tries broken inputs by the million, see {@link BrokenInputs}, and prints for every target how many were tried and
@@ -23,7 +24,10 @@ public final class Fuzz {
     static final String COMMAND = "name=codingame:python3 'my bot.py' --level \"3 4\" x\\ y";
 
     private static final String ROW = "%-48s %9s %9s %9s %11s%n";
+    /** After so many failures the next target is tried. */
     private static final int MOST_SHOWN = 5;
+    /** How much of a failure is shown, in characters. */
+    private static final int LONGEST_SHOWN = 400;
 
     private final long seed;
     private final Path folder;
@@ -94,7 +98,8 @@ public final class Fuzz {
                 refused += each.target().check(number) ? 1 : 0;
             } catch (AssertionError | RuntimeException | StackOverflowError | OutOfMemoryError problem) {
                 failed++;
-                System.out.println("FAILURE: " + each.name() + ", seed " + seed + ", input " + number + ": " + problem);
+                System.out.println("FAILURE: " + each.name() + ", seed " + seed + ", input " + number + ": "
+                    + TextFormat.beginning(String.valueOf(problem), LONGEST_SHOWN));
                 if (options.contains("--trace")) {
                     problem.printStackTrace(System.out);
                 }

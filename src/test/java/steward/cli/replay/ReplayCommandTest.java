@@ -55,6 +55,20 @@ class ReplayCommandTest {
         assertFalse(replay(whole, "--quiet").out().contains("turn  body"));
     }
 
+    /** Found by {@code gradle fuzz}, seed 99, input 7157: a number too large for a double ended in a stack trace. */
+    @Test
+    void numbersTooLargeAreShownAsInfinite() throws IOException {
+        String text = new String(duel.bytes(), StandardCharsets.UTF_8);
+        int impacts = text.indexOf("\"impacts\":[");
+        assertTrue(impacts > 0, "no impact");
+        String broken = text.substring(0, impacts) + text.substring(impacts)
+            .replaceFirst("\"time\":[^,]*", "\"time\":1e999").replaceFirst("\"impulse\":[^,]*", "\"impulse\":-1e999");
+        Path file = Files.writeString(folder.resolve("large.jsonl"), broken);
+        Cli cli = replay(file, "--impacts");
+        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        assertTrue(cli.out().contains(" Infinity ") && cli.out().contains(" -Infinity"), cli.out());
+    }
+
     /** A file from elsewhere may have names of megabytes, up to the longest line; they were printed whole. */
     @Test
     void longNamesAreShortened() throws IOException {
