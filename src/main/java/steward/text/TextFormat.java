@@ -29,7 +29,10 @@ public final class TextFormat {
 
     /** A number with exactly {@code decimals} decimals; NaN as a dash, an infinite one in words. */
     public static String fixed(double value, int decimals) {
-        return Double.isNaN(value) ? "-" : Double.isInfinite(value) ? Double.toString(value) : BigDecimal.valueOf(value).setScale(decimals, RoundingMode.HALF_EVEN)
+        if (Double.isInfinite(value)) {
+            return Double.toString(value);
+        }
+        return Double.isNaN(value) ? "-" : BigDecimal.valueOf(value).setScale(decimals, RoundingMode.HALF_EVEN)
             .toPlainString();
     }
 

@@ -8,7 +8,6 @@ import java.util.Map;
 import steward.cli.shared.Json;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayReader;
-import steward.text.TextFormat;
 
 /**
  * Draws the end of a recorded match with characters: the field, its zones with their labels, and where every body was

@@ -37,7 +37,8 @@ public final class Resimulation {
     public Resimulation(ReplayHeader header, GameTypes types, String source) {
         setup = types.open(SceneReader.read(header.scene(), source + " (scene)").withAngles(header.angles()));
         if (!header.game().equals(setup.scene().gameId())) {
-            throw new ReplayException(source + ":1: game: found \"" + TextFormat.beginning(header.game(), SHOWN) + "\", expected \""
+            throw new ReplayException(source + ":1: game: found \""
+                + TextFormat.beginning(header.game(), SHOWN) + "\", expected \""
                 + setup.scene().gameId() + "\" as in the scene");
         }
         game = setup.create(header.seed());

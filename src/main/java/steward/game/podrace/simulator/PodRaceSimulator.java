@@ -31,9 +31,9 @@ import steward.physics.event.OfficialAdvance;
  * million. Bots with the line protocol see whole degrees; they should set a heading once and then simulate their own
  * commands.
  *
- * <p>Caveat: far outside of any map, from about 2^36 u on, the push-out of touching pods is lost in the rounding of their
- * places, so that they react until the turn reaches its bound on impacts, 10,000 and 1,000 per pod. That takes some ten
- * thousand times as long as a usual turn. A search program that sets such states should look at the places first.
+ * <p>Caveat: far outside of any map, from about 2^36 u on, the push-out of touching pods is lost in the rounding of
+ * their places, so that they react until the turn reaches its bound on impacts, 10,000 and 1,000 per pod, and takes
+ * that much longer than a usual turn. A search program that sets such states should look at the places first.
  *
  * <p>Sources of the rules as in {@link PodRace}. Not thread-safe: one instance, one thread.
  */
