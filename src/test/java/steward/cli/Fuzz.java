@@ -109,7 +109,7 @@ public final class Fuzz {
             before = now;
         }
         failures += failed;
-        System.out.printf(ROW, each.name(), number, refused, Math.round(number / Math.max(1e-9, (before - start) / 1e9)),
-            TimeUnit.NANOSECONDS.toMillis(slowest));
+        System.out.printf(ROW, each.name(), number, refused,
+            Math.round(number / Math.max(1e-9, (before - start) / 1e9)), TimeUnit.NANOSECONDS.toMillis(slowest));
     }
 }

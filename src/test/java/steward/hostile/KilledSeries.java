@@ -66,7 +66,8 @@ public final class KilledSeries {
         List<SandboxLevel> levels = Stream.of(SandboxLevel.values())
             .filter(level -> SandboxSupport.problem(level) == null).toList();
         int signals = options.indexOf("--signals");
-        for (String signal : signals < 0 ? List.of("KILL", "TERM", "INT") : List.of(options.get(signals + 1).split(","))) {
+        String chosen = signals < 0 ? "KILL,TERM,INT" : options.get(signals + 1);
+        for (String signal : chosen.split(",")) {
             if (signal.equals("INT") && ignoresInterrupts()) {
                 System.out.println("INT is skipped: this process ignores it");
                 continue;
