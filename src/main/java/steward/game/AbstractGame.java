@@ -15,7 +15,7 @@ public abstract class AbstractGame implements Game {
     protected static final int NOT_OUT = Integer.MAX_VALUE;
 
     /** Impacts and knots of the turn that is played. */
-    protected final TurnLog log = new TurnLog();
+    protected final TurnLog log = new TurnLog(TurnLog.RECORDED);
     /** Events of the turn that is played. */
     protected final TurnEvents events = new TurnEvents();
     /** For {@link #hash}, to be reset first. */

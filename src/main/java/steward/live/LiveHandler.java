@@ -8,6 +8,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
+import java.util.concurrent.Semaphore;
 import steward.replay.page.ReplayPage;
 
 /**
@@ -23,6 +24,9 @@ final class LiveHandler implements HttpHandler {
 
     private static final String HTML = "text/html; charset=utf-8";
     private static final String TEXT = "text/plain; charset=utf-8";
+
+    /** How many copies are made at the same time; others wait. */
+    private static final int MOST_COPIES = 8;
 
     private static final int NO_BODY = -1;
     private static final int OK = 200;
@@ -45,6 +49,9 @@ final class LiveHandler implements HttpHandler {
     private final String title;
     private final LiveRecording recording;
     private final Viewers viewers;
+
+    /** Each is made in memory. */
+    private final Semaphore copies = new Semaphore(MOST_COPIES);
 
     LiveHandler(AllowedHosts names, byte[] page, String title, LiveRecording recording, Viewers viewers) {
         this.names = names;
@@ -97,6 +104,8 @@ final class LiveHandler implements HttpHandler {
         headers.set("Cache-Control", "no-store");
         headers.set("X-Content-Type-Options", "nosniff");
         headers.set("X-Frame-Options", "DENY");
+        // In the page's own policy, which is in a meta element, this would have no effect.
+        headers.set("Content-Security-Policy", "frame-ancestors 'none'");
         headers.set("Referrer-Policy", "no-referrer");
         headers.set("Cross-Origin-Resource-Policy", "same-origin");
     }
@@ -163,9 +172,14 @@ final class LiveHandler implements HttpHandler {
             refuse(exchange, UNAVAILABLE, "The match has not begun.");
             return;
         }
-        ByteArrayOutputStream html = new ByteArrayOutputStream();
-        ReplayPage.write(new ByteArrayInputStream(replay), "match", html, title);
-        send(exchange, OK, HTML, html.toByteArray());
+        copies.acquireUninterruptibly();
+        try {
+            ByteArrayOutputStream html = new ByteArrayOutputStream();
+            ReplayPage.write(new ByteArrayInputStream(replay), "match", html, title);
+            send(exchange, OK, HTML, html.toByteArray());
+        } finally {
+            copies.release();
+        }
         if (complete) {
             viewers.copied();
         }

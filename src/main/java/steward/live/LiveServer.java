@@ -7,7 +7,7 @@ import java.net.Inet6Address;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.URI;
-import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.SynchronousQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import steward.replay.page.ReplayPage;
@@ -27,8 +27,15 @@ public final class LiveServer implements AutoCloseable {
     /** How many can follow a match at the same time. */
     public static final int MOST_VIEWERS = 16;
 
-    /** Threads for pages and copies, in addition to the viewers. */
-    private static final int MORE_THREADS = 8;
+    /**
+     * How many requests are read at the same time, one thread each. A request that stays incomplete keeps its thread
+     * until the limit of time for it has passed, and one that waits for a thread meanwhile uses up its own time: with a
+     * few threads, some dozens of half requests had an honest one reset.
+     */
+    private static final int MOST_REQUESTS = 1000;
+
+    /** Of each of these threads, in bytes: the deepest calls are those that make a page. */
+    private static final long STACK = 256 << 10;
     private static final long IDLE_THREAD_MS = 10_000;
 
     private final HttpServer server;
@@ -37,14 +44,12 @@ public final class LiveServer implements AutoCloseable {
 
     private LiveServer(HttpServer server) {
         this.server = server;
-        int most = MOST_VIEWERS + MORE_THREADS;
-        threads = new ThreadPoolExecutor(most, most, IDLE_THREAD_MS, TimeUnit.MILLISECONDS,
-            new LinkedBlockingQueue<>(), LiveServer::daemon);
-        threads.allowCoreThreadTimeOut(true);
+        threads = new ThreadPoolExecutor(0, MOST_REQUESTS, IDLE_THREAD_MS, TimeUnit.MILLISECONDS,
+            new SynchronousQueue<>(), LiveServer::daemon);
     }
 
     private static Thread daemon(Runnable work) {
-        Thread thread = new Thread(work, "live");
+        Thread thread = new Thread(null, work, "live", STACK);
         thread.setDaemon(true);
         return thread;
     }

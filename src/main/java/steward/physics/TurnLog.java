@@ -1,15 +1,21 @@
 package steward.physics;
 
 import java.util.Arrays;
+import java.util.Objects;
 
 /**
  * Records the impacts, path knots and facts of a turn, and whether the bound on impacts was reached, in flat arrays
- * that are reused from turn to turn.
+ * that are reused from turn to turn. Of the impacts all are counted, and the first are kept, up to a number; knots are
+ * kept all, since a path without one of its corners is another path.
  */
 public final class TurnLog implements TurnSink {
 
+    /** How many impacts of a turn a replay holds, and so how many the log of a game has to keep. */
+    public static final int RECORDED = 2000;
+
     private static final int[] NO_BODIES = {};
 
+    private final int most;
     private double[] impactTime = new double[16];
     private int[] impactPair = new int[2 * 16];
     private double[] impactNumbers = new double[Impact.NUMBERS * 16];
@@ -27,6 +33,24 @@ public final class TurnLog implements TurnSink {
     private double limitTime = Double.NaN;
     private int[] limitBodies = NO_BODIES;
 
+    /** A log that keeps every impact. */
+    public TurnLog() {
+        this(Integer.MAX_VALUE);
+    }
+
+    /**
+     * A log that keeps the first impacts of a turn.
+     *
+     * @param most how many
+     * @throws IllegalArgumentException if that is negative
+     */
+    public TurnLog(int most) {
+        if (most < 0) {
+            throw new IllegalArgumentException("a log of " + most + " impacts, expected at least 0");
+        }
+        this.most = most;
+    }
+
     /** Clears the log. */
     public void clear() {
         impacts = 0;
@@ -41,6 +65,10 @@ public final class TurnLog implements TurnSink {
                        double normalX, double normalY, double impulse, double energy, double massA, double massB,
                        double vaxBefore, double vayBefore, double vaxAfter, double vayAfter,
                        double vbxBefore, double vbyBefore, double vbxAfter, double vbyAfter) {
+        if (impacts >= most) {
+            impacts++;
+            return;
+        }
         if (impacts == impactTime.length) {
             impactTime = Arrays.copyOf(impactTime, 2 * impacts);
             impactPair = Arrays.copyOf(impactPair, 4 * impacts);
@@ -112,8 +140,18 @@ public final class TurnLog implements TurnSink {
         return impacts;
     }
 
-    /** The k-th impact of the turn, in the order of time. */
+    /** How many of these are kept: the first ones. */
+    public int kept() {
+        return Math.min(impacts, most);
+    }
+
+    /**
+     * The k-th impact of the turn, in the order of time.
+     *
+     * @throws IndexOutOfBoundsException unless {@code k} is below {@link #kept}
+     */
     public Impact impact(int k) {
+        Objects.checkIndex(k, kept());
         double[] n = impactNumbers;
         int i = Impact.NUMBERS * k;
         return new Impact(impactTime[k], impactPair[2 * k], impactPair[2 * k + 1], n[i], n[i + 1], n[i + 2], n[i + 3],

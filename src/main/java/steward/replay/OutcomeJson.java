@@ -21,7 +21,7 @@ import tools.jackson.core.io.SerializedString;
 public final class OutcomeJson {
 
     /** How many impacts of a turn are kept, and how many knots of paths: a turn can have over ten thousand impacts. */
-    private static final int MOST = 2000;
+    private static final int MOST = TurnLog.RECORDED;
 
     /** The names that turns write, encoded once. */
     private static final class Name {
@@ -91,7 +91,7 @@ public final class OutcomeJson {
         }
         out.writeName(Name.IMPACTS);
         out.writeStartArray();
-        for (int k = 0; k < Math.min(MOST, log.impacts()); k++) {
+        for (int k = 0; k < Math.min(MOST, log.kept()); k++) {
             out.writeRawValue(impact(log.impact(k)));
         }
         out.writeEndArray();

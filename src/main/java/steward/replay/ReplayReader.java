@@ -127,8 +127,8 @@ public final class ReplayReader implements AutoCloseable {
         try {
             seed = Long.parseLong(line.text("seed"));
         } catch (NumberFormatException problem) {
-            throw new ReplayException(line.where() + ": seed: found \"" + line.text("seed")
-                + "\", expected a whole number of 64 bits");
+            throw new ReplayException(line.where() + ": seed: found " + JsonLine.quoted(line.text("seed"))
+                + ", expected a whole number of 64 bits");
         }
         return new ReplayHeader(line.text("game"), new String(line.object("scene"), StandardCharsets.UTF_8), seed,
             List.of(names), List.of(bots), protocols(line, names.length),

@@ -27,8 +27,11 @@ public final class TextFormat {
         return text.length() <= 16 ? text : Double.toString(value);
     }
 
-    /** A number with exactly {@code decimals} decimals. */
+    /** A number with exactly {@code decimals} decimals; NaN as a dash, an infinite one in words. */
     public static String fixed(double value, int decimals) {
+        if (Double.isInfinite(value)) {
+            return Double.toString(value);
+        }
         return Double.isNaN(value) ? "-" : BigDecimal.valueOf(value).setScale(decimals, RoundingMode.HALF_EVEN)
             .toPlainString();
     }

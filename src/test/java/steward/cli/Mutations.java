@@ -22,7 +22,7 @@ final class Mutations {
 
     /** A number, a text or a word of JSON. */
     private static final Pattern SCALAR =
-        Pattern.compile("-?\\d[-+.eE\\d]*|\"(?:[^\"\\\\]|\\\\.)*\"|true|false|null");
+        Pattern.compile("-?\\d[-+.eE\\d]*|\"(?:[^\"\\\\]++|\\\\.)*+\"|true|false|null");
     private static final int MOST_CHANGES = 3;
     private static final int LONGEST_SLICE = 200;
 

@@ -8,10 +8,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.net.BindException;
+import java.net.Socket;
 import java.net.UnknownHostException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -174,6 +176,34 @@ class LiveServerTest {
         server.awaitDelivery(20_000, 20_000);
         assertTrue(System.nanoTime() - start < 10e9, "it has waited for nothing else");
         copy.join();
+    }
+
+    /** They are read one by one, and each may take two seconds: an honest request behind them was reset. */
+    @Test
+    void halfRequestsDoNotKeepOthersOut() throws IOException {
+        List<Socket> half = new ArrayList<>();
+        try {
+            for (int k = 0; k < 200; k++) {
+                Socket socket = new Socket("127.0.0.1", clients.port());
+                half.add(socket);
+                socket.getOutputStream().write("GET / HT".getBytes(StandardCharsets.US_ASCII));
+            }
+            assertEquals(200, clients.rawStatus("GET / HTTP/1.1", host()));
+        } finally {
+            for (Socket socket : half) {
+                socket.close();
+            }
+        }
+    }
+
+    /** A policy in the page itself cannot say it: browsers ignore {@code frame-ancestors} there. */
+    @Test
+    void noOtherPageMayFrameIt() throws IOException {
+        for (String path : List.of("/", "/match.html", "/nothing")) {
+            String answer = clients.raw("GET " + path + " HTTP/1.1", host());
+            assertTrue(answer.toLowerCase(Locale.ROOT).contains("content-security-policy: frame-ancestors 'none'"),
+                answer);
+        }
     }
 
     @Test

@@ -1,7 +1,8 @@
 package steward.bot.command;
 
-import java.io.File;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.lang.ProcessBuilder.Redirect;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -18,6 +19,10 @@ import java.util.concurrent.TimeUnit;
 public record ProgramTrial(int status, String line) {
 
     private static final int NONE = -1;
+    /** How much of the output is kept, in bytes. */
+    private static final int KEPT = 1 << 16;
+    /** How often the output is read, in milliseconds: a program whose pipe is full waits so long. */
+    private static final long LOOK_MS = 10;
     private static final Path NOTHING = Path.of("/dev/null");
 
     /** Whether it ended with status 0. */
@@ -27,34 +32,35 @@ public record ProgramTrial(int status, String line) {
 
     /** @param patienceMs after which it is killed, in milliseconds */
     public static ProgramTrial of(List<String> command, long patienceMs) throws InterruptedException {
-        Path output = null;
         try {
-            output = Files.createTempFile("steward-", ".txt");
-            File file = output.toFile();
-            Process process = new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(file)
+            Process process = new ProcessBuilder(command).redirectErrorStream(true)
                 .redirectInput(Files.exists(NOTHING) ? Redirect.from(NOTHING.toFile()) : Redirect.PIPE).start();
-            if (!process.waitFor(patienceMs, TimeUnit.MILLISECONDS)) {
-                process.descendants().forEach(ProcessHandle::destroyForcibly);
-                process.destroyForcibly();
-                return new ProgramTrial(NONE, "did not end within " + patienceMs + " ms");
+            ByteArrayOutputStream said = new ByteArrayOutputStream();
+            long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(patienceMs);
+            while (!process.waitFor(LOOK_MS, TimeUnit.MILLISECONDS)) {
+                read(process.getInputStream(), said);
+                if (System.nanoTime() >= end) {
+                    process.descendants().forEach(ProcessHandle::destroyForcibly);
+                    process.destroyForcibly();
+                    return new ProgramTrial(NONE, "did not end within " + patienceMs + " ms");
+                }
             }
-            String text = new String(Files.readAllBytes(output), StandardCharsets.UTF_8);
-            return new ProgramTrial(process.exitValue(),
-                text.lines().filter(line -> !line.isBlank()).findFirst().orElse("").strip());
+            read(process.getInputStream(), said);
+            return new ProgramTrial(process.exitValue(), said.toString(StandardCharsets.UTF_8).lines()
+                .filter(line -> !line.isBlank()).findFirst().orElse("").strip());
         } catch (IOException problem) {
             return new ProgramTrial(NONE, String.valueOf(problem.getMessage()));
-        } finally {
-            delete(output);
         }
     }
 
-    private static void delete(Path file) {
-        try {
-            if (file != null) {
-                Files.deleteIfExists(file);
-            }
-        } catch (IOException kept) {
-            file.toFile().deleteOnExit();
+    /**
+     * Reads what is there, and keeps the beginning. Never waits: a process that the program has started may hold the
+     * pipe.
+     */
+    private static void read(InputStream from, ByteArrayOutputStream said) throws IOException {
+        for (int count = from.available(); count > 0; count = from.available()) {
+            byte[] bytes = from.readNBytes(count);
+            said.write(bytes, 0, Math.min(bytes.length, Math.max(0, KEPT - said.size())));
         }
     }
 }

@@ -27,6 +27,7 @@ import steward.bot.accounting.TreeSampler;
 import steward.bot.command.BotCommand;
 import steward.bot.isolation.Launch;
 import steward.bot.isolation.ProcessTree;
+import steward.bot.isolation.SandboxLevel;
 
 /**
  * A bot program: reads its frames from its input and writes its answers to its output, line by line.
@@ -319,11 +320,19 @@ public final class BotProcess implements Player {
         over = true;
         answer.setFault(reason);
         if (group != null) {
-            group.kill();
+            kill();
             output.show(answer, SHOWN);
             answer.setStderr(stderr.collect(true));
         }
         return Ending.FAULT;
+    }
+
+    /** Kills the bot, and of what has left its group whatever could go on filling the file for stderr. */
+    private void kill() {
+        group.kill();
+        if (launch.isolation().level() == SandboxLevel.OFF) {
+            StderrHolders.kill(stderr.file().toPath(), group.process().pid());
+        }
     }
 
     @Override
@@ -368,7 +377,7 @@ public final class BotProcess implements Player {
             if (closing) {
                 awaitExit();
             }
-            group.kill();
+            kill();
             Watchdog.shared().remove(deadline);
             if (!abandoned) {
                 output.close();

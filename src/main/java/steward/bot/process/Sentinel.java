@@ -20,6 +20,9 @@ import steward.bot.isolation.Launch;
  * <p>It is a shell that uses only built-in commands, in a session of its own so that a Ctrl-C at the terminal does not
  * reach it, and ignores every signal that can be ignored. Its list holds only the running bots and stays small.
  *
+ * <p>It also removes the files for stderr that have their names still at that end, and kills what has one of them for
+ * its own stderr: a process that has left its group, and would fill a file without a name for ever.
+ *
  * <p>A target is what the {@code kill} command takes: a process number, or minus the number of a group. When the
  * sentinel has died, a new one is given the whole list; where there is no shell, an external {@code kill} is used.
  */
@@ -27,14 +30,15 @@ final class Sentinel {
 
     /*
      * + adds a target; - removes it; s stops it; c lets it go on; k removes and kills it, and reports whether there was
-     * anything to kill. At the end
-     * of the pipe, a group may not exist although its process does: the process was just started and is about to make
-     * the group. That case is tried several times.
+     * anything to kill; f
+     * adds the number of a file for stderr, and u removes it. At the end of the pipe, a group may not exist although
+     * its process does: the process was just started and is about to make the group. That case is tried several times.
      */
     private static final String SCRIPT = """
         trap '' HUP INT QUIT TERM PIPE ALRM USR1 USR2 TSTP TTIN TTOU
         cd /
         known=' '
+        files=' '
         forget() {
           case $known in *" $1 "*) known="${known%%" $1 "*} ${known#*" $1 "}" ;; esac
         }
@@ -44,6 +48,8 @@ final class Sentinel {
             -) forget "$target" ;;
             s) kill -s STOP -- "$target" ;;
             c) kill -s CONT -- "$target" ;;
+            f) files="$files$target " ;;
+            u) case $files in *" $target "*) files="${files%%" $target "*} ${files#*" $target "}" ;; esac ;;
             k) forget "$target"; kill -s KILL -- "$target"; echo $? ;;
           esac
         done
@@ -51,6 +57,16 @@ final class Sentinel {
           tries=0
           until kill -s KILL -- "$target" || [ ! -d "/proc/${target#-}" ] || [ $tries -ge 20000 ]; do
             tries=$((tries + 1))
+          done
+        done
+        for file in $files; do
+          rm -f -- "$1/steward-$file.stderr"
+          for holder in /proc/[0-9]*; do
+            if [ -f "$holder/fd/2" ]; then
+              case $(readlink "$holder/fd/2") in
+                */steward-"$file".stderr*) kill -s KILL "${holder#/proc/}" ;;
+              esac
+            fi
           done
         done
         """;
@@ -64,6 +80,7 @@ final class Sentinel {
     private static final long EXTERNAL_KILL_MS = 1000;
 
     private final Set<String> targets = new LinkedHashSet<>();
+    private final Set<String> files = new LinkedHashSet<>();
     private Process process;
     private OutputStream orders;
     private InputStream reports;
@@ -83,13 +100,16 @@ final class Sentinel {
             return;
         }
         List<String> command = new ArrayList<>(Launch.ownSession());
-        command.addAll(List.of("sh", "-c", SCRIPT, "steward-sentinel"));
+        command.addAll(List.of("sh", "-c", SCRIPT, "steward-sentinel", StderrFile.folder().toString()));
         try {
             process = new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.DISCARD).start();
             orders = process.getOutputStream();
             reports = process.getInputStream();
             for (String target : targets) {
                 write("+ " + target);
+            }
+            for (String file : files) {
+                write("f " + file);
             }
         } catch (IOException e) {
             process = null;
@@ -108,6 +128,22 @@ final class Sentinel {
     synchronized void forget(String target) {
         targets.remove(target);
         if (!order("- " + target)) {
+            start();
+        }
+    }
+
+    /** From now on a file for stderr is removed when this JVM ends, by its number; it need not exist yet. */
+    synchronized void watchFile(String number) {
+        files.add(number);
+        if (!order("f " + number)) {
+            start();
+        }
+    }
+
+    /** The file is gone, and so is what wrote to it. */
+    synchronized void forgetFile(String number) {
+        files.remove(number);
+        if (!order("u " + number)) {
             start();
         }
     }

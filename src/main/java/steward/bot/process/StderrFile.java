@@ -41,6 +41,7 @@ final class StderrFile {
         Set.of(StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
     private static final FileAttribute<?>[] ONLY_MINE = onlyMine();
 
+    private final String number;
     private final Path path;
     private final RandomAccessFile file;
     private long position;
@@ -48,7 +49,8 @@ final class StderrFile {
     private byte[] buffer;
     private boolean unlinked;
 
-    private StderrFile(Path path, RandomAccessFile file) {
+    private StderrFile(String number, Path path, RandomAccessFile file) {
+        this.number = number;
         this.path = path;
         this.file = file;
     }
@@ -59,17 +61,29 @@ final class StderrFile {
      * @throws IOException when none can be created
      */
     static StderrFile create() throws IOException {
-        Path folder = Path.of(System.getProperty("java.io.tmpdir"));
         for (;;) {
             String number = Long.toUnsignedString(ThreadLocalRandom.current().nextLong(), 36);
-            Path path = folder.resolve("steward-" + number + ".stderr");
-            try {
-                Files.newByteChannel(path, NEW, ONLY_MINE).close();
-                return new StderrFile(path, new RandomAccessFile(path.toFile(), "rw"));
-            } catch (FileAlreadyExistsException e) {
+            Path path = folder().resolve("steward-" + number + ".stderr");
+            if (Files.exists(path)) {
                 continue;
             }
+            // Known before it exists: a referee that is killed in between leaves none behind.
+            Sentinel.shared().watchFile(number);
+            try {
+                Files.newByteChannel(path, NEW, ONLY_MINE).close();
+                return new StderrFile(number, path, new RandomAccessFile(path.toFile(), "rw"));
+            } catch (FileAlreadyExistsException e) {
+                Sentinel.shared().forgetFile(number);
+            } catch (IOException | RuntimeException e) {
+                Sentinel.shared().forgetFile(number);
+                throw e;
+            }
         }
+    }
+
+    /** Where these files are made. */
+    static Path folder() {
+        return Path.of(System.getProperty("java.io.tmpdir"));
     }
 
     private static FileAttribute<?>[] onlyMine() {
@@ -220,6 +234,7 @@ final class StderrFile {
             return;
         } finally {
             unlink();
+            Sentinel.shared().forgetFile(number);
         }
     }
 }

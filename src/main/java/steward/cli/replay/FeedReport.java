@@ -120,7 +120,7 @@ final class FeedReport {
         text.println(TextFormat.count(played, "turn") + " played by the bot");
         MatchResult result = outcome.result();
         ReplayHeader header = session.match().header();
-        String scene = Json.word(Json.object(header.scene()).get("name"), 0);
+        String scene = HeaderText.scene(header);
         if (result != null) {
             text.println(colour.strong(MatchText.headline(scene, header.seed(), result)));
         } else {

@@ -13,8 +13,12 @@ final class RecordedResult {
     private RecordedResult() {
     }
 
-    /** What the last line says, or {@code null} if there is none; known at the end of the replay. */
-    static MatchResult of(ReplayReader replay) {
+    /**
+     * What the last line says, or {@code null} if there is none; known at the end of the replay.
+     *
+     * @param names that the players go by
+     */
+    static MatchResult of(ReplayReader replay, List<String> names) {
         if (replay.resultJson() == null) {
             return null;
         }
@@ -23,10 +27,10 @@ final class RecordedResult {
         List<Map<?, ?>> said = Json.objects(line.get("players"));
         Map<?, ?> times = line.get("times") instanceof Map<?, ?> map ? map : Map.of();
         List<MatchResult.PlayerResult> players = new ArrayList<>();
-        for (int player = 0; player < replay.header().names().size(); player++) {
+        for (int player = 0; player < names.size(); player++) {
             Map<?, ?> place = player < standing.size() ? standing.get(player) : Map.of();
             Map<?, ?> words = player < said.size() ? said.get(player) : Map.of();
-            players.add(new MatchResult.PlayerResult(replay.header().names().get(player),
+            players.add(new MatchResult.PlayerResult(names.get(player),
                 (int) Json.number(place.get("rank")), Json.number(place.get("score")), text(words.get("fault")),
                 text(place.get("out")), 0, nanos(times.get("averageNanos"), player),
                 nanos(times.get("worstNanos"), player), nanos(times.get("firstNanos"), player),

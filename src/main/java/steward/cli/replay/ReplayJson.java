@@ -33,7 +33,7 @@ record ReplayJson(Streams streams, ReplayReader replay) {
 
     private void summary(JsonGenerator out, int turns, long impacts) {
         ReplayHeader header = replay.header();
-        MatchResult result = RecordedResult.of(replay);
+        MatchResult result = RecordedResult.of(replay, replay.header().names());
         out.writeStringProperty("scene", Json.word(Json.object(header.scene()).get("name"), 0));
         out.writeStringProperty("game", header.game());
         out.writeStringProperty("seed", Long.toString(header.seed()));

@@ -8,7 +8,6 @@ import java.util.Map;
 import steward.cli.shared.Json;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayReader;
-import steward.text.TextFormat;
 
 /**
  * Draws the end of a recorded match with characters: the field, its zones with their labels, where every body of a
@@ -169,7 +168,7 @@ public final class TextMap {
                     text.append(letter.getValue()).append(' ');
                 }
             }
-            text.append(TextFormat.plain(replay.header().names().get(player))).append("    ");
+            text.append(HeaderText.name(replay.header(), player)).append("    ");
         }
         return text.toString();
     }

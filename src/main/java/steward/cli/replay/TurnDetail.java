@@ -76,7 +76,7 @@ final class TurnDetail {
             double time = nanos instanceof List<?> list && player < list.size() ? Json.number(list.get(player))
                 : Double.NaN;
             out.println();
-            out.println("player " + player + ", " + TextFormat.plain(replay.header().names().get(player))
+            out.println("player " + player + ", " + HeaderText.name(replay.header(), player)
                 + (Double.isNaN(time) ? "" : ", " + TextFormat.fixed(time / NANOS_PER_MS, 2) + " ms"));
             Object command = player < commands.size() ? commands.get(player) : null;
             say(out, "command", command == null ? "none" : spell(command));

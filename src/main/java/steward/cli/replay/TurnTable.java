@@ -69,7 +69,7 @@ final class TurnTable {
     }
 
     private String scene() {
-        return Json.word(Json.object(replay.header().scene()).get("name"), 0);
+        return HeaderText.scene(replay.header());
     }
 
     /** Before the first row or the result; not at all if there is no such turn. */
@@ -79,11 +79,11 @@ final class TurnTable {
         }
         opened = true;
         ReplayHeader header = replay.header();
-        out.println(TextFormat.plain(scene() + " (" + header.game() + "), seed ") + header.seed()
+        out.println(scene() + " (" + HeaderText.game(header) + "), seed " + header.seed()
             + timeFactor(header.timeFactor()));
         for (int player = 0; player < header.names().size(); player++) {
-            out.println("player " + player + "  " + TextFormat.plain(header.names().get(player) + "  "
-                + header.bots().get(player)));
+            out.println("player " + player + "  " + HeaderText.name(header, player) + "  "
+                + HeaderText.bot(header, player));
         }
         out.println();
         if (!columns.isEmpty()) {
@@ -153,8 +153,8 @@ final class TurnTable {
         }
         for (int player = 0; player < turn.faults().length; player++) {
             if (turn.faults()[player] != null) {
-                out.println("      " + TextFormat.plain(replay.header().names().get(player) + " failed: "
-                    + turn.faults()[player]));
+                out.println("      " + HeaderText.name(replay.header(), player) + " failed: "
+                    + TextFormat.plain(turn.faults()[player]));
             }
         }
     }
@@ -167,7 +167,7 @@ final class TurnTable {
         if (!leftOut.isEmpty()) {
             out.println("left out, see --turn: " + String.join(", ", leftOut));
         }
-        MatchResult result = RecordedResult.of(replay);
+        MatchResult result = RecordedResult.of(replay, HeaderText.names(replay.header()));
         if (result == null) {
             out.println(turns == 0 ? "no turn was recorded" : "no result after " + TextFormat.count(turns, "turn"));
         } else {

@@ -2,9 +2,13 @@ package steward.cli.shared;
 
 import java.util.List;
 import steward.files.InputException;
+import steward.text.TextFormat;
 
 /** Which player of a recorded match {@code --player} means: a number, counted from 0, or a name. */
 public final class PlayerChoice {
+
+    /** How much of the list of names is shown, in characters: they come from a file. */
+    private static final int LONGEST_LIST = 500;
 
     private PlayerChoice() {
     }
@@ -23,7 +27,7 @@ public final class PlayerChoice {
         if (!number && named < 0) {
             String found = typed.matches("-?[0-9]+") ? typed : "'" + typed + "'";
             throw new InputException("--player: found " + found + ", expected 0 to " + (names.size() - 1) + " in "
-                + source + ", or a name: " + String.join(", ", names));
+                + source + ", or a name: " + TextFormat.shorten(String.join(", ", names), LONGEST_LIST));
         }
         return number ? Integer.parseInt(typed) : named;
     }

@@ -20,7 +20,7 @@ final class PodAngleVariants implements AngleVariants {
     private final Bodies bodies;
     private final double[] vx;
     private final double[] vy;
-    private final TurnLog log = new TurnLog();
+    private final TurnLog log = new TurnLog(TurnLog.RECORDED);
 
     /** @param race a copy between two turns with its commands, which is used up */
     PodAngleVariants(PodRace race) {

@@ -78,7 +78,7 @@ public final class SeededPlay {
                 flown(after.y[k] - before.y[k], after.vy[k]));
         }
         TurnLog log = game.log();
-        for (int k = log.impacts() - 1; same && k >= 0; k--) {
+        for (int k = log.kept() - 1; same && k >= 0; k--) {
             Impact impact = log.impact(k);
             before.setVelocity(before.indexOf(impact.a()), impact.vaxBefore(), impact.vayBefore());
             if (!impact.isWall()) {

@@ -26,8 +26,8 @@ final class ImpactComparison {
     /** Compares the impacts of a turn just played. */
     void add(byte[] recordedOutcome, Game played, AngleVariants variants) {
         TurnLog log = played.log();
-        times = new double[log.impacts()];
-        impulses = new double[log.impacts()];
+        times = new double[log.kept()];
+        impulses = new double[log.kept()];
         for (int k = 0; k < times.length; k++) {
             times[k] = log.impact(k).time();
             impulses[k] = log.impact(k).impulse();

@@ -20,7 +20,7 @@ final class ImpactRange {
     /** @param played the turn as it was played; variants in which other pairs meet are left out */
     ImpactRange(Game played, AngleVariants variants) {
         TurnLog of = played.log();
-        int impacts = of.impacts();
+        int impacts = of.kept();
         leastTime = new double[impacts];
         greatestTime = new double[impacts];
         leastImpulse = new double[impacts];
@@ -39,13 +39,13 @@ final class ImpactRange {
         if (variant.impacts() != of.impacts()) {
             return;
         }
-        for (int k = 0; k < of.impacts(); k++) {
+        for (int k = 0; k < of.kept(); k++) {
             Impact impact = variant.impact(k);
             if (impact.a() != of.impact(k).a() || impact.b() != of.impact(k).b()) {
                 return;
             }
         }
-        for (int k = 0; k < of.impacts(); k++) {
+        for (int k = 0; k < of.kept(); k++) {
             Impact impact = variant.impact(k);
             leastTime[k] = Math.min(leastTime[k], impact.time());
             greatestTime[k] = Math.max(greatestTime[k], impact.time());

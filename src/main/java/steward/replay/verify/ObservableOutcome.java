@@ -25,7 +25,7 @@ final class ObservableOutcome {
         TurnLog log = game.log();
         if (log.impacts() > 0) {
             out.writeArrayPropertyStart("impacts");
-            for (int k = 0; k < log.impacts(); k++) {
+            for (int k = 0; k < log.kept(); k++) {
                 write(out, log.impact(k), compared.time(k), compared.impulse(k));
             }
             out.writeEndArray();

@@ -12,6 +12,7 @@ import steward.replay.ReplayException;
 import steward.replay.ReplayHeader;
 import steward.scene.SceneReader;
 import steward.scene.json.JsonProblem;
+import steward.text.TextFormat;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
@@ -19,6 +20,9 @@ import tools.jackson.core.ObjectReadContext;
 
 /** Plays a recorded match again, from its scene, seed, commands and faults. */
 public final class Resimulation {
+
+    /** How much of a wrong name errors show, in characters. */
+    private static final int SHOWN = 60;
 
     private final GameSetup setup;
     private final Game game;
@@ -35,7 +39,8 @@ public final class Resimulation {
     public Resimulation(ReplayHeader header, GameTypes types, String source) {
         setup = types.open(SceneReader.read(header.scene(), source + " (scene)").withAngles(header.angles()));
         if (!header.game().equals(setup.scene().gameId())) {
-            throw new ReplayException(source + ":1: game: found \"" + header.game() + "\", expected \""
+            throw new ReplayException(source + ":1: game: found \""
+                + TextFormat.beginning(header.game(), SHOWN) + "\", expected \""
                 + setup.scene().gameId() + "\" as in the scene");
         }
         serverView = types.serverView(header.game()).orElse(null);

@@ -27,9 +27,9 @@ class AbandonedBotTest {
 
     private static final long SHORT = 50_000_000;
 
-    /** Starts a process outside the group, with the bot's input and output, which says its number. */
+    /** Starts a process outside the group, with the bot's input and output, not its stderr; it says its number. */
     private static final String LEAVE =
-        "exec 3<&0; sh -c 'setsid sh -c \"echo \\$\\$; exec sleep 1000\" <&3 &'; echo ready; exec 3<&-; ";
+        "exec 3<&0; sh -c 'setsid sh -c \"echo \\$\\$; exec sleep 1000\" <&3 2>/dev/null &'; echo ready; exec 3<&-; ";
 
     private final BlockingQueue<Answer> given = new LinkedBlockingQueue<>();
     private final BlockingQueue<Player.Ending> endings = new LinkedBlockingQueue<>();

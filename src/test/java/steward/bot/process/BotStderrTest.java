@@ -170,6 +170,27 @@ class BotStderrTest {
         }
     }
 
+    /** It went on filling a file without a name, unbounded, until somebody found out where the disk had gone. */
+    @Test
+    void aProcessThatHasLeftTheGroupDoesNotFillTheFileForEver() {
+        ScriptedBots.assumeGroups();
+        String script = "read -r l; left=$(setsid sh -c '(while :; do echo more >&2; sleep 0.01; done)"
+            + " </dev/null >/dev/null & echo $!'); echo \"$left\"; read -r l; %s";
+        for (String end : List.of("exit 1", "echo 2; read -r l")) {
+            long left;
+            try (BotProcess bot = ScriptedBots.bot(String.format(script, end))) {
+                left = Long.parseLong(ScriptedBots.reply(bot, "a\n"));
+                assertTrue(ScriptedBots.isRunning(left));
+                if (end.startsWith("exit")) {
+                    assertEquals("exited with status 1 before answering",
+                        ScriptedBots.fault(bot, "b\n", ScriptedBots.FOREVER).fault());
+                    ScriptedBots.assertGone(left);
+                }
+            }
+            ScriptedBots.assertGone(left);
+        }
+    }
+
     @Test
     void theFileIsPrivateAndItsNameIsGoneWithTheStart() throws IOException {
         StderrFile stderr = StderrFile.create();

@@ -55,6 +55,43 @@ class ReplayCommandTest {
         assertFalse(replay(whole, "--quiet").out().contains("turn  body"));
     }
 
+    /** Found by {@code gradle fuzz}, seed 99, input 7157: a number too large for a double ended in a stack trace. */
+    @Test
+    void numbersTooLargeAreShownAsInfinite() throws IOException {
+        String text = new String(duel.bytes(), StandardCharsets.UTF_8);
+        int impacts = text.indexOf("\"impacts\":[");
+        assertTrue(impacts > 0, "no impact");
+        String broken = text.substring(0, impacts) + text.substring(impacts)
+            .replaceFirst("\"time\":[^,]*", "\"time\":1e999").replaceFirst("\"impulse\":[^,]*", "\"impulse\":-1e999");
+        Path file = Files.writeString(folder.resolve("large.jsonl"), broken);
+        Cli cli = replay(file, "--impacts");
+        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        assertTrue(cli.out().contains(" Infinity ") && cli.out().contains(" -Infinity"), cli.out());
+    }
+
+    /** A file from elsewhere may have names of megabytes, up to the longest line; they were printed whole. */
+    @Test
+    void longNamesAreShortened() throws IOException {
+        String text = new String(duel.bytes(), StandardCharsets.UTF_8);
+        String name = duel.result().players().get(0).name();
+        String big = "n".repeat(1_000_000);
+        for (String[] change : new String[][] {{"\"name\":\"" + name + "\"", "\"name\":\"" + big + "\""},
+            {"\"bot\":\"", "\"bot\":\"" + big}, {"\"name\":\"duel\"", "\"name\":\"" + big + "\""},
+            {"\"game\":\"pod-race\"", "\"game\":\"" + big + "\""}, {"\"seed\":\"", "\"seed\":\"x" + big}}) {
+            assertTrue(text.contains(change[0]), change[0]);
+            int place = text.indexOf(change[0]);
+            Path file = Files.writeString(folder.resolve("big.jsonl"),
+                text.substring(0, place) + change[1] + text.substring(place + change[0].length()));
+            for (String option : new String[] {"--from=0", "--verify", "--turn=3", "--impacts", "--quiet"}) {
+                Cli cli = replay(file, option);
+                int longest = (cli.out() + "\n" + cli.err()).lines().mapToInt(String::length).max().orElse(0);
+                assertTrue(longest < 1200, change[0] + " " + option + ": a line of " + longest);
+            }
+            Cli frames = replay(file, "--frames", "--player", "9");
+            assertTrue(frames.err().length() < 1000, change[0] + ": " + frames.err().length());
+        }
+    }
+
     /** Such is left of a match that was interrupted before its first turn. */
     @Test
     void aHeaderAloneCanBeReadVerifiedAndShown() throws IOException {

@@ -31,6 +31,10 @@ import steward.physics.event.OfficialAdvance;
  * million. Bots with the line protocol see whole degrees; they should set a heading once and then simulate their own
  * commands.
  *
+ * <p>Caveat: far outside of any map, from about 2^36 u on, the push-out of touching pods is lost in the rounding of
+ * their places, so that they react until the turn reaches its bound on impacts, 10,000 and 1,000 per pod, and takes
+ * that much longer than a usual turn. A search program that sets such states should look at the places first.
+ *
  * <p>Sources of the rules as in {@link PodRace}. Not thread-safe: one instance, one thread.
  */
 public final class PodRaceSimulator {
@@ -38,7 +42,10 @@ public final class PodRaceSimulator {
     /** The maximum number of pods in a race. */
     public static final int MOST_PODS = OfficialAdvance.MOST_BODIES;
 
-    /** The greatest coordinate (u) and speed (u per turn) that can be set, in magnitude. */
+    /**
+     * The greatest coordinate (u) and speed (u per turn) that can be set, in magnitude. Far below it turns may already
+     * take long, see above.
+     */
     public static final double GREATEST = 0x1p200;
 
     /** The distance of the targets that stand for a command by angle, in u. */

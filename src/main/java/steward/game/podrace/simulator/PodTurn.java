@@ -78,7 +78,7 @@ final class PodTurn {
     private final double[] checkpointY;
     private final OfficialAdvance advance = new OfficialAdvance(RADIUS);
     private final Headings headings = new Headings();
-    private final TurnLog log = new TurnLog();
+    private final TurnLog log = new TurnLog(TurnLog.RECORDED);
     private final PodPaths paths;
     private final CertifiedImpacts impacts;
     /** The pods of a turn with impacts. */

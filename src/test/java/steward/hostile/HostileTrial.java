@@ -1,0 +1,174 @@
+package steward.hostile;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.concurrent.TimeUnit;
+import steward.bot.isolation.SandboxLevel;
+import steward.cli.Main;
+import steward.cli.shared.Streams;
+import steward.hostile.Attack.Effect;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/**
+ * One match of a hostile bot against an honest one, and what is left of it. It is played by the program itself, within
+ * this JVM, or in one of its own where the referee may be ended.
+ */
+final class HostileTrial {
+
+    /** With what a hostile bot exits that has seen or done what it must not. */
+    private static final String DONE_IT = "exited with status 77 before answering";
+    private static final int SEED = 7;
+
+    private final Programs programs;
+    private final Path folder;
+    private final Path temporary = Path.of(System.getProperty("java.io.tmpdir"));
+
+    /** @param folder for replays */
+    HostileTrial(Programs programs, Path folder) {
+        this.programs = programs;
+        this.folder = folder;
+    }
+
+    /**
+     * What was found.
+     *
+     * @param effect   what has become of the attack
+     * @param verdict  the fault of the hostile bot, {@code none}, or what became of the referee
+     * @param millis   how long the match took
+     * @param problems what should not be so
+     */
+    record Finding(Effect effect, String verdict, long millis, List<String> problems) {
+    }
+
+    private record Played(int status, String out, String err) {
+    }
+
+    Finding play(Attack attack, SandboxLevel level) throws IOException, InterruptedException {
+        List<String> problems = new ArrayList<>();
+        String mark = "hostile" + Long.toUnsignedString(System.nanoTime(), 36);
+        Path replay = folder.resolve(mark + ".jsonl");
+        Set<String> filesBefore = Machine.temporaryFiles(temporary);
+        int descriptorsBefore = Machine.descriptors();
+        long threadsBefore = Machine.threads();
+        List<String> call = call(level, replay, attack.factor(), programs.command(attack, mark),
+            programs.honest(mark));
+        long start = System.nanoTime();
+        Played played = attack.referee() ? inItsOwn(call) : here(call);
+        long millis = TimeUnit.NANOSECONDS.toMillis(System.nanoTime() - start);
+
+        boolean expectLeft = level == SandboxLevel.OFF && attack.off() == Effect.ESCAPES;
+        boolean left = expectLeft ? Machine.await(() -> !Machine.marked(mark).isEmpty())
+            : !Machine.await(() -> Machine.marked(mark).isEmpty());
+        if (!Machine.end(mark)) {
+            problems.add("processes cannot be killed: " + Machine.marked(mark));
+        }
+        String verdict = verdict(played);
+        boolean harmed = played.status() != 0 || verdict.equals(DONE_IT) || opponentFailed(played);
+        Effect effect = left ? Effect.ESCAPES : harmed ? Effect.SUCCEEDS : Effect.HELD;
+        if (effect == Effect.HELD && !verdict.matches(attack.verdict())) {
+            problems.add("verdict " + verdict + ", expected " + attack.verdict() + "\n" + played.err());
+        }
+        Effect expected = level == SandboxLevel.OFF ? attack.off() : Effect.HELD;
+        if (effect != expected) {
+            problems.add("it " + effect.word() + ", expected: " + expected.word() + "; " + verdict + "\n"
+                + played.err());
+        }
+        Set<String> files = new TreeSet<>();
+        boolean none = Machine.await(() -> {
+            files.clear();
+            files.addAll(Machine.temporaryFiles(temporary));
+            files.removeAll(filesBefore);
+            return files.isEmpty();
+        });
+        if (!none) {
+            problems.add("files are left: " + files);
+        }
+        if (!Machine.await(() -> Machine.descriptors() <= descriptorsBefore + 2)) {
+            problems.add("descriptors: " + descriptorsBefore + " before, " + Machine.descriptors() + " after");
+        }
+        if (!Machine.await(() -> Machine.threads() <= Math.max(threadsBefore, 4))) {
+            problems.add("threads: " + threadsBefore + " before, " + Machine.threads() + " after");
+        }
+        if (!attack.word().equals("changes-replay") || effect == Effect.HELD) {
+            verify(replay, played.status() != 0, problems);
+        }
+        return new Finding(effect, verdict, millis, problems);
+    }
+
+    /** An undisturbed match: its last hash, or what went wrong. The same after every attack. */
+    String undisturbed(SandboxLevel level) throws IOException {
+        Path replay = folder.resolve("next.jsonl");
+        Files.deleteIfExists(replay);
+        Played played = here(call(level, replay, 20, programs.honest("a"), programs.honest("b")));
+        if (played.status() != 0) {
+            return played.status() + " " + played.out() + played.err();
+        }
+        List<String> lines = Files.readAllLines(replay);
+        String last = lines.get(lines.size() - 2);
+        int hash = last.indexOf("\"hash\":");
+        return last.substring(hash, Math.min(last.length(), hash + 26));
+    }
+
+    private static List<String> call(SandboxLevel level, Path replay, int factor, String bot, String other) {
+        return List.of("match", "--scene", "duel", "--seed", "" + SEED, "--sandbox", level.word(), "--time-factor",
+            "" + factor, "--json", "--out", replay.toString(), "--bot", bot, "--bot", other);
+    }
+
+    private static Played here(List<String> call) {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        ByteArrayOutputStream err = new ByteArrayOutputStream();
+        int status = Main.run(new Streams(out, err, false, false), call.toArray(new String[0]));
+        return new Played(status, out.toString(StandardCharsets.UTF_8), err.toString(StandardCharsets.UTF_8));
+    }
+
+    private Played inItsOwn(List<String> call) throws IOException, InterruptedException {
+        List<String> words = new ArrayList<>(Jvm.words(temporary));
+        words.add(Main.class.getName());
+        words.addAll(call);
+        Path out = folder.resolve("out");
+        Path err = folder.resolve("err");
+        Process process = new ProcessBuilder(words).redirectOutput(out.toFile()).redirectError(err.toFile()).start();
+        if (!process.waitFor(2, TimeUnit.MINUTES)) {
+            process.destroyForcibly();
+        }
+        return new Played(process.waitFor(), Files.readString(out), Files.readString(err));
+    }
+
+    private static JsonNode players(Played played) {
+        return played.out().startsWith("{") ? JsonMapper.shared().readTree(played.out()).path("players") : null;
+    }
+
+    private static String verdict(Played played) {
+        JsonNode players = players(played);
+        if (players == null) {
+            return "the referee ended with status " + played.status();
+        }
+        JsonNode fault = players.path(0).path("fault");
+        return fault.isString() ? fault.stringValue() : Attacks.NONE;
+    }
+
+    private static boolean opponentFailed(Played played) {
+        JsonNode players = players(played);
+        return players != null && players.path(1).path("fault").isString();
+    }
+
+    /** @param cut whether the match may have been broken off */
+    private void verify(Path replay, boolean cut, List<String> problems) {
+        List<String> call = new ArrayList<>(List.of("replay", replay.toString(), "--verify", "--quiet"));
+        if (cut) {
+            call.add("--partial");
+        }
+        Played verified = here(call);
+        if (verified.status() != 0) {
+            problems.add("the replay does not verify: " + verified.out() + verified.err());
+        }
+    }
+}
