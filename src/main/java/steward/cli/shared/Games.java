@@ -4,6 +4,7 @@ import java.util.List;
 import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.GameTypes;
+import steward.game.fantasticbits.protocol.FantasticBitsType;
 import steward.game.meanmax.protocol.MeanMaxType;
 import steward.game.podrace.protocol.PodRaceType;
 import steward.game.searchrace.protocol.SearchRaceType;
@@ -23,7 +24,8 @@ public final class Games {
 
     /** All games. */
     public static GameTypes types() {
-        return new GameTypes(List.of(new PodRaceType(), new SearchRaceType(), new MeanMaxType()));
+        return new GameTypes(List.of(new PodRaceType(), new SearchRaceType(), new MeanMaxType(),
+            new FantasticBitsType()));
     }
 
     /** The ids of all games. */
