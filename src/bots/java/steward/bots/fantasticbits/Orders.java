@@ -14,14 +14,18 @@ final class Orders {
         return line.charAt(line.length() - 1) == '}' ? line.append(',') : line;
     }
 
+    private StringBuilder place(double x, double y) {
+        return next().append("{\"x\":").append(Math.round(x)).append(",\"y\":").append(Math.round(y));
+    }
+
     /** Full thrust toward a place. */
     void go(double x, double y) {
-        next().append("{\"x\":").append(Math.round(x)).append(",\"y\":").append(Math.round(y)).append(",\"power\":150}");
+        place(x, y).append(",\"power\":150}");
     }
 
     /** The snaffle in hand is thrown toward a place with all power. */
     void toss(double x, double y) {
-        next().append("{\"x\":").append(Math.round(x)).append(",\"y\":").append(Math.round(y)).append(",\"throw\":500}");
+        place(x, y).append(",\"throw\":500}");
     }
 
     /** A spell. */

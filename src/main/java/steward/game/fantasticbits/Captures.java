@@ -5,9 +5,9 @@ import steward.physics.Reaction;
 import steward.physics.TurnSink;
 
 /**
- * What contacts do beside the impulse, as seen by the bodies alone: wizards take snaffles and carry them, snaffles leave
- * through the goals, bludgers remember whom they have hit. The official expressions use the parts of it; where the
- * common law computes a turn it is the answer to contacts.
+ * What contacts do beside the impulse, as seen by the bodies alone: wizards take snaffles and carry them, snaffles
+ * leave through the goals, bludgers remember whom they have hit. The official expressions use the parts of it; where
+ * the common law computes a turn it is the answer to contacts.
  *
  * <p>There the goal lines are walls behind the field, at the distance of a snaffle's radius, and the walls between the
  * posts let snaffles pass. Caveat: a capture that is refused is not asked again in the same turn unless the two have
@@ -66,7 +66,9 @@ public final class Captures implements Reaction {
         return found;
     }
 
-    /** A wizard takes a snaffle, unless it holds one by now or another free wizard is as near. @return whether it did */
+    /**
+     * A wizard takes a snaffle, unless it holds one by now or another free wizard is as near. @return whether it did
+     */
     static boolean capture(Bodies bodies, int wizard, int snaffle, double time, TurnSink sink) {
         if (holds(bodies, wizard)) {
             return false;
@@ -133,6 +135,9 @@ public final class Captures implements Reaction {
         }
         int first = Math.min(bodies.kind[a], bodies.kind[b]);
         int second = Math.max(bodies.kind[a], bodies.kind[b]);
+        if (second >= EntityKind.HELD_SNAFFLE.ordinal()) {
+            return Verdict.PASS;                      // taken or lost by an earlier contact of the same batch
+        }
         if (first == SNAFFLE && second == SNAFFLE) {
             return Pitch.ignores(bodies, Math.max(a, b), Math.min(a, b)) ? Verdict.PASS : Verdict.BOUNCE;
         }
@@ -151,7 +156,7 @@ public final class Captures implements Reaction {
 
     private static Verdict atWall(double time, int a, int wall, Bodies bodies, TurnSink sink) {
         if (bodies.kind[a] != SNAFFLE) {
-            return Verdict.BOUNCE;
+            return bodies.kind[a] == WIZARD ? Verdict.BOUNCE : Verdict.PASS;
         }
         if (wall >= GOAL_LINES) {
             score(bodies, a, wall == GOAL_LINES ? 1 : 0, time, sink);

@@ -9,7 +9,8 @@ import steward.scene.Plan;
 
 /**
  * The rules of Fantastic Bits, highest league, in both variants, free of JSON. Source: the published official referee;
- * with the official arithmetic, positions, speeds, scores, magic, spells and impact times agree with it to the last bit.
+ * with the official arithmetic, positions, speeds, scores, magic, spells and impact times agree with it to the last
+ * bit.
  *
  * <p>The game ends with the turn in which a player goes out; its score is then -1. Commands that stand in a faulty
  * answer before the fault take effect in that turn.
@@ -87,7 +88,8 @@ public final class FantasticBits extends AbstractGame {
             : !command.spell().suits(pitch.kind(target)) ? "a " + pitch.kind(target).text()
             : pitch.kind(target) == EntityKind.WIZARD && Pitch.playerOf(target) == player ? "a wizard of the own team"
             : null;
-        return found == null ? null : "target: found " + target + ", " + found + ", expected " + targets(command.spell());
+        return found == null ? null : "target: found " + target + ", " + found + ", expected "
+            + targets(command.spell());
     }
 
     private static String targets(Spell spell) {

@@ -51,7 +51,8 @@ public record FantasticBitsSettings(Variant variant, int maximumTurns) {
         List<Wall> walls = scene.field().map(field -> field.walls()).orElse(List.of());
         List<Bumper> bumpers = scene.field().map(field -> field.bumpers()).orElse(List.of());
         if (!walls.equals(WALLS) || !bumpers.equals(Pitch.POSTS)) {
-            throw root.error("field", "another field", "the pitch of Fantastic Bits as in the scene fantastic-bits: four "
+            throw root.error("field", "another field",
+                "the pitch of Fantastic Bits as in the scene fantastic-bits: four "
                 + "walls, two goal lines, and the goal posts as bumpers");
         }
         if (scene.accuracy().equals(Accuracy.event(Arithmetic.OFFICIAL))

@@ -9,8 +9,8 @@ import steward.physics.Motion;
 import steward.scene.Bumper;
 
 /**
- * Everything on the pitch: wizards 0..3, two by two the players', snaffles, bludgers and goal posts, which are bodies in
- * this order and are never removed, so that ids are indices; and the spells of the wizards.
+ * Everything on the pitch: wizards 0..3, two by two the players', snaffles, bludgers and goal posts, which are bodies
+ * in this order and are never removed, so that ids are indices; and the spells of the wizards.
  */
 public final class Pitch {
 

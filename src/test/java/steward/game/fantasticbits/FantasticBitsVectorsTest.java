@@ -14,8 +14,8 @@ import steward.game.Comparison;
 import steward.game.GroundTruth;
 
 /**
- * Whole matches of the published Fantastic Bits referee: states, impacts, captures, goals, ends, faults and the lines sent to bots,
- * from the seed and from every recorded state. Another folder of this form:
+ * Whole matches of the published Fantastic Bits referee: states, impacts, captures, goals, ends, faults and the lines
+ * sent to bots, from the seed and from every recorded state. Another folder of this form:
  * {@code gradle test --tests '*VectorsTest' -Psteward.vectors=FOLDER}.
  */
 class FantasticBitsVectorsTest {
@@ -45,7 +45,8 @@ class FantasticBitsVectorsTest {
             turns += match.turns().size();
             differences.addAll(found.differences());
         }
-        GroundTruth.tell(report, "fantastic-bits, " + how + ": " + files.size() + " matches, " + turns + " turns, " + impacts
+        GroundTruth.tell(report, "fantastic-bits, " + how + ": " + files.size() + " matches, " + turns + " turns, "
+            + impacts
             + " impacts, " + values + " values compared, " + differences.size() + " different");
 
         assertTrue(values > 0, "the folder holds matches");
