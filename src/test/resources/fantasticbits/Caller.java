@@ -2,7 +2,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Scanner;
 
-/** A Fantastic Bits bot as a contestant writes it: it calls snaffles that are far away, and stops the others' throws. */
+/** A Fantastic Bits bot as a contestant writes it: it calls snaffles from afar, and stops the others' throws. */
 class Player {
 
     public static void main(String[] args) {

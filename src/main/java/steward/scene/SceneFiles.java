@@ -19,7 +19,7 @@ import steward.scene.json.Wording;
 public final class SceneFiles {
 
     /** The scenes that come with the program; a test compares the list with their folder. */
-    static final List<String> SHIPPED = List.of("duel", "fantastic-bits", "fantastic-bits-contest",
+    static final List<String> SHIPPED = List.of("duel", "fantastic-bits-contest", "fantastic-bits",
         "mad-pod-racing-silver", "mad-pod-racing", "mean-max",
         "search-race", "walled-race");
 

@@ -1,7 +1,12 @@
 // The look of Fantastic Bits: the pitch with its goals, wizards, snaffles, bludgers, and spells as lines to targets.
 
 const WIZARDS_EACH = 2;
-const SPELL_STYLES = { obliviate: ['muted', [2, 4]], petrificus: ['ink', []], accio: ['shield', [8, 4]], flipendo: ['flame', [12, 4]] };
+const SPELL_STYLES = {
+  obliviate: ['muted', [2, 4]],
+  petrificus: ['ink', []],
+  accio: ['shield', [8, 4]],
+  flipendo: ['flame', [12, 4]],
+};
 const GOAL_TOP = 1750;
 const GOAL_BOTTOM = 5750;
 const PITCH_WIDTH = 16000;
@@ -50,7 +55,7 @@ const FANTASTIC_BITS_LOOK = {
   commandLines: command => command.map(wizardOrder),
 
   field(name, value) {
-    if (name === 'spells') return value.map(spell => `${spell.spell} ${spell.target} (${spell.turns})`).join(', ') || '–';
+    if (name === 'spells') return value.map(({ spell, target, turns }) => `${spell} ${target} (${turns})`).join(', ');
     if (name === 'cast') return `${value.spell} ${value.target}`;
     return PLAIN_LOOK.field(name, value);
   },
@@ -100,7 +105,7 @@ function drawWizard(scene, body) {
 
 function drawSnaffle({ ctx, view, paint }, body) {
   circle(ctx, view.x(body.x), view.y(body.y), Math.max(2.5, body.radius * view.scale));
-  ctx.fillStyle = paint.flash;
+  ctx.fillStyle = paint.core;
   ctx.fill();
   ctx.strokeStyle = paint.ink;
   ctx.lineWidth = 1;

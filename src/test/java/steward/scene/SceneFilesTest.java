@@ -119,7 +119,8 @@ class SceneFilesTest {
         String message = refused("mad-pod-racign");
         assertTrue(message.startsWith("mad-pod-racign: found no such file, expected a scene file"), message);
         if (!SceneFiles.shipped().isEmpty()) {
-            assertTrue(message.endsWith(" or one of \"duel\", \"mad-pod-racing-silver\", \"mad-pod-racing\", "
+            assertTrue(message.endsWith(" or one of \"duel\", \"fantastic-bits-contest\", \"fantastic-bits\", "
+                + "\"mad-pod-racing-silver\", \"mad-pod-racing\", "
                 + "\"mean-max\", \"search-race\", \"walled-race\"; did you mean \"mad-pod-racing\"?"), message);
         }
         assertTrue(refused("no\0name").startsWith("no\0name: found no such file"));

@@ -9,6 +9,7 @@ import steward.game.meanmax.protocol.MeanMaxType;
 import steward.game.podrace.protocol.PodRaceType;
 import steward.game.searchrace.protocol.SearchRaceType;
 import steward.scene.Accuracy;
+import steward.scene.Scene;
 import steward.scene.SceneFiles;
 import steward.scene.SceneReader;
 import steward.scene.SceneText;
@@ -56,8 +57,9 @@ public final class Games {
 
     /** What the official scene of a game is, in a few words: the game itself says it. */
     public static String about(String scene) {
-        String id = open(scene).scene().gameId();
-        return types().types().stream().filter(type -> type.id().equals(id)).findFirst().orElseThrow().about();
+        Scene of = open(scene).scene();
+        return types().types().stream().filter(type -> type.id().equals(of.gameId())).findFirst().orElseThrow()
+            .about(of);
     }
 
     /** Prints what is odd about a scene; once per call of the program. */

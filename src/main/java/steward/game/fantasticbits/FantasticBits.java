@@ -77,7 +77,7 @@ public final class FantasticBits extends AbstractGame {
         if (command.action() != WizardCommand.Action.CAST) {
             int most = WizardCommand.mostPower(command.action());
             if (!(command.power() >= 0 && command.power() <= most)) {
-                return "power: found " + shown(command.power()) + ", expected 0.." + most;
+                return "power: found " + (long) command.power() + ", expected 0.." + most;
             }
             return command.action() == WizardCommand.Action.THROW && pitch.held(self) < 0
                 ? "found a throw without a snaffle in hand, expected a move or a spell" : null;
@@ -98,10 +98,6 @@ public final class FantasticBits extends AbstractGame {
             case ACCIO -> "a bludger or a snaffle in play";
             case PETRIFICUS, FLIPENDO -> "a bludger, a snaffle in play or a wizard of the other team";
         };
-    }
-
-    private static String shown(double power) {
-        return power == Math.rint(power) ? Long.toString((long) power) : Double.toString(power);
     }
 
     /**

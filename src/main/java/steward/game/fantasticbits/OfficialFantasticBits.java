@@ -13,10 +13,9 @@ import steward.physics.event.OfficialLoop;
 public final class OfficialFantasticBits extends OfficialLoop {
 
     private static final int WALL = 0;
-    private static final int POST = 1;
-    private static final int PAIR = 2;
-    private static final int CAPTURE = 3;
-    private static final int GOAL = 4;
+    private static final int PAIR = 1;
+    private static final int CAPTURE = 2;
+    private static final int GOAL = 3;
 
     private static final int LEFT = 0;
     private static final int TOP = 1;
@@ -109,12 +108,10 @@ public final class OfficialFantasticBits extends OfficialLoop {
         }
     }
 
+    /** Posts are bodies that never move. */
     private void lookAtPosts(Bodies bodies, int i, int post, double now) {
         for (int j = post; j < bodies.size(); j++) {
-            double until = until(bodies, i, j, bodies.vx[i], bodies.vy[i], bodies.radius[i] + bodies.radius[j], now);
-            if (until >= 0) {
-                offer(now + until, POST, i, j);
-            }
+            lookAtPair(bodies, i, j, now);
         }
     }
 
@@ -159,12 +156,10 @@ public final class OfficialFantasticBits extends OfficialLoop {
         }
     }
 
-    private static double until(Bodies bodies, int a, int b, double touch, double now) {
-        return until(bodies, a, b, bodies.vx[a] - bodies.vx[b], bodies.vy[a] - bodies.vy[b], touch, now);
-    }
-
     /** The time until two are at a distance: 0 if they are within it, -1 if not in this turn. */
-    private static double until(Bodies bodies, int i, int j, double vx, double vy, double touch, double now) {
+    private static double until(Bodies bodies, int i, int j, double touch, double now) {
+        double vx = bodies.vx[i] - bodies.vx[j];
+        double vy = bodies.vy[i] - bodies.vy[j];
         double x = bodies.x[i] - bodies.x[j];
         double y = bodies.y[i] - bodies.y[j];
         double squared = x * x + y * y;
@@ -213,9 +208,9 @@ public final class OfficialFantasticBits extends OfficialLoop {
             case CAPTURE -> Captures.capture(bodies, a, b, time, sink);
             case GOAL -> Captures.score(bodies, a, b, time, sink);
             case WALL -> reactWall(bodies, a, b, time, sink);
-            default -> reactPair(bodies, a, b, kind == POST, time, sink);
+            default -> reactPair(bodies, a, b, time, sink);
         }
-        if (kind == WALL || kind == POST || kind == PAIR) {
+        if (kind == WALL || kind == PAIR) {
             Captures.afterImpact(bodies, a, kind == WALL ? ~b : b, time, sink);
         }
     }
@@ -263,7 +258,11 @@ public final class OfficialFantasticBits extends OfficialLoop {
         bodies.vy[a] += fy * bodies.inverseMass[a];
     }
 
-    private static void reactPair(Bodies bodies, int a, int b, boolean post, double time, TurnSink sink) {
+    /**
+     * The second may be a post: its inverse mass is 0, and since masses are powers of two, the impulse has the bits of
+     * the referee's expression for posts. Only the other is moved away then.
+     */
+    private static void reactPair(Bodies bodies, int a, int b, double time, TurnSink sink) {
         double ax = bodies.x[a];
         double ay = bodies.y[a];
         double bx = bodies.x[b];
@@ -277,29 +276,24 @@ public final class OfficialFantasticBits extends OfficialLoop {
         double distance = Math.sqrt(dx * dx + dy * dy);
         double nx = distance == 0 ? 1 : dx / distance;
         double ny = distance == 0 ? 0 : dy / distance;
-        double first = post ? (nx * vax + ny * vay) * bodies.mass[a]
-            : (nx * (vax - vbx) + ny * (vay - vby)) / (bodies.inverseMass[a] + bodies.inverseMass[b]);
+        double inverse = bodies.inverseMass[a] + bodies.inverseMass[b];
+        double first = (nx * (vax - vbx) + ny * (vay - vby)) / inverse;
         double second = Math.max(MINIMUM, first);
         double impulse = first + second;
         double fx = nx * (-1 * impulse);
         double fy = ny * (-1 * impulse);
         push(bodies, a, fx, fy);
-        if (!post) {
-            push(bodies, b, fx * -1, fy * -1);
-        }
-        double inverse = bodies.inverseMass[a] + bodies.inverseMass[b];
+        push(bodies, b, fx * -1, fy * -1);
         sink.impact(time, a, b, ax, ay, bx, by, nx, ny, impulse, inverse * (second * second - first * first) / 2,
             bodies.mass[a], bodies.mass[b], vax, vay, bodies.vx[a], bodies.vy[a], vbx, vby, bodies.vx[b],
             bodies.vy[b]);
         sink.knot(a, time, ax, ay);
-        if (!post) {
-            sink.knot(b, time, bx, by);
-        }
+        sink.knot(b, time, bx, by);
         double gap = distance - bodies.radius[a] - bodies.radius[b];
         if (gap <= 0) {
             double half = -gap / 2 + EPSILON;
             shift(bodies, a, nx * -half, ny * -half, time, sink);
-            if (!post) {
+            if (bodies.inverseMass[b] > 0) {
                 shift(bodies, b, nx * half, ny * half, time, sink);
             }
         }

@@ -221,7 +221,7 @@ public final class Pitch {
             }
             int called = spells.target(wizard, Spell.ACCIO);
             if (called >= 0 && kind(called) == EntityKind.LOST_SNAFFLE) {
-                spells.end(wizard, Spell.ACCIO);
+                spells.set(wizard, Spell.ACCIO, 0, -1);
             }
             bodies.columns[WAIT][wizard] -= bodies.columns[WAIT][wizard] > 0 ? 1 : 0;
         }
@@ -249,7 +249,7 @@ public final class Pitch {
     private void release(int wizard) {
         int snaffle = held(wizard);
         if (spells.target(wizard, Spell.ACCIO) == snaffle) {
-            spells.end(wizard, Spell.ACCIO);
+            spells.set(wizard, Spell.ACCIO, 0, -1);
         }
         for (int k = WIZARDS; k < WIZARDS + snaffles; k++) {
             if (k != snaffle && Captures.squared(bodies, snaffle, k) <= TOUCH) {
@@ -293,29 +293,30 @@ public final class Pitch {
         return false;
     }
 
+    /** First all petrificus, then all accio, then all flipendo, each by the order of wizards. */
     private void applySpells() {
-        for (int wizard = 0; wizard < WIZARDS; wizard++) {
-            int target = spells.target(wizard, Spell.PETRIFICUS);
-            if (target >= 0) {
-                bodies.vx[target] = 0;
-                bodies.vy[target] = 0;
-            }
-        }
-        for (int wizard = 0; wizard < WIZARDS; wizard++) {
-            int target = spells.target(wizard, Spell.ACCIO);
-            if (target >= 0) {
-                pull(target, bodies.x[wizard] - bodies.x[target], bodies.y[wizard] - bodies.y[target], ACCIO_POWER);
-            }
-        }
-        for (int wizard = 0; wizard < WIZARDS; wizard++) {
-            int target = spells.target(wizard, Spell.FLIPENDO);
-            if (target >= 0 && !(bodies.x[wizard] == bodies.x[target] && bodies.y[wizard] == bodies.y[target])) {
-                pull(target, bodies.x[target] - bodies.x[wizard], bodies.y[target] - bodies.y[wizard], FLIPENDO_POWER);
+        for (int k = Spell.PETRIFICUS.ordinal(); k < Spell.count(); k++) {
+            for (int wizard = 0; wizard < WIZARDS; wizard++) {
+                int target = spells.target(wizard, Spell.of(k));
+                if (target >= 0) {
+                    apply(Spell.of(k), wizard, target);
+                }
             }
         }
     }
 
-    private void pull(int target, double dx, double dy, double strength) {
+    /** On exactly the same point the direction is (0, 0), and nothing is pushed. */
+    private void apply(Spell spell, int wizard, int target) {
+        if (spell == Spell.PETRIFICUS) {
+            bodies.vx[target] = 0;
+            bodies.vy[target] = 0;
+            return;
+        }
+        int to = spell == Spell.ACCIO ? wizard : target;
+        int from = wizard + target - to;
+        double dx = bodies.x[to] - bodies.x[from];
+        double dy = bodies.y[to] - bodies.y[from];
+        double strength = spell == Spell.ACCIO ? ACCIO_POWER : FLIPENDO_POWER;
         double power = Math.min(strength * (1000000 / (dx * dx + dy * dy)), MOST_SPELL_POWER);
         toUnit(dx, dy);
         push(target, unitX * power, unitY * power);

@@ -53,7 +53,7 @@ public final class SpellBook {
         return castAt[wizard];
     }
 
-    /** Sets a spell at work: by {@link #beginTurn}, and in tests of the rules. */
+    /** Sets a spell at work, or with 0 turns ends it, whose target is then -1. */
     public void set(int wizard, Spell spell, int left, int target) {
         turns[place(wizard, spell)] = left;
         targets[place(wizard, spell)] = target;
@@ -79,11 +79,6 @@ public final class SpellBook {
         for (int k = wizard * Spell.count(); k < (wizard + 1) * Spell.count(); k++) {
             targets[k] = turns[k] == 0 ? NONE : targets[k];
         }
-    }
-
-    /** Ends a wizard's spell at once. */
-    void end(int wizard, Spell spell) {
-        set(wizard, spell, 0, NONE);
     }
 
     void addTo(StateHash hash) {

@@ -43,12 +43,8 @@ public record WizardCommand(Action action, double x, double y, double power, Spe
         return new WizardCommand(Action.CAST, 0, 0, 0, spell, target);
     }
 
-    /** The greatest power of this action; 0 for a spell. */
+    /** The greatest power of a move or a throw. */
     public static int mostPower(Action action) {
-        return switch (action) {
-            case MOVE -> MOST_THRUST;
-            case THROW -> MOST_THROW;
-            case CAST -> 0;
-        };
+        return action == Action.MOVE ? MOST_THRUST : MOST_THROW;
     }
 }

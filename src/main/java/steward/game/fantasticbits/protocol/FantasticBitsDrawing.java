@@ -42,11 +42,11 @@ final class FantasticBitsDrawing implements Drawing {
         Bodies bodies = game.bodies();
         for (int k = 0; k < bodies.size(); k++) {
             EntityKind kind = game.pitch().kind(k);
-            if (kind == EntityKind.POST) {
-                DrawingJson.fixedBody(out, bodies, k, kind.text());
-            } else {
-                DrawingJson.body(out, bodies.id(k), kind.text(), bodies.radius[k],
-                    kind == EntityKind.WIZARD ? Pitch.playerOf(k) : -1, kind == EntityKind.WIZARD ? "" + k : "");
+            switch (kind) {
+                case POST -> DrawingJson.fixedBody(out, bodies, k, kind.text());
+                case WIZARD -> DrawingJson.body(out, bodies.id(k), kind.text(), bodies.radius[k], Pitch.playerOf(k),
+                    Integer.toString(k));
+                default -> DrawingJson.freeBody(out, bodies.id(k), kind.text(), bodies.radius[k]);
             }
         }
         out.writeEndArray();

@@ -14,6 +14,7 @@ import steward.game.fantasticbits.FantasticBits;
 import steward.game.fantasticbits.FantasticBitsSettings;
 import steward.game.fantasticbits.OfficialFantasticBits;
 import steward.game.fantasticbits.Pitch;
+import steward.game.fantasticbits.Variant;
 import steward.physics.Contacts;
 import steward.physics.Contacts.Meaning;
 import steward.physics.Motion;
@@ -34,6 +35,12 @@ public final class FantasticBitsType implements GameType {
     @Override
     public String about() {
         return "Fantastic Bits, the official rules, two players";
+    }
+
+    @Override
+    public String about(Scene scene) {
+        return open(scene).settings().variant() == Variant.CONTEST
+            ? "Fantastic Bits as it was in the contest of 2016, two players" : about();
     }
 
     @Override
