@@ -104,7 +104,7 @@ public final class FantasticBits extends AbstractGame {
      * Gives a wizard a command for the next turn.
      *
      * @param wizard  0..1, of its player
-     * @param command one without a {@link #refusal}; {@code null} for none
+     * @param command {@code null} for none; one with a {@link #refusal} does nothing
      */
     public void command(int player, int wizard, WizardCommand command) {
         commands[player * Pitch.WIZARDS_PER_PLAYER + wizard] = command;
@@ -138,10 +138,10 @@ public final class FantasticBits extends AbstractGame {
     private void obey(int wizard) {
         WizardCommand command = commands[wizard];
         commands[wizard] = null;
-        if (command == null) {
+        int player = Pitch.playerOf(wizard);
+        if (command == null || refusal(player, wizard % Pitch.WIZARDS_PER_PLAYER, command) != null) {
             return;
         }
-        int player = Pitch.playerOf(wizard);
         if (command.action() == WizardCommand.Action.CAST) {
             int cost = settings.variant().cost(command.spell());
             if (magic[player] >= cost) {

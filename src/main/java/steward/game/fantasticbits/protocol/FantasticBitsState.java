@@ -7,7 +7,10 @@ import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.io.SerializedString;
 
-/** Commands and states of Fantastic Bits as a replay keeps them. */
+/**
+ * Commands and states of Fantastic Bits as a replay keeps them. A recorded command that the state does not allow, since
+ * another bot has changed the course of the match, is read and does nothing.
+ */
 final class FantasticBitsState implements StateCodec {
 
     private static final SerializedString BODIES = new SerializedString("bodies");
@@ -17,7 +20,7 @@ final class FantasticBitsState implements StateCodec {
 
     FantasticBitsState(FantasticBits game) {
         this.game = game;
-        commands = new WizardCommandJson(game);
+        commands = new WizardCommandJson(null);
     }
 
     /** The fields {@code scores} and {@code magic}, per player. */

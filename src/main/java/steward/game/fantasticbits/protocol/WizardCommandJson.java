@@ -34,6 +34,7 @@ final class WizardCommandJson {
         }
     }
 
+    /** {@code null} where commands need not be allowed by the state. */
     private final FantasticBits game;
     private final WizardCommand[] read = new WizardCommand[Pitch.WIZARDS_PER_PLAYER];
 
@@ -44,6 +45,7 @@ final class WizardCommandJson {
     private Action action;
     private Spell spell;
 
+    /** @param game whose state must allow what is read; {@code null} for commands that were recorded */
     WizardCommandJson(FantasticBits game) {
         this.game = game;
     }
@@ -124,7 +126,7 @@ final class WizardCommandJson {
         }
         WizardCommand command = action == Action.CAST ? WizardCommand.cast(spell, (int) target)
             : action == Action.THROW ? WizardCommand.toss(x, y, power) : WizardCommand.move(x, y, power);
-        String refusal = game.refusal(player, wizard, command);
+        String refusal = game == null ? null : game.refusal(player, wizard, command);
         if (refusal != null) {
             return path(wizard) + (refusal.startsWith("found") ? ": " : ".") + refusal;
         }

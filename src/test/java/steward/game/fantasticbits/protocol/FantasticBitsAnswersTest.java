@@ -104,6 +104,18 @@ class FantasticBitsAnswersTest {
         assertEquals(kept, kept());
     }
 
+    /** Another bot in the recorded one's place: the snaffle that it had is not there. */
+    @Test
+    void aRecordedCommandThatTheStateDoesNotAllowDoesNothing() {
+        double x = game.bodies().x[2];
+        assertNull(read("{\"c\":[{\"x\":1,\"y\":2,\"throw\":500},{\"x\":15000,\"y\":0,\"power\":150}]}", false));
+        game.play();
+        assertEquals(x, game.bodies().x[2]);
+        assertEquals(5100, game.bodies().y[3]);
+        assertEquals("wizards[0].throw: found 501, expected a number 0..500",
+            read("{\"c\":[{\"x\":1,\"y\":2,\"throw\":501},{\"x\":1,\"y\":2,\"power\":150}]}", false));
+    }
+
     private String kept() {
         return new String(JsonObject.of(out -> {
             out.writeName("c");
