@@ -111,8 +111,7 @@ class MainTest {
         "steward expl | explain", "steward help ma | match", "steward key n | new", "steward new p | python",
         "steward match --protocol c | codingame", "steward match --accuracy c | compensated",
         "steward match --accuracy = off | official", "steward match --bot bui | builtin:contender builtin:driver "
-        + "builtin:gatherer builtin:marauder builtin:planner builtin:racer builtin:regular builtin:veteran",
-        "steward match --bot builtin : ve | veteran",
+        + "builtin:gatherer builtin:marauder builtin:planner builtin:racer builtin:regular builtin:veteran", "steward match --bot builtin : ve | veteran",
         "steward match --bot me = builtin : ra | racer", "steward match --scene w | walled-race",
         "steward match --keep f | failed", "steward match --threads a | auto", "steward stability --rung e | exact",
         "steward stability --case ro | rounding", "steward stability --case mi | mirror\\ images",
