@@ -50,6 +50,15 @@ public final class DrawingJson {
         out.writeEndObject();
     }
 
+    /** One of the {@code bodies} of a drawing that belongs to no player and can move: its places are in the states. */
+    public static void freeBody(JsonGenerator out, int id, String kind, double radius) {
+        out.writeStartObject();
+        out.writeNumberProperty("id", id);
+        out.writeStringProperty("kind", kind);
+        JsonNumbers.write(out, "radius", radius);
+        out.writeEndObject();
+    }
+
     /** One of the {@code bodies} of a drawing that never moves and belongs to no player. */
     public static void fixedBody(JsonGenerator out, Bodies bodies, int body, String kind) {
         out.writeStartObject();

@@ -19,6 +19,11 @@ public interface GameType {
         return "the official rules of " + id();
     }
 
+    /** What one of its official scenes is, as {@link #about()}, where a game has several. */
+    default String about(Scene scene) {
+        return about();
+    }
+
     /**
      * The scene of a game for one player of which nothing is known but the lines of text that it was sent.
      *

@@ -19,7 +19,8 @@ import steward.scene.json.Wording;
 public final class SceneFiles {
 
     /** The scenes that come with the program; a test compares the list with their folder. */
-    static final List<String> SHIPPED = List.of("duel", "mad-pod-racing-silver", "mad-pod-racing", "mean-max",
+    static final List<String> SHIPPED = List.of("duel", "fantastic-bits-contest", "fantastic-bits",
+        "mad-pod-racing-silver", "mad-pod-racing", "mean-max",
         "search-race", "walled-race");
 
     private static final String SUFFIX = ".json";

@@ -27,7 +27,8 @@ final class House {
     /** Lowest first; the root package itself, which holds only what marks the others, is the lowest of all. */
     static final List<String> ROOMS = List.of("", "numerics", "text", "files",
         "physics", "physics.time", "physics.impulse", "physics.event", "physics.queue",
-        "scene.json", "scene", "game", "game.meanmax", "game.meanmax.protocol", "game.podrace",
+        "scene.json", "scene", "game", "game.fantasticbits", "game.fantasticbits.protocol", "game.meanmax",
+        "game.meanmax.protocol", "game.podrace",
         "game.podrace.simulator", "game.podrace.protocol", "game.searchrace", "game.searchrace.protocol",
         "bot", "bot.command", "bot.isolation", "bot.accounting", "bot.process", "match",
         "replay.sign", "replay", "replay.verify", "replay.feed", "replay.page", "contest", "live", "codingame",

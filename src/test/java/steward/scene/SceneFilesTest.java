@@ -43,8 +43,9 @@ class SceneFilesTest {
         SceneText file = SceneFiles.load(FOLDER.resolve(name + ".json").toString());
         Scene scene = SceneReader.read(file.text(), file.source());
         assertEquals(name, scene.name());
-        assertTrue(List.of("mean-max", "search-race").contains(name) ? scene.gameId().equals(name)
-            : scene.gameId().equals("pod-race"), scene.gameId());
+        String game = List.of("fantastic-bits", "mean-max", "search-race").stream().filter(name::startsWith).findFirst()
+            .orElse("pod-race");
+        assertEquals(game, scene.gameId());
         assertEquals(scene, SceneReader.read(scene.json(), "again"));
     }
 
@@ -118,7 +119,8 @@ class SceneFilesTest {
         String message = refused("mad-pod-racign");
         assertTrue(message.startsWith("mad-pod-racign: found no such file, expected a scene file"), message);
         if (!SceneFiles.shipped().isEmpty()) {
-            assertTrue(message.endsWith(" or one of \"duel\", \"mad-pod-racing-silver\", \"mad-pod-racing\", "
+            assertTrue(message.endsWith(" or one of \"duel\", \"fantastic-bits-contest\", \"fantastic-bits\", "
+                + "\"mad-pod-racing-silver\", \"mad-pod-racing\", "
                 + "\"mean-max\", \"search-race\", \"walled-race\"; did you mean \"mad-pod-racing\"?"), message);
         }
         assertTrue(refused("no\0name").startsWith("no\0name: found no such file"));

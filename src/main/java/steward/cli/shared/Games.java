@@ -4,10 +4,12 @@ import java.util.List;
 import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.GameTypes;
+import steward.game.fantasticbits.protocol.FantasticBitsType;
 import steward.game.meanmax.protocol.MeanMaxType;
 import steward.game.podrace.protocol.PodRaceType;
 import steward.game.searchrace.protocol.SearchRaceType;
 import steward.scene.Accuracy;
+import steward.scene.Scene;
 import steward.scene.SceneFiles;
 import steward.scene.SceneReader;
 import steward.scene.SceneText;
@@ -23,7 +25,8 @@ public final class Games {
 
     /** All games. */
     public static GameTypes types() {
-        return new GameTypes(List.of(new PodRaceType(), new SearchRaceType(), new MeanMaxType()));
+        return new GameTypes(List.of(new PodRaceType(), new SearchRaceType(), new MeanMaxType(),
+            new FantasticBitsType()));
     }
 
     /** The ids of all games. */
@@ -54,8 +57,9 @@ public final class Games {
 
     /** What the official scene of a game is, in a few words: the game itself says it. */
     public static String about(String scene) {
-        String id = open(scene).scene().gameId();
-        return types().types().stream().filter(type -> type.id().equals(id)).findFirst().orElseThrow().about();
+        Scene of = open(scene).scene();
+        return types().types().stream().filter(type -> type.id().equals(of.gameId())).findFirst().orElseThrow()
+            .about(of);
     }
 
     /** Prints what is odd about a scene; once per call of the program. */

@@ -87,6 +87,9 @@ public final class Oracle {
             }
             BigDecimal earliest = next.get(0).until;
             fly(bodies, earliest);
+            if (contacts != null) {
+                contacts.releaseSeparatedPairs(bodies, walls);
+            }
             int size = bodies.size();
             for (int k = 0; k < next.size() && bodies.size() == size; k++) {
                 OracleImpact impact = react(bodies, next.get(k), now);
@@ -134,15 +137,15 @@ public final class Oracle {
             int i = descending ? size - 1 - k : k;
             for (int m = 0; m < (descending ? i : size - 1 - i); m++) {
                 int j = descending ? i - 1 - m : i + 1 + m;
-                if ((contacts == null || contacts.meet(i, j)) && !reach.apart(i, j, time)) {
-                    add(touches, pair(bodies.get(i), bodies.get(j)), left, i, j);
+                double own = contacts == null ? Double.NaN : contacts.reach(i, j);
+                if ((contacts == null || contacts.meet(i, j)) && !reach.apart(i, j, own, time)) {
+                    add(touches, pair(bodies.get(i), bodies.get(j), own), left, i, j);
                 }
             }
         }
         for (int i = 0; i < size; i++) {
-            boolean meets = bodies.get(i).mass != null && (contacts == null || contacts.meetsWalls(i));
-            for (int w = 0; w < walls.size() && meets; w++) {
-                if (!reach.apart(i, walls.get(w), time)) {
+            for (int w = 0; w < walls.size() && bodies.get(i).mass != null; w++) {
+                if ((contacts == null || contacts.meetsWall(i, w)) && !reach.apart(i, walls.get(w), time)) {
                     add(touches, OracleTimeOfImpact.wall(bodies.get(i), walls.get(w)), left, i, ~w);
                 }
             }
@@ -156,13 +159,14 @@ public final class Oracle {
         }
     }
 
-    private BigDecimal pair(OracleBody p, OracleBody q) {
+    /** @param own distance at which they touch; NaN for the sum of their radii */
+    private BigDecimal pair(OracleBody p, OracleBody q, double own) {
         if (p.mass == null && q.mass == null) {
             return null;
         }
         BigDecimal dx = p.x.subtract(q.x);
         BigDecimal dy = p.y.subtract(q.y);
-        BigDecimal touch = p.radius.add(q.radius);
+        BigDecimal touch = Double.isNaN(own) ? p.radius.add(q.radius) : Decimals.of(own);
         if (law.separatingPairsReact() && OracleTimeOfImpact.within(dx, dy, touch)) {
             return BigDecimal.ZERO;
         }

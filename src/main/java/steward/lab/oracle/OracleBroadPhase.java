@@ -45,13 +45,18 @@ final class OracleBroadPhase {
             : value.unscaledValue().doubleValue() * TENTH[scale];
     }
 
-    /** Whether two bodies cannot meet within a time. */
-    boolean apart(int i, int j, double time) {
+    /**
+     * Whether two bodies cannot meet within a time.
+     *
+     * @param own distance at which they touch; NaN for the sum of their radii
+     */
+    boolean apart(int i, int j, double own, double time) {
         double dx = x[i] - x[j];
         double dy = y[i] - y[j];
         double ux = vx[i] - vx[j];
         double uy = vy[i] - vy[j];
-        double near = radius[i] + radius[j] + Math.sqrt(ux * ux + uy * uy) * time;
+        double touch = Double.isNaN(own) ? radius[i] + radius[j] : own;
+        double near = touch + Math.sqrt(ux * ux + uy * uy) * time;
         double size = Math.abs(x[i]) + Math.abs(x[j]) + Math.abs(y[i]) + Math.abs(y[j]) + near
             + (Math.abs(vx[i]) + Math.abs(vx[j]) + Math.abs(vy[i]) + Math.abs(vy[j])) * time;
         return beyond(Math.sqrt(dx * dx + dy * dy), near, size);

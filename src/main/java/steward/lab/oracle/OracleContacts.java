@@ -6,16 +6,17 @@ import java.util.List;
 import steward.physics.Bodies;
 import steward.physics.Contacts;
 import steward.physics.Contacts.Meaning;
+import steward.physics.PassingPairs;
 import steward.physics.PhysicsParts;
 import steward.physics.Reaction;
 import steward.physics.TurnSink;
+import steward.physics.Wall;
 
 /**
  * What contacts mean to the {@link Oracle}: which kinds meet, and what the game's reaction answers. The reaction is
  * asked about rounded copies of the bodies; those that it does not alter keep all their digits.
  *
- * <p>Caveats: a reaction may answer {@code BOUNCE}, {@code CHANGED} or {@code ALTERED}, not {@code PASS}; contacts with
- * a distance of their own are refused.
+ * <p>Caveat: a contact at a distance of its own may be answered by anything but {@code BOUNCE}.
  */
 final class OracleContacts {
 
@@ -24,13 +25,9 @@ final class OracleContacts {
     private final Bodies rounded;
     private final List<Integer> startIds = new ArrayList<>();
 
-    /** @throws IllegalArgumentException if a contact has a distance of its own */
     OracleContacts(PhysicsParts parts, Bodies start) {
         contacts = parts.contacts();
         reaction = parts.reaction();
-        if (contacts.hasReaches()) {
-            throw new IllegalArgumentException("the oracle knows no contacts at a distance of their own");
-        }
         rounded = start.copy();
         for (int k = 0; k < start.size(); k++) {
             startIds.add(start.id(k));
@@ -39,12 +36,21 @@ final class OracleContacts {
 
     /** Whether two bodies can have an impact. */
     boolean meet(int a, int b) {
-        return contacts.between(rounded.kind[a], rounded.kind[b]) != Meaning.NONE;
+        return contacts.between(rounded.kind[a], rounded.kind[b]) != Meaning.NONE && !passes(id(a), id(b));
     }
 
     /** Whether a body can have an impact with a wall. */
-    boolean meetsWalls(int a) {
-        return contacts.withWall(rounded.kind[a]) != Meaning.NONE;
+    boolean meetsWall(int a, int wall) {
+        return contacts.withWall(rounded.kind[a]) != Meaning.NONE && !passes(id(a), ~wall);
+    }
+
+    private boolean passes(int a, int b) {
+        return !rounded.passing().isEmpty() && rounded.passing().contains(a, b);
+    }
+
+    /** The distance of the centres at which two bodies touch, if it is not the sum of their radii; otherwise NaN. */
+    double reach(int a, int b) {
+        return contacts.reach(rounded.kind[a], rounded.kind[b]);
     }
 
     /** The ids of the bodies as they now are. */
@@ -61,7 +67,7 @@ final class OracleContacts {
      * Asks the reaction, if the contact asks.
      *
      * @return whether an impact follows; otherwise the bodies may have been altered
-     * @throws IllegalArgumentException if the answer is {@code PASS}
+     * @throws IllegalArgumentException if the answer is {@code BOUNCE} at a distance of their own
      */
     boolean bounces(List<OracleBody> bodies, int a, int b, BigDecimal time) {
         Meaning meaning = b < 0 ? contacts.withWall(rounded.kind[a])
@@ -73,9 +79,15 @@ final class OracleContacts {
         Bodies before = rounded.copy();
         switch (reaction.on(time.doubleValue(), a, b, rounded, TurnSink.NONE)) {
             case BOUNCE -> {
+                if (b >= 0 && !Double.isNaN(reach(a, b))) {
+                    throw new IllegalArgumentException("the oracle knows no impacts at a distance of their own");
+                }
                 return true;
             }
-            case PASS -> throw new IllegalArgumentException("the oracle lets no bodies pass");
+            case PASS -> {
+                rounded.passing().add(id(a), b < 0 ? b : id(b));
+                return false;
+            }
             default -> {
                 take(bodies, before);
                 return false;
@@ -85,12 +97,46 @@ final class OracleContacts {
 
     /** Tells the reaction that an impact has happened, if the contact asks. */
     void after(List<OracleBody> bodies, int a, int b, BigDecimal time) {
-        if (reaction != null && b >= 0 && contacts.between(rounded.kind[a], rounded.kind[b]) == Meaning.ASK) {
+        Meaning meaning = b < 0 ? contacts.withWall(rounded.kind[a])
+            : contacts.between(rounded.kind[a], rounded.kind[b]);
+        if (reaction != null && meaning == Meaning.ASK) {
             round(bodies);
             Bodies before = rounded.copy();
             reaction.after(time.doubleValue(), a, b, rounded, TurnSink.NONE);
             take(bodies, before);
         }
+    }
+
+    /** After a flight: pairs that have separated no longer pass through each other. */
+    void releaseSeparatedPairs(List<OracleBody> bodies, List<Wall> walls) {
+        PassingPairs passing = rounded.passing();
+        if (passing.isEmpty()) {
+            return;
+        }
+        round(bodies);
+        for (int k = passing.size() - 1; k >= 0; k--) {
+            int a = rounded.indexOf(passing.first(k));
+            int b = passing.second(k) < 0 ? passing.second(k) : rounded.indexOf(passing.second(k));
+            boolean gone = a < 0 || passing.second(k) >= 0 && b < 0;
+            if (gone || (b < 0 ? isApart(a, walls.get(~b)) : areApart(a, b))) {
+                passing.remove(k);
+            }
+        }
+    }
+
+    private boolean isApart(int a, Wall wall) {
+        double x = rounded.x[a];
+        double y = rounded.y[a];
+        double approach = wall.normalX(x, y) * rounded.vx[a] + wall.normalY(x, y) * rounded.vy[a];
+        return approach <= 0 && wall.gap(x, y, rounded.radius[a]) > 0;
+    }
+
+    private boolean areApart(int a, int b) {
+        double dx = rounded.x[b] - rounded.x[a];
+        double dy = rounded.y[b] - rounded.y[a];
+        double touch = Double.isNaN(reach(a, b)) ? rounded.radius[a] + rounded.radius[b] : reach(a, b);
+        return dx * (rounded.vx[b] - rounded.vx[a]) + dy * (rounded.vy[b] - rounded.vy[a]) >= 0
+            && Math.sqrt(dx * dx + dy * dy) > touch;
     }
 
     private void round(List<OracleBody> bodies) {

@@ -67,7 +67,7 @@ public final class TurnTruth {
      * Plays the turn; the bodies are not changed.
      *
      * @param parts their law, walls, contacts and reaction are used; the arithmetic is not
-     * @throws IllegalArgumentException if a contact has a distance of its own, or the reaction lets bodies pass
+     * @throws IllegalArgumentException if the reaction lets bodies bounce at a distance of their own
      */
     public static TurnTruth of(Bodies start, PhysicsParts parts) {
         List<OracleBody> bodies = OracleBody.of(start);

@@ -72,6 +72,7 @@ class SceneCommandTest {
             Cli cli = Cli.run(call);
             assertEquals(ExitStatus.UNUSABLE, cli.status());
             assertEquals("steward: duell: found no scene of this name, expected one of \"duel\", "
+                + "\"fantastic-bits-contest\", \"fantastic-bits\", "
                 + "\"mad-pod-racing-silver\", \"mad-pod-racing\", \"mean-max\", \"search-race\", "
                 + "\"walled-race\"; did you mean \"duel\"?\n",
                 cli.err());

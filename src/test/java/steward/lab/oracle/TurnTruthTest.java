@@ -195,14 +195,51 @@ class TurnTruthTest {
         assertEquals(1, truth.impacts());
     }
 
+    /** Body 0 flies through the other and comes to 200; the reaction is asked once. */
+    @Test
+    void bodiesPassThroughEachOtherInTruthToo() {
+        int[] asked = new int[1];
+        PhysicsParts passing = asking((time, a, b, bodies, sink) -> {
+            asked[0]++;
+            return Reaction.Verdict.PASS;
+        });
+        Bodies start = headOn(200);
+        TurnTruth truth = TurnTruth.of(start, passing);
+        assertEquals(1, asked[0]);
+        Bodies flown = copy(start);
+        new EventAdvance(passing).turn(flown, new TurnLog());
+
+        assertEquals(0, truth.impacts());
+        assertEquals(200, flown.x[0], 1e-9);
+        assertEquals(0, truth.positionError(flown), 1e-9);
+    }
+
+    /** Taken at a distance of 50 instead of 20: at 50 u of the way, after a quarter of the turn. */
+    @Test
+    void aContactAtADistanceOfItsOwnIsMetInTruthToo() {
+        double[] when = new double[1];
+        PhysicsParts reaching = reaching((time, a, b, bodies, sink) -> {
+            when[0] = time;
+            bodies.remove(b);
+            return Reaction.Verdict.CHANGED;
+        });
+        Bodies start = headOn(200);
+        TurnTruth truth = TurnTruth.of(start, reaching);
+        assertEquals(0.25, when[0], 1e-12);
+        Bodies one = copy(start);
+        new EventAdvance(reaching).turn(one, new TurnLog());
+        assertEquals(0, truth.positionError(one), 1e-9);
+    }
+
     @Test
     void whatTheOracleCannotDoIsRefused() {
-        PhysicsParts passing = asking((time, a, b, bodies, sink) -> Reaction.Verdict.PASS);
-        assertThrows(IllegalArgumentException.class, () -> TurnTruth.of(headOn(200), passing));
-        PhysicsParts reaching = new PhysicsParts(ImpactLaw.PHYSICS, Arithmetic.DOUBLE,
-            new Contacts(1).askWithin(0, 0, 5), List.of(),
-            (time, a, b, bodies, sink) -> Reaction.Verdict.BOUNCE, false);
-        assertThrows(IllegalArgumentException.class, () -> TurnTruth.of(headOn(200), reaching));
+        PhysicsParts bouncing = reaching((time, a, b, bodies, sink) -> Reaction.Verdict.BOUNCE);
+        assertThrows(IllegalArgumentException.class, () -> TurnTruth.of(headOn(200), bouncing));
+    }
+
+    private static PhysicsParts reaching(Reaction reaction) {
+        return new PhysicsParts(ImpactLaw.PHYSICS, Arithmetic.DOUBLE, new Contacts(1).askWithin(0, 0, 50), List.of(),
+            reaction, false);
     }
 
     private static PhysicsParts asking(Reaction reaction) {
@@ -232,12 +269,12 @@ class TurnTruthTest {
             OracleBroadPhase reach = new OracleBroadPhase(bodies);
             if (until != null) {
                 met++;
-                assertFalse(reach.apart(0, 1, until.doubleValue()), "seed " + seed + ", pair " + n);
+                assertFalse(reach.apart(0, 1, Double.NaN, until.doubleValue()), "seed " + seed + ", pair " + n);
                 Wall wall = new HalfPlane(q.x.doubleValue(), 0, p.x.compareTo(q.x) > 0 ? 1 : -1, 0, 1);
                 java.math.BigDecimal wallTime = OracleTimeOfImpact.wall(p, wall);
                 assertFalse(wallTime != null && reach.apart(0, wall, wallTime.doubleValue()), "seed " + seed);
             }
-            spared += reach.apart(0, 1, 0.1) ? 1 : 0;
+            spared += reach.apart(0, 1, Double.NaN, 0.1) ? 1 : 0;
         }
         assertTrue(spared > 3_000 && met > 300, "spared " + spared + ", met " + met);
     }

@@ -1,0 +1,170 @@
+package steward.game.fantasticbits;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.zip.GZIPInputStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestReporter;
+import steward.game.Comparison;
+import steward.game.GroundTruth;
+import steward.game.TextCodec;
+
+/**
+ * Games of the server as its console shows them (in French): what player 0 echoes of its input, the answers of both,
+ * what the server says of them, scores and magic. The seed is unknown: snaffles begin where the first turn shows them.
+ */
+class FantasticBitsRecordingsTest {
+
+    private static final Pattern ENTITY = Pattern.compile("(\\d+) ([A-Z_]+) (-?\\d+) (-?\\d+) (-?\\d+) (-?\\d+) (\\d)");
+    private static final Pattern STANDING = Pattern.compile(".* Score: (-?\\d+) \\| Magic: (\\d+)");
+    private static final Pattern CAUGHT = Pattern.compile("\\w+ (\\d) caught snaffle (\\d+)");
+    private static final Pattern TOLD = Pattern.compile("\\w+: Wizard (\\d) (\\w+) .*");
+
+    @Test
+    void everyTurnThatTheConsoleShowsIsReproduced(TestReporter report) throws IOException {
+        List<String> differences = new ArrayList<>();
+        long values = 0;
+        int turns = 0;
+        List<Path> files = GroundTruth.RECORDINGS.files("fantastic-bits", ".txt.gz");
+        for (Path file : files) {
+            Console console = new Console(file);
+            console.compare();
+            values += console.comparison.values();
+            turns += console.game.turn();
+            differences.addAll(console.comparison.differences());
+        }
+        GroundTruth.tell(report, "fantastic-bits, recordings: " + files.size() + " games, " + turns + " turns, "
+            + values + " values compared, " + differences.size() + " different");
+
+        assertTrue(turns > 0, "the folder holds games");
+        assertEquals(List.of(), differences.stream().limit(20).toList());
+    }
+
+    /** One game, played again while its console is read. */
+    private static final class Console {
+
+        private final List<String> lines;
+        private final Comparison comparison;
+        private final FantasticBits game;
+        private final TextCodec codec;
+        private int at;
+        private int answers;
+
+        Console(Path file) throws IOException {
+            try (InputStream in = new GZIPInputStream(Files.newInputStream(file))) {
+                lines = new String(in.readAllBytes(), StandardCharsets.UTF_8).lines().toList();
+            }
+            comparison = new Comparison(file.getFileName().toString());
+            List<String> first = lines.subList(1, lines.indexOf("Sortie standard :")).stream()
+                .filter(line -> line.contains(" SNAFFLE ")).toList();
+            Pitch pitch = new Pitch(first.size());
+            for (String line : first) {
+                String[] words = line.split(" ");
+                pitch.bodies().setPosition(Integer.parseInt(words[0]), Double.parseDouble(words[2]),
+                    Double.parseDouble(words[3]));
+            }
+            FantasticBits any = FantasticBitsMatch.setup(Variant.CONTEST).create(0);
+            game = any.on(pitch, new int[2], new int[2]);
+            codec = FantasticBitsMatch.setup(Variant.CONTEST).textCodec(game).orElseThrow();
+        }
+
+        void compare() {
+            while (at < lines.size()) {
+                switch (lines.get(at++)) {
+                    case "Sortie d'erreur :" -> compareInput();
+                    case "Sortie standard :" -> answer();
+                    case "R\u00e9sum\u00e9 du jeu :" -> compareStanding();
+                    default -> compareTold(lines.get(at - 1));
+                }
+            }
+        }
+
+        /** What the server says of an answer names the wizard and what it does. */
+        private void compareTold(String line) {
+            Matcher told = TOLD.matcher(line);
+            if (told.matches()) {
+                int wizard = Integer.parseInt(told.group(1));
+                WizardCommand command = game.command(wizard / 2, wizard % 2);
+                String verb = switch (command.action()) {
+                    case MOVE -> "moves";
+                    case THROW -> "throws";
+                    case CAST -> "casts";
+                };
+                comparison.same("turn " + (game.turn() + 1) + " wizard " + wizard, told.group(2), verb);
+            }
+        }
+
+        private void compareInput() {
+            StringBuilder text = new StringBuilder();
+            if (game.turn() == 0) {
+                codec.writeSetup(text, 0);
+            }
+            codec.writeTurn(text, 0);
+            List<String> found = text.toString().lines().toList();
+            String when = "turn " + (game.turn() + 1) + " input, line ";
+            for (int k = 0; k < found.size(); k++) {
+                compareWords(when + (k + 1) + " ", lines.get(at + k), found.get(k));
+            }
+            at += found.size();
+            comparison.same(when + "after the last", false, ENTITY.matcher(lines.get(at)).matches());
+        }
+
+        private void compareWords(String what, String recorded, String found) {
+            String[] shown = recorded.split(" ");
+            String[] ours = found.split(" ");
+            comparison.same(what + "words", shown.length, ours.length);
+            for (int k = 0; k < Math.min(shown.length, ours.length); k++) {
+                comparison.same(what + k, shown[k], ours[k]);
+            }
+        }
+
+        private void answer() {
+            byte[] answer = (lines.get(at) + "\n" + lines.get(at + 1)).getBytes(StandardCharsets.UTF_8);
+            comparison.same("turn " + (game.turn() + 1) + " answer of " + answers, "good",
+                String.valueOf(codec.readAnswer(answers, answer, answer.length)).replace("null", "good"));
+            answers++;
+            at += 2;
+        }
+
+        private void compareStanding() {
+            comparison.same("turn " + (game.turn() + 1) + " answers", 2, answers);
+            answers = 0;
+            game.play();
+            List<String> shown = new ArrayList<>();
+            int player = 0;
+            for (; at < lines.size() && !lines.get(at).startsWith("Sortie"); at++) {
+                Matcher caught = CAUGHT.matcher(lines.get(at));
+                if (caught.matches()) {
+                    shown.add(caught.group(1) + " caught " + caught.group(2));
+                    continue;
+                }
+                Matcher standing = STANDING.matcher(lines.get(at));
+                comparison.same("turn " + game.turn() + " standing is shown", true, standing.matches());
+                comparison.same("turn " + game.turn() + " score", Integer.parseInt(standing.group(1)),
+                    game.score(player));
+                comparison.same("turn " + game.turn() + " magic", Integer.parseInt(standing.group(2)),
+                    game.magic(player++));
+            }
+            List<String> found = new ArrayList<>();
+            for (int k = 0; k < game.log().facts(); k++) {
+                if (game.log().factKind(k) == Captures.CAPTURE) {
+                    found.add(game.log().factA(k) + " caught " + game.log().factB(k));
+                }
+            }
+            Collections.sort(found);
+            Collections.sort(shown);
+            comparison.same("turn " + game.turn() + " captures", shown, found);
+        }
+    }
+}
