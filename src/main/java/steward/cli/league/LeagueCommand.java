@@ -51,6 +51,13 @@ public final class LeagueCommand implements Callable<Integer> {
         commands.put("list", new ListCommand(streams));
         commands.put("run", new RunCommand(streams));
         commands.put("table", new TableCommand(streams));
+        commands.put("games", new GamesCommand(streams));
+        commands.put("page", new PageCommand(streams));
+        commands.put("export", new ExportCommand(streams));
+        commands.put("import", new ImportGamesCommand(streams));
+        commands.put("backup", new BackupCommand(streams));
+        commands.put("prune", new PruneCommand(streams));
+        commands.put("demo", new LeagueDemoCommand(streams));
         commands.put("generate", new GenerateCommand(streams));
         return commands;
     }

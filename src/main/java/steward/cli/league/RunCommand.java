@@ -70,6 +70,9 @@ final class RunCommand implements Callable<Integer> {
         + "old games stay.")
     private boolean anew;
 
+    @Mixin
+    private final WatchOptions watch = new WatchOptions();
+
     @Option(names = "--quiet", description = "Prints no table at the end, and none while it plays.")
     private boolean quiet;
 
@@ -80,6 +83,7 @@ final class RunCommand implements Callable<Integer> {
     @Override
     public Integer call() throws InterruptedException {
         threads.check();
+        watch.check();
         check.range("--games", games, 1, Integer.MAX_VALUE);
         LeagueRun.Limits limits = new LeagueRun.Limits(threads.count(streams), games == null ? Long.MAX_VALUE : games,
             nanos());
@@ -122,12 +126,15 @@ final class RunCommand implements Callable<Integer> {
         LeagueProgress progress = new LeagueProgress(queries.results(), store, limits);
         LeagueRun run = new LeagueRun(folder, store, number, season, contest, reader, roster, limits,
             machine(contest), what -> say(screen.get(), what), progress::add);
-        if (streams.errTerminal() && !quiet) {
-            screen.set(new LiveTable(streams.err(), () -> progress.lines(run, streams::errColour)));
-        }
         AtomicBoolean told = new AtomicBoolean();
-        try (Interruption interruption = new Interruption(streams, () -> told.getAndSet(true) ? null
+        try (LeagueWatch page = watch.watch() ? LeagueWatch.start(folder, season, queries, progress, watch) : null;
+             Interruption interruption = new Interruption(streams, () -> told.getAndSet(true) ? null
                 : interrupted(run, progress, season, screen.get()))) {
+            if (page != null) {
+                page.follow(run, streams, watch.open());
+            }
+            screen.set(streams.errTerminal() && !quiet
+                ? new LiveTable(streams.err(), () -> progress.lines(run, streams::errColour)) : null);
             run.play();
             if (told.getAndSet(true)) {
                 return ExitStatus.FAILED;              // the process is about to end, with the status of its signal

@@ -61,6 +61,10 @@ final class SeriesOptions {
             + "or it counts (count).")
     private String hiccups;
 
+    @Option(names = "--into", paramLabel = "DIR",
+        description = "Stores the games in this league, see 'steward league'; one that it has already stays as it is.")
+    private String into;
+
     /**
      * Refuses options that are out of range or do not go together.
      *
@@ -70,6 +74,7 @@ final class SeriesOptions {
         check.games(games);
         threads.check();
         check.that(isAny() || !threads.isGiven(), "--threads is for many games, expected --games or --swap with it");
+        check.that(isAny() || into == null, "--into is for many games, expected --games or --swap with it");
         check.that(isAny() || keep == null, "--keep is for many games, expected --games or --swap with it");
         check.that(isAny() || hiccups == null, "--hiccups is for many games, expected --games or --swap with it");
         check.that(hiccups == null || Hiccups.of(hiccups).isPresent(),
@@ -92,6 +97,11 @@ final class SeriesOptions {
 
     boolean swap() {
         return swap;
+    }
+
+    /** The league as it was typed, or {@code null}. */
+    String into() {
+        return into;
     }
 
     KeptReplays keep() {

@@ -4,7 +4,9 @@ import java.sql.ResultSet;
 import java.sql.SQLException;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.function.Consumer;
 import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
@@ -183,6 +185,19 @@ public final class GameQueries {
         read(games::add, GAME + "WHERE g.id IN (SELECT id FROM game WHERE replay IS NOT NULL AND season = ? "
             + "ORDER BY id DESC LIMIT ?) ORDER BY g.id DESC, s.seat", season, most);
         return games;
+    }
+
+    /** The files of all kept replays, of any season. */
+    public Set<String> allReplays() {
+        return database.with(() -> {
+            Set<String> files = new HashSet<>();
+            try (ResultSet row = database.query("SELECT replay FROM game WHERE replay IS NOT NULL")) {
+                while (row.next()) {
+                    files.add(row.getString(1));
+                }
+            }
+            return files;
+        });
     }
 
     /** A game by its number, or {@code null}. */
