@@ -162,13 +162,17 @@ function drawPath() {
     draw(svg, 'text', { x: x(tick), y: height - 6, 'text-anchor': 'middle' }, thousands(tick));
   }
   const labels = [];
+  // Bars as wide as the plot would only hide the lines.
+  const bars = columns.map(k => last.bars[k]).filter(bar => bar !== null);
+  const hasBands = Math.max(...bars) < (high - low) / 4;
   bots.forEach((bot, place) => {
     const k = columns[place];
     const line = points.filter(point => point.ratings[k] !== null);
     if (!line.length) return;
     const group = paint(draw(svg, 'g', {}), bot);
-    const upper = line.map(point => `${x(point.games)},${y(clip(point.ratings[k] + point.bars[k]))}`);
-    const lower = line.map(point => `${x(point.games)},${y(clip(point.ratings[k] - point.bars[k]))}`).reverse();
+    const banded = hasBands ? settled.filter(point => point.ratings[k] !== null) : [];
+    const upper = banded.map(point => `${x(point.games)},${y(clip(point.ratings[k] + point.bars[k]))}`);
+    const lower = banded.map(point => `${x(point.games)},${y(clip(point.ratings[k] - point.bars[k]))}`).reverse();
     draw(group, 'polygon', { class: 'band', points: [...upper, ...lower].join(' ') });
     draw(group, 'path', { d: 'M' + line.map(point => `${x(point.games)},${y(clip(point.ratings[k]))}`).join('L') });
     labels.push({ bot, y: y(clip(line[line.length - 1].ratings[k])) });

@@ -37,6 +37,8 @@ class ArchitectureTest {
         PARTICULAR_GAMES(House::fewRoomsKnowParticularGames, "KnowsPods", "DrawsPods"),
         OTHER_GAMES(House::gamesDoNotKnowEachOther, "Borrows"),
         CONTESTS(House::contestsKnowNoTerminal, "Prints"),
+        LEAGUES(House::leaguesKnowGamesThroughContests, "Pushes"),
+        SQLITE(House::onlyTheStoreKnowsSqlite, "Pushes"),
         BOTS(House::botsKnowNoRules, "Rules"),
         LABS(House::labsKnowNoBots, "Asks"),
         MATCHES(House::matchesKnowNoReplays, "Keeps"),

@@ -29,6 +29,7 @@ final class LeagueDemoCommand implements Callable<Integer> {
     private static final String SOURCES = "src/main/java/steward/cli/league/LeagueDemoCommand.java";
     private static final List<String> BOTS = List.of("racer", "regular", "contender", "veteran");
     private static final String SCENE = "mad-pod-racing";
+    private static final int MOST_THREADS = 4;
     /** A demo is no contest: on a busy machine bots get the time they need. */
     private static final double TIME_FACTOR = 10;
 
@@ -38,8 +39,8 @@ final class LeagueDemoCommand implements Callable<Integer> {
         + "the folder of Steward's own sources build/league-demo, which is replaced; elsewhere a temporary one).")
     private String out;
 
-    @Option(names = "--for", paramLabel = "TIME", defaultValue = "20s",
-        description = "How long it plays, such as 20s (default: ${DEFAULT-VALUE}).")
+    @Option(names = "--for", paramLabel = "TIME", defaultValue = "25s",
+        description = "How long it plays, such as 25s (default: ${DEFAULT-VALUE}).")
     private String time;
 
     LeagueDemoCommand(Streams streams) {
@@ -58,10 +59,11 @@ final class LeagueDemoCommand implements Callable<Integer> {
         new LeagueFolder(path).write(settings);
         say("steward league init " + path + " --scene " + SCENE + " --keep lost");
         BOTS.forEach(name -> say("steward league add " + path + " builtin:" + name));
-        say("steward league run " + path + " --threads auto --for " + time);
+        String threads = Integer.toString(Math.min(MOST_THREADS, Runtime.getRuntime().availableProcessors()));
+        say("steward league run " + path + " --threads " + threads + " --for " + time);
         streams.out().println();
         streams.out().flush();
-        int status = run(new RunCommand(streams), path.toString(), "--threads", "auto", "--for", time);
+        int status = run(new RunCommand(streams), path.toString(), "--threads", threads, "--for", time);
         if (status != ExitStatus.DONE) {
             return status;
         }

@@ -223,6 +223,10 @@ final class Database implements AutoCloseable {
         }
     }
 
+    Connection connection() {
+        return connection;
+    }
+
     Path file() {
         return file;
     }
