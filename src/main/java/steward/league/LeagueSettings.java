@@ -40,8 +40,8 @@ public record LeagueSettings(String scene, long seed, String gauntlet, int lag, 
 
     /** Those of a new league without bots. */
     public static LeagueSettings usual(String scene, long seed) {
-        return new LeagueSettings(scene, seed, null, USUAL_LAG, 1, TimeBasis.WALL, Hiccups.REPLAY, List.of(),
-            KeptReplays.FAILED, List.of(), List.of());
+        return new LeagueSettings(scene, seed, null, USUAL_LAG, 1, TimeBasis.WALL, Hiccups.REPLAY,
+            List.of("--sandbox", "auto"), KeptReplays.FAILED, List.of(), List.of());
     }
 
     /** The bots that play. */

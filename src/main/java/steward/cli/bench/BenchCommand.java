@@ -82,8 +82,8 @@ public final class BenchCommand implements Callable<Integer> {
     /** The names of the parts. */
     static final class Parts implements Iterable<String> {
 
-        static final List<String> ALL = List.of("pods", "matches", "growth", "frames", "verify", "processes", "start",
-            "crowds");
+        static final List<String> ALL = List.of("pods", "matches", "growth", "frames", "verify", "processes", "league",
+            "start", "crowds");
 
         @Override
         public Iterator<String> iterator() {

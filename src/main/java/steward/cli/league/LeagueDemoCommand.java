@@ -48,7 +48,8 @@ final class LeagueDemoCommand implements Callable<Integer> {
     }
 
     @Override
-    public Integer call() throws IOException {
+    public Integer call() throws Exception {
+        RunCommand.nanos(time);
         Path path = out == null ? usual() : OutputFiles.path(out);
         if (Files.exists(path)) {
             throw new InputException(path + ": exists already, and is kept; expected a new folder");
@@ -77,12 +78,9 @@ final class LeagueDemoCommand implements Callable<Integer> {
         streams.out().println("$ " + line);
     }
 
-    private static int run(Callable<Integer> command, String... arguments) {
-        CommandLine line = new CommandLine(command);
-        line.setExecutionExceptionHandler((problem, failed, parsed) -> {
-            throw problem;
-        });
-        return line.execute(arguments);
+    private static int run(Callable<Integer> command, String... arguments) throws Exception {
+        new CommandLine(command).parseArgs(arguments);
+        return command.call();
     }
 
     private static Path usual() throws IOException {

@@ -11,6 +11,7 @@ import java.util.function.Supplier;
 import picocli.CommandLine;
 import steward.bot.isolation.Isolation;
 import steward.cli.options.SandboxOptions;
+import steward.cli.shared.CallException;
 import steward.cli.shared.Games;
 import steward.cli.shared.Streams;
 import steward.contest.Contest;
@@ -41,12 +42,17 @@ final class LeagueOpening {
     /** What is played, without bots. */
     static Contest contest(LeagueFolder folder, LeagueSettings settings, Streams streams) {
         return Contest.withoutBots(Games.warn(setup(folder, settings), streams), settings.factor())
-            .limitedBy(settings.basis()).isolatedBy(isolation(settings, streams));
+            .limitedBy(settings.basis()).isolatedBy(isolation(folder, settings, streams));
     }
 
-    private static Supplier<Isolation> isolation(LeagueSettings settings, Streams streams) {
-        return CommandLine.populateCommand(new SandboxOptions(), settings.sandbox().toArray(new String[0]))
-            .isolation(streams);
+    private static Supplier<Isolation> isolation(LeagueFolder folder, LeagueSettings settings, Streams streams) {
+        try {
+            return CommandLine.populateCommand(new SandboxOptions(), settings.sandbox().toArray(new String[0]))
+                .isolation(streams);
+        } catch (CallException | InputException | CommandLine.ParameterException problem) {
+            throw new InputException(folder.settings() + ": sandbox, as an option of 'steward match': "
+                + problem.getMessage());
+        }
     }
 
     /** The variables that bots are passed by name. */

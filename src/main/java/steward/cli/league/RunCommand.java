@@ -86,7 +86,7 @@ final class RunCommand implements Callable<Integer> {
         watch.check();
         check.range("--games", games, 1, Integer.MAX_VALUE);
         LeagueRun.Limits limits = new LeagueRun.Limits(threads.count(streams), games == null ? Long.MAX_VALUE : games,
-            nanos());
+            nanos(time));
         LeagueFolder folder = league.open();
         LeagueFolder.refuseRemote(folder.path());
         LeagueSettings settings = folder.read();
@@ -99,12 +99,13 @@ final class RunCommand implements Callable<Integer> {
         }
     }
 
-    private long nanos() {
+    /** What {@code --for} says, in nanoseconds; {@code Long.MAX_VALUE} where it is not there. */
+    static long nanos(String time) {
         if (time == null) {
             return Long.MAX_VALUE;
         }
         Matcher matcher = TIME.matcher(time);
-        check.that(matcher.matches() && Long.parseLong(matcher.group(1)) > 0,
+        CallCheck.withHelp().that(matcher.matches() && Long.parseLong(matcher.group(1)) > 0,
             "--for: found '" + time + "', expected a time such as 90s, 30m, 8h or 2d");
         TimeUnit unit = switch (matcher.group(2)) {
             case "s" -> TimeUnit.SECONDS;

@@ -292,7 +292,11 @@ public final class GameStore implements AutoCloseable {
      * @throws InputException if that cannot be written
      */
     public void backup(Path file) {
-        database.with(() -> database.update("VACUUM INTO ?", file.toString()));
+        // On a connection of its own: it must have no other statement, and others go on meanwhile.
+        try (Database own = Database.open(new LeagueFolder(database.file().toAbsolutePath().getParent()), false,
+                false)) {
+            own.with(() -> own.update("VACUUM INTO ?", file.toString()));
+        }
     }
 
     /** Where it is. */
