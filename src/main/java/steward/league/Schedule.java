@@ -6,10 +6,8 @@ import java.util.Arrays;
 import java.util.Collection;
 import java.util.Deque;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Function;
 
@@ -123,11 +121,12 @@ public final class Schedule {
             lineups = Decision.rotations(versions);
         }
         games += done.size();
-        Set<String> keys = new HashSet<>();
-        done.forEach(lineup -> keys.add(Arrays.toString(lineup)));
+        if (done.size() == lineups.size() && players > 1) {
+            return;
+        }
         for (int[] lineup : lineups) {
             boolean playable = Arrays.stream(lineup).allMatch(active::contains);
-            if (playable && !keys.contains(Arrays.toString(lineup))) {
+            if (playable && done.stream().noneMatch(each -> Arrays.equals(each, lineup))) {
                 waiting.add(new Task(number, firstSeed + number, lineup));
             }
         }

@@ -95,8 +95,8 @@ function drawTable() {
     make(row, 'td', fixed(bot.worstMs, 1), 'table-wide');
     make(row, 'td', fixed(bot.score, 2), 'table-wide');
   }
-  element('meaning').textContent = 'Rating: Elo by a joint fit of all games (Bradley and Terry); 0 is the mean of the '
-    + 'table, the band is its 95% bar.'
+  element('meaning').textContent = 'Rating: Elo by a joint fit of all games (Bradley and Terry); 0 is the mean by '
+    + 'games, the band is its 95% bar.'
     + (league.again ? ` ${league.again} more games were played again, since others used the processors.` : '')
     + (league.without ? ` ${league.without} more have no result.` : '');
 }

@@ -33,7 +33,7 @@ final class TableText {
             lines.addAll(cross(table));
         }
         lines.add("");
-        lines.add("Rating: Elo by a joint fit of all games (Bradley and Terry), 0 is the mean of the table; bar: 95%.");
+        lines.add("Rating: Elo by a joint fit of all games (Bradley and Terry); 0 is the mean by games; bar: 95%.");
         if (season.players() == 1) {
             lines.add("Each bot plays alone; its score on a map is compared with the others' on the same map.");
         }

@@ -7,7 +7,8 @@ package steward.league.rating;
  * holds together bots that have never met.
  *
  * <p>Found by Newton's method on the logarithm of the posterior, which is concave. The covariance is the inverse of its
- * negative second derivative (Laplace's approximation); the bars are those of the difference to the mean of all.
+ * negative second derivative (Laplace's approximation); the bars are those of the difference to the mean of all, in which
+ * each bot has the weight of its games: one that has just come does not widen the bars of the others.
  *
  * <p>Caveat: games count as independent, although two games on one seed are not quite.
  */
@@ -60,7 +61,23 @@ public final class BradleyTerry {
             }
         }
         derivatives(points, games, ratings, slope, curvature);
-        return centred(ratings, inverse(cholesky(curvature)));
+        return centred(ratings, inverse(cholesky(curvature)), weights(games));
+    }
+
+    /** Each bot's share of the games; all the same where there are none. */
+    private static double[] weights(double[][] games) {
+        double[] weights = new double[games.length];
+        double all = 0;
+        for (int i = 0; i < games.length; i++) {
+            for (double each : games[i]) {
+                weights[i] += each;
+            }
+            all += weights[i];
+        }
+        for (int i = 0; i < games.length; i++) {
+            weights[i] = all > 0 ? weights[i] / all : 1.0 / games.length;
+        }
+        return weights;
     }
 
     private static void derivatives(double[][] points, double[][] games, double[] ratings, double[] slope,
@@ -130,18 +147,18 @@ public final class BradleyTerry {
         return inverse;
     }
 
-    /** Ratings and bars of the differences to the mean. */
-    private static BradleyTerry centred(double[] ratings, double[][] covariance) {
+    /** Ratings and bars of the differences to the weighted mean. */
+    private static BradleyTerry centred(double[] ratings, double[][] covariance, double... weights) {
         int bots = ratings.length;
         double mean = 0;
         double all = 0;
         double[] row = new double[bots];
         for (int i = 0; i < bots; i++) {
-            mean += ratings[i] / bots;
+            mean += ratings[i] * weights[i];
             for (int j = 0; j < bots; j++) {
-                row[i] += covariance[i][j] / bots;
+                row[i] += covariance[i][j] * weights[j];
             }
-            all += row[i] / bots;
+            all += row[i] * weights[i];
         }
         double[] elo = new double[bots];
         double[] bars = new double[bots];
@@ -152,7 +169,7 @@ public final class BradleyTerry {
         return new BradleyTerry(elo, bars);
     }
 
-    /** In Elo; the mean of all is 0. */
+    /** In Elo; the mean of all, weighted by their games, is 0. */
     public double rating(int bot) {
         return ratings[bot];
     }

@@ -29,7 +29,7 @@ public record LeagueTable(List<Row> rows, Results results) {
      *
      * @param rank   from 1; equal ratings share one
      * @param entry  whose it is
-     * @param rating in Elo, 0 is the mean of the table
+     * @param rating in Elo, 0 is the mean by games
      * @param bar    half the width of its 95% bar
      * @param points share of the points, 0..1; NaN without games
      * @param wins   games won, in whole games of two

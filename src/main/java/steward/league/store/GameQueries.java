@@ -4,8 +4,10 @@ import java.sql.ResultSet;
 import java.sql.SQLException;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
 import steward.league.StoredGame;
@@ -96,11 +98,17 @@ public final class GameQueries {
     /** Tells of every game of the schedule that has been played to its end. */
     public void decisions(DecisionReader reader) {
         database.with(() -> {
-            try (ResultSet row = database.query("SELECT g.decision, l.versions FROM game g JOIN lineup l "
-                + "ON l.id = g.lineup WHERE g.season = ? AND g.decision IS NOT NULL "
-                + "AND (g.counts = 1 OR g.problem IS NOT NULL)", season)) {
+            Map<Integer, int[]> lineups = new HashMap<>();
+            try (ResultSet row = database.query("SELECT id, versions FROM lineup")) {
                 while (row.next()) {
-                    reader.game(row.getInt(1), numbers(row.getString(2)));
+                    lineups.put(row.getInt(1), numbers(row.getString(2)));
+                }
+            }
+            // In the order of the table: by an index every row would be looked up.
+            try (ResultSet row = database.query("SELECT decision, lineup FROM game NOT INDEXED WHERE season = ? "
+                + "AND decision IS NOT NULL AND (counts = 1 OR problem IS NOT NULL)", season)) {
+                while (row.next()) {
+                    reader.game(row.getInt(1), lineups.get(row.getInt(2)));
                 }
             }
             return null;

@@ -32,6 +32,17 @@ class BradleyTerryTest {
     }
 
     @Test
+    void aBotThatHasJustComeDoesNotWidenTheOthersBars() {
+        double[][] games = {{0, 1000, 0, 0}, {1000, 0, 0, 0}, {0, 0, 0, 2}, {0, 0, 2, 0}};
+        double[][] points = {{0, 500, 0, 0}, {500, 0, 0, 0}, {0, 0, 0, 1}, {0, 0, 1, 0}};
+        BradleyTerry fit = BradleyTerry.fit(points, games);
+        // As between the two alone, 173.7 * 1.96 / sqrt(1000 / 4) / 2 = 10.8, and the mean shifts by the newcomers'
+        // 4 of 2004 games.
+        assertTrue(fit.bar(0) < 13, () -> "bar " + fit.bar(0));
+        assertTrue(fit.bar(2) > 200, () -> "bar " + fit.bar(2));
+    }
+
+    @Test
     void knownStrengthsAreWithinTheirBars() {
         double[] strength = {150, 60, 0, -60, -150};
         SplittableRandom random = new SplittableRandom(4);
