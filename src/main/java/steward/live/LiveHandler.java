@@ -55,7 +55,8 @@ final class LiveHandler implements HttpHandler {
                     case "/" -> HttpService.send(exchange, HttpService.OK, HttpService.HTML, page);
                     case "/" + FEED -> feed(exchange);
                     case "/" + COPY -> copy(exchange);
-                    default -> HttpService.refuse(exchange, HttpService.NOT_FOUND, "There is nothing here; the match is at /.");
+                    default -> HttpService.refuse(exchange, HttpService.NOT_FOUND,
+                        "There is nothing here; the match is at /.");
                 }
             }
         }

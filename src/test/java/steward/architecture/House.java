@@ -33,7 +33,8 @@ final class House {
         "league", "league.rating", "league.store", "league.play", "league.page",
         "lab.oracle", "lab.trial", "lab.stability.pairs", "lab.stability.crowds", "lab.stability",
         "lab.calibration", "lab.tradeoff", "lab.tradeoff.report", "bench", "bench.textbook", "bench.section",
-        "cli.shared", "cli.options", "cli.bench", "cli.lab", "cli.replay", "cli.play", "cli.league", "cli.setup", "cli");
+        "cli.shared", "cli.options", "cli.bench", "cli.lab", "cli.replay", "cli.play", "cli.league",
+        "cli.setup", "cli");
 
     /** Functions whose last bit is up to the machine; sqrt, fma, floor and the like are exact everywhere. */
     private static final Set<String> INEXACT = Set.of("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp",

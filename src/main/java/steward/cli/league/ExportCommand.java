@@ -69,7 +69,8 @@ final class ExportCommand implements Callable<Integer> {
                 return ExitStatus.DONE;
             }
             Path file = OutputFiles.path(out);
-            try (PrintStream stream = new PrintStream(new BufferedOutputStream(OutputFiles.open(file, overwrite)), false,
+            try (PrintStream stream = new PrintStream(new BufferedOutputStream(OutputFiles.open(file, overwrite)),
+                    false,
                     StandardCharsets.UTF_8)) {
                 write(opened, stream, csv);
                 if (stream.checkError()) {

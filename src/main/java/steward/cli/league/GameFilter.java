@@ -37,7 +37,8 @@ final class GameFilter {
 
     /** Refuses options that do not go together. */
     void check() {
-        check.that((won ? 1 : 0) + (drawn ? 1 : 0) + (lost ? 1 : 0) <= 1, "--won, --drawn and --lost exclude each other");
+        check.that((won ? 1 : 0) + (drawn ? 1 : 0) + (lost ? 1 : 0) <= 1,
+            "--won, --drawn and --lost exclude each other");
         check.that(bot != null || !won && !lost, (won ? "--won" : "--lost") + ": expected --bot with it");
     }
 
@@ -78,7 +79,8 @@ final class GameFilter {
         }
         long first = game.seats().stream().filter(seat -> seat.rank() == 0).count();
         boolean isFirst = own.stream().anyMatch(seat -> seat.rank() == 0);
-        return !won && !drawn && !lost || game.counts() && (won && isFirst && first == 1 || drawn && isFirst && first > 1
+        return !won && !drawn && !lost || game.counts() && (won && isFirst && first == 1
+            || drawn && isFirst && first > 1
             || lost && !isFirst);
     }
 }

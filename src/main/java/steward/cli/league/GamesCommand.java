@@ -79,7 +79,8 @@ final class GamesCommand implements Callable<Integer> {
                 }
             });
             if (number != null && found.isEmpty()) {
-                throw new InputException("--game: found no game " + number + " among them, expected one of the league's");
+                throw new InputException("--game: found no game " + number
+                    + " among them, expected one of the league's");
             }
             for (StoredGame game : found.subList(0, Math.min(limit, found.size()))) {
                 streams.out().println(TextFormat.plain(line(game, names)));
@@ -106,7 +107,8 @@ final class GamesCommand implements Callable<Integer> {
         for (int k = 0; k < seats.size(); k++) {
             StoredSeat seat = seats.get(k);
             line.append(k == 0 ? "" : seat.rank() == seats.get(k - 1).rank() ? " = " : " > ")
-                .append(names.get(seat.version())).append(seat.fault() == null ? "" : " (failed: " + seat.fault() + ")");
+                .append(names.get(seat.version()))
+                .append(seat.fault() == null ? "" : " (failed: " + seat.fault() + ")");
         }
         line.append(", ").append(TextFormat.count(game.turns(), "turn")).append(", seed ").append(game.seed());
         if (game.problem() != null) {

@@ -58,10 +58,10 @@ final class ImportGamesCommand implements Callable<Integer> {
                 + ", expected games of 'league export'");
         }
         try (GameStore store = GameStore.write(folder)) {
-            int number = LeagueOpening.season(folder, store, season, false);
             List<StoredGame> games = new ArrayList<>();
             GameLine.Reader reader = new GameLine.Reader(store, season);
             read(path, found -> reader.check(found.place(), found.game(), found.seats()));
+            int number = LeagueOpening.season(folder, store, season, false);
             read(path, found -> games.add(reader.read(found.place(), found.game(), found.seats())));
             int added = 0;
             for (int from = 0; from < games.size(); from += TOGETHER) {

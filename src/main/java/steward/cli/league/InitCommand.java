@@ -53,8 +53,8 @@ final class InitCommand implements Callable<Integer> {
     private Double factor;
 
     @Option(names = "--keep", paramLabel = "all|lost|failed|none", completionCandidates = Keeps.class,
-        description = "Keeps the replays of all games, of those that have a loser (lost), in which a bot failed (failed, "
-            + "the default), or none.")
+        description = "Keeps the replays of all games, of those that have a loser (lost), in which a bot failed "
+            + "(failed, the default), or none.")
     private String keep;
 
     /** What {@code --keep} takes. */

@@ -10,6 +10,7 @@ import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
+import steward.cli.options.CallCheck;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
 import steward.cli.shared.Pages;
@@ -52,7 +53,8 @@ final class PageCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws InterruptedException {
-        steward.cli.options.CallCheck.withHelp().that(out != null || open, "found no --out and no --open, expected one");
+        CallCheck.withHelp().that(out != null || open,
+            "found no --out and no --open, expected one");
         try (LeagueOpening.Opened opened = LeagueOpening.read(league.open())) {
             Path path = out == null ? Pages.unnamed() : OutputFiles.path(out);
             OutputFiles.check(path, true);

@@ -59,8 +59,8 @@ final class RunCommand implements Callable<Integer> {
     @Option(names = "--for", paramLabel = "TIME", description = "Ends after so long, such as 90s, 30m, 8h or 2d.")
     private String time;
 
-    @Option(names = "--durable", description = "Waits with every game until it is on the disk: nothing is lost when the "
-        + "power fails, either.")
+    @Option(names = "--durable", description = "Waits with every game until it is on the disk: nothing is lost when "
+        + "the power fails, either.")
     private boolean durable;
 
     @Option(names = "--same", description = "Counts a bot whose program has changed as the version that it was.")

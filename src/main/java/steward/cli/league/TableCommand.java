@@ -43,8 +43,8 @@ final class TableCommand implements Callable<Integer> {
     @Option(names = "--html", description = "Prints the page of 'league page'.")
     private boolean html;
 
-    @Option(names = "--plots", paramLabel = "DIR", description = "Writes the ratings with their bars and the ratings over "
-        + "games into this folder, as PNG and SVG.")
+    @Option(names = "--plots", paramLabel = "DIR", description = "Writes the ratings with their bars and the ratings "
+        + "over games into this folder, as PNG and SVG.")
     private String plots;
 
     TableCommand(Streams streams) {

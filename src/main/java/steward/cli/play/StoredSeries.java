@@ -59,7 +59,8 @@ final class StoredSeries implements AutoCloseable {
             played.keep(), played.keepOf(), played.bots()));
         Season own = Season.of(steward.cli.shared.Games.open(folder.scene(settings.scene())), settings);
         if (!own.key().equals(season.key())) {
-            throw new InputException("--into: found a league of other games, expected one of the same scene and limits: "
+            throw new InputException("--into: found a league of other games, expected one of the same scene and "
+                + "limits: "
                 + own.difference(season));
         }
         GameStore store = GameStore.write(folder);

@@ -7,8 +7,8 @@ package steward.league.rating;
  * holds together bots that have never met.
  *
  * <p>Found by Newton's method on the logarithm of the posterior, which is concave. The covariance is the inverse of its
- * negative second derivative (Laplace's approximation); the bars are those of the difference to the mean of all, in which
- * each bot has the weight of its games: one that has just come does not widen the bars of the others.
+ * negative second derivative (Laplace's approximation); the bars are those of the difference to the mean of
+ * all, in which each bot has the weight of its games: one that has just come does not widen the bars of the others.
  *
  * <p>Caveat: games count as independent, although two games on one seed are not quite.
  */

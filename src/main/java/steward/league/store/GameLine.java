@@ -103,7 +103,8 @@ public final class GameLine {
                     + "', expected that of its seed, attempt and identities, " + HexFormat.of().formatHex(name));
             }
             List<StoredSeat> stored = new ArrayList<>();
-            seats.forEach(seat -> stored.add(seat(place, seat, known ? version(place, seat).id() : checked(place, seat))));
+            seats.forEach(seat -> stored.add(seat(place, seat,
+                known ? version(place, seat).id() : checked(place, seat))));
             String problem = game.getOrDefault("problem", "");
             return new StoredGame(0, name, game.getOrDefault("decision", "").isEmpty() ? -1
                 : (int) number(place, game, "decision", 0, Integer.MAX_VALUE), seed, attempt,

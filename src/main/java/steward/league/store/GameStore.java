@@ -200,8 +200,8 @@ public final class GameStore implements AutoCloseable {
 
     private boolean add(int season, StoredGame game) throws SQLException {
         PreparedStatement row = database.statement("INSERT INTO game (name, season, decision, seed, lineup, ranks, "
-            + "attempt, counts, turns, problem, played, machine, replay) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
-            + "ON CONFLICT (name) DO NOTHING");
+            + "attempt, counts, turns, problem, played, machine, replay) "
+            + "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (name) DO NOTHING");
         row.setBytes(1, game.name());
         row.setInt(2, season);
         if (game.decision() < 0) {

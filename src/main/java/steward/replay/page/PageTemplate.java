@@ -13,8 +13,8 @@ import java.util.Map;
 
 /**
  * The page around a replay or other data: {@code page.html} with its places, written <code>{{name}}</code>, filled in.
- * All scripts become one; the content security policy names it and the style sheet by their hashes, so that nothing else
- * can run.
+ * All scripts become one; the content security policy names it and the style sheet by their hashes, so that nothing
+ * else can run.
  */
 public final class PageTemplate {
 
@@ -70,7 +70,8 @@ public final class PageTemplate {
 
     /** The same, and allows the script and the style of another page, by their hashes as a policy has them. */
     public String policy(String connect, String otherScript, String otherStyle) {
-        return "default-src 'none'; script-src " + hash(script) + otherScript + "; style-src " + hash(style) + otherStyle
+        return "default-src 'none'; script-src " + hash(script) + otherScript + "; style-src " + hash(style)
+            + otherStyle
             + "; img-src data:; connect-src " + connect + "; base-uri 'none'; form-action 'none'";
     }
 

@@ -97,8 +97,10 @@ class LeaguePageTest {
     @Test
     void anOpenPageFollows() throws IOException, InterruptedException {
         String state = """
-            {"scene":"duel","games":%d,"again":0,"without":0,"rate":2.5,"bots":[{"rank":1,"version":1,"name":"<i>a</i>",\
-            "active":true,"random":false,"rating":12.5,"bar":30,"games":%d,"points":0.6,"faults":0,"score":1,"meanMs":1,\
+            {"scene":"duel","games":%d,"again":0,"without":0,"rate":2.5,\
+            "bots":[{"rank":1,"version":1,"name":"<i>a</i>",\
+            "active":true,"random":false,"rating":12.5,"bar":30,"games":%d,"points":0.6,"faults":0,"score":1,\
+            "meanMs":1,\
             "worstMs":2}],"cross":[[null]],"path":{"versions":[1],"points":[]},"list":[]}""";
         byte[] page = LeaguePage.live("League", StatusServer.FEED);
         try (StatusServer server = StatusServer.start(null, 0, page, path -> null);

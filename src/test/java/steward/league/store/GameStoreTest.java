@@ -177,8 +177,8 @@ class GameStoreTest {
     void whatIsNoLeaguesDatabaseIsRefused() throws IOException, SQLException {
         assertEquals("DB: found no such file, expected the games of the league; 'steward league run' makes it",
             refusal(false));
-        Files.writeString(folder.database(), "this is no database, and has more than a hundred bytes so that it is read "
-            + "as one: " + "x".repeat(200));
+        Files.writeString(folder.database(), "this is no database, and has more than a hundred bytes so that it is "
+            + "read as one: " + "x".repeat(200));
         assertEquals("DB: found no database, expected one of SQLite", refusal(true));
         assertEquals("DB: found no database, expected one of SQLite", refusal(false));
         Files.delete(folder.database());
