@@ -10,6 +10,7 @@ import steward.cli.bench.BenchCommand;
 import steward.cli.lab.ExplainCommand;
 import steward.cli.lab.StabilityCommand;
 import steward.cli.lab.TradeoffCommand;
+import steward.cli.league.LeagueCommand;
 import steward.cli.play.DemoCommand;
 import steward.cli.play.MatchCommand;
 import steward.cli.play.PlayCommand;
@@ -45,6 +46,7 @@ public final class Main {
     private static final int WIDTH = 80;
 
     private static final List<String> COMMANDS = List.of("match", "replay", "feed", "scene", "explain", "demo",
+        "league",
         "simulate", "import", "key", "referee", "play", "stability", "tradeoff", "bench", "new", "doctor",
         CompletionCommand.NAME, HelpCommand.NAME);
 
@@ -139,6 +141,7 @@ public final class Main {
             case "scene" -> new SceneCommand(streams);
             case "explain" -> new ExplainCommand(streams);
             case "demo" -> new DemoCommand(streams);
+            case "league" -> LeagueCommand.spec(streams);
             case "simulate" -> new SimulateCommand(streams);
             case "import" -> new ImportCommand(streams);
             case "key" -> new KeyCommand(streams);
@@ -155,6 +158,7 @@ public final class Main {
     }
 
     private static void dress(CommandLine line) {
+        line.getSubcommands().values().forEach(Main::dress);
         CommandSpec spec = line.getCommandSpec();
         spec.addMixin("standardOptions", CommandSpec.forAnnotatedObject(new StandardOptions()));
         spec.versionProvider(new Version());

@@ -162,6 +162,12 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         return new Contest(setup, entrants, timeControl(setup, timeFactor), timeFactor);
     }
 
+    /** A contest whose bots are still to come, see {@link #between}. */
+    @Internal
+    public static Contest withoutBots(GameSetup setup, double timeFactor) {
+        return new Contest(setup, List.of(), timeControl(setup, timeFactor), timeFactor);
+    }
+
     private static TimeControl timeControl(GameSetup setup, double factor) {
         if (factor == Double.POSITIVE_INFINITY) {
             return TimeControl.UNLIMITED;
@@ -184,6 +190,12 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
             entrants.set(k, entrants.get(k).named(unlikeOthers(names, k)));
         }
         return entrants;
+    }
+
+    /** A bot by itself, as it is named in a call; one that cannot be started has the problem. */
+    @Internal
+    public static Entrant entrant(String bot, Protocol usual) {
+        return entrant(bot, usual == Protocol.JSON ? BotCommand.Prefix.JSON : BotCommand.Prefix.CODINGAME);
     }
 
     private static Entrant entrant(String bot, BotCommand.Prefix usual) {

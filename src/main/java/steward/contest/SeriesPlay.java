@@ -12,6 +12,8 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.function.Consumer;
+import steward.Internal;
 import steward.files.InputException;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
@@ -84,14 +86,20 @@ public final class SeriesPlay {
      * @param each called after each game, by any thread
      */
     public void play(int threads, Runnable each) throws InterruptedException {
+        play(threads, game -> each.run());
+    }
+
+    /** The same; what is called is told the game, by any thread. */
+    @Internal
+    public void play(int threads, Consumer<Series.Played> each) throws InterruptedException {
         int used = Math.min(threads, series.games());
         ExecutorService workers = Executors.newFixedThreadPool(used, SeriesPlay::daemon);
         try {
             List<Future<?>> working = new ArrayList<>();
             for (int k = 0; k < used; k++) {
                 working.add(workers.submit(() -> {
-                    while (playNext()) {
-                        each.run();
+                    for (Series.Played game = playNext(); game != null; game = playNext()) {
+                        each.accept(game);
                     }
                     return null;
                 }));
@@ -100,6 +108,9 @@ public final class SeriesPlay {
                 one.get();
             }
         } catch (ExecutionException problem) {
+            if (problem.getCause() instanceof InputException refused) {
+                throw refused;
+            }
             throw new IllegalStateException("a game of the series", problem.getCause());
         } finally {
             workers.shutdownNow();
@@ -112,8 +123,8 @@ public final class SeriesPlay {
         return thread;
     }
 
-    /** Plays a game; returns whether there was one and it counts. */
-    private boolean playNext() throws InterruptedException {
+    /** Plays a game; {@code null} if there is none any more, or it does not count. */
+    private Series.Played playNext() throws InterruptedException {
         Game game = begin();
         while (game != null) {
             MatchResult result = null;
@@ -132,19 +143,19 @@ public final class SeriesPlay {
             close(game);
             synchronized (this) {
                 if (brokenOff) {
-                    return false;
+                    return null;
                 }
                 underWay.remove(game);
                 Series.Played played = played(game, result, problem);
                 Game another = series.hiccups().demandAnother(played) && stopped == null ? again(game, played) : null;
                 if (another == null) {
                     standings.add(played, game.log().failures(), game.log().times());
-                    return true;
+                    return played;
                 }
                 game = another;
             }
         }
-        return false;
+        return null;
     }
 
     /** The next game, its replay open; {@code null} if there is none any more. */

@@ -1,6 +1,5 @@
 package steward.live;
 
-import com.sun.net.httpserver.Headers;
 import com.sun.net.httpserver.HttpExchange;
 import com.sun.net.httpserver.HttpHandler;
 import java.io.ByteArrayInputStream;
@@ -22,18 +21,8 @@ final class LiveHandler implements HttpHandler {
     /** Address of the copy, relative to the page. */
     static final String COPY = "match.html";
 
-    private static final String HTML = "text/html; charset=utf-8";
-    private static final String TEXT = "text/plain; charset=utf-8";
-
     /** How many copies are made at the same time; others wait. */
     private static final int MOST_COPIES = 8;
-
-    private static final int NO_BODY = -1;
-    private static final int OK = 200;
-    private static final int FORBIDDEN = 403;
-    private static final int NOT_FOUND = 404;
-    private static final int WRONG_METHOD = 405;
-    private static final int UNAVAILABLE = 503;
 
     /**
      * How often a comment is sent while no line comes, in milliseconds: it shows whether the viewer is still connected.
@@ -68,57 +57,27 @@ final class LiveHandler implements HttpHandler {
     @Override
     public void handle(HttpExchange exchange) throws IOException {
         try (exchange) {
-            if (!names.accept(exchange.getRequestHeaders().getFirst("Host"))) {
-                refuse(exchange, FORBIDDEN, "This server does not go by that name.");
-            } else if (!exchange.getRequestMethod().equals("GET")) {
-                exchange.getResponseHeaders().set("Allow", "GET");
-                refuse(exchange, WRONG_METHOD, "There is only something to get here.");
-            } else {
+            if (!HttpService.refuses(exchange, names)) {
                 switch (String.valueOf(exchange.getRequestURI().getRawPath())) {
-                    case "/" -> send(exchange, OK, HTML, page);
+                    case "/" -> HttpService.send(exchange, HttpService.OK, HttpService.HTML, page);
                     case "/" + FEED -> feed(exchange);
                     case "/" + COPY -> copy(exchange);
-                    default -> refuse(exchange, NOT_FOUND, "There is nothing here; the match is at /.");
+                    default -> HttpService.refuse(exchange, HttpService.NOT_FOUND,
+                        "There is nothing here; the match is at /.");
                 }
             }
         }
     }
 
-    private static void refuse(HttpExchange exchange, int status, String why) throws IOException {
-        send(exchange, status, TEXT, bytes(why + "\n"));
-    }
-
-    private static void send(HttpExchange exchange, int status, String type, byte[] body) throws IOException {
-        describe(exchange, type);
-        boolean head = exchange.getRequestMethod().equals("HEAD");
-        exchange.sendResponseHeaders(status, head ? NO_BODY : body.length);
-        if (!head) {
-            exchange.getResponseBody().write(body);
-        }
-    }
-
-    /** Headers: the type as stated, no caching, no embedding in frames. */
-    private static void describe(HttpExchange exchange, String type) {
-        Headers headers = exchange.getResponseHeaders();
-        headers.set("Content-Type", type);
-        headers.set("Cache-Control", "no-store");
-        headers.set("X-Content-Type-Options", "nosniff");
-        headers.set("X-Frame-Options", "DENY");
-        // In the page's own policy, which is in a meta element, this would have no effect.
-        headers.set("Content-Security-Policy", "frame-ancestors 'none'");
-        headers.set("Referrer-Policy", "no-referrer");
-        headers.set("Cross-Origin-Resource-Policy", "same-origin");
-    }
-
     private void feed(HttpExchange exchange) throws IOException {
         if (!viewers.enter()) {
-            refuse(exchange, UNAVAILABLE, "Too many are watching already.");
+            HttpService.refuse(exchange, HttpService.UNAVAILABLE, "Too many are watching already.");
             return;
         }
         boolean all = false;
         try {
-            describe(exchange, "text/event-stream");
-            exchange.sendResponseHeaders(OK, 0);
+            HttpService.describe(exchange, HttpService.EVENTS);
+            exchange.sendResponseHeaders(HttpService.OK, 0);
             sendLines(exchange.getResponseBody());
             all = true;
         } catch (InterruptedException closed) {
@@ -169,14 +128,14 @@ final class LiveHandler implements HttpHandler {
         boolean complete = recording.isComplete();
         byte[] replay = recording.replay();
         if (replay.length == 0) {
-            refuse(exchange, UNAVAILABLE, "The match has not begun.");
+            HttpService.refuse(exchange, HttpService.UNAVAILABLE, "The match has not begun.");
             return;
         }
         copies.acquireUninterruptibly();
         try {
             ByteArrayOutputStream html = new ByteArrayOutputStream();
             ReplayPage.write(new ByteArrayInputStream(replay), "match", html, title);
-            send(exchange, OK, HTML, html.toByteArray());
+            HttpService.send(exchange, HttpService.OK, HttpService.HTML, html.toByteArray());
         } finally {
             copies.release();
         }

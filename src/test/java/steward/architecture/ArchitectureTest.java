@@ -38,6 +38,8 @@ class ArchitectureTest {
         LISTED_GAMES(House::onlyTheListKnowsTheOtherGames, "KnowsFish"),
         OTHER_GAMES(House::gamesDoNotKnowEachOther, "Borrows"),
         CONTESTS(House::contestsKnowNoTerminal, "Prints"),
+        LEAGUES(House::leaguesKnowGamesThroughContests, "Pushes"),
+        SQLITE(House::onlyTheStoreKnowsSqlite, "Pushes"),
         BOTS(House::botsKnowNoRules, "Rules"),
         LABS(House::labsKnowNoBots, "Asks"),
         MATCHES(House::matchesKnowNoReplays, "Keeps"),

@@ -32,9 +32,11 @@ final class House {
         "game.podrace.simulator", "game.podrace.protocol", "game.searchrace", "game.searchrace.protocol",
         "bot", "bot.command", "bot.isolation", "bot.accounting", "bot.process", "match",
         "replay.sign", "replay", "replay.verify", "replay.feed", "replay.page", "contest", "live", "codingame",
+        "league", "league.rating", "league.store", "league.play", "league.page",
         "lab.oracle", "lab.trial", "lab.stability.pairs", "lab.stability.crowds", "lab.stability",
         "lab.calibration", "lab.tradeoff", "lab.tradeoff.report", "bench", "bench.textbook", "bench.section",
-        "cli.shared", "cli.options", "cli.bench", "cli.lab", "cli.replay", "cli.play", "cli.setup", "cli");
+        "cli.shared", "cli.options", "cli.bench", "cli.lab", "cli.replay", "cli.play", "cli.league",
+        "cli.setup", "cli");
 
     /** The game for which there are commands and formats of its own. */
     private static final String FIRST_GAME = "podrace";
@@ -136,6 +138,19 @@ final class House {
             .orShould().accessTargetWhere(describe("reaches the streams of the process", access ->
                 access.getTargetOwner().isEquivalentTo(System.class)
                     && Set.of("out", "err", "in", "console").contains(access.getTarget().getName())));
+    }
+
+    /** A league knows games only through contests: it plays none by itself, and starts no process. */
+    ArchRule leaguesKnowGamesThroughContests() {
+        return noClasses().that().resideInAPackage(in("league"))
+            .should().dependOnClassesThat().resideInAnyPackage(in("physics"), in("bot.process"), in("game.*"))
+            .orShould().dependOnClassesThat().haveFullyQualifiedName(root + ".match.Referee");
+    }
+
+    /** No other command needs the time to load it. */
+    ArchRule onlyTheStoreKnowsSqlite() {
+        return noClasses().that().resideOutsideOfPackage(in("league.store"))
+            .should().dependOnClassesThat().resideInAnyPackage("org.sqlite..", "java.sql..");
     }
 
     ArchRule botsKnowNoRules() {

@@ -60,6 +60,7 @@ final class DocumentedCall {
     /** What is wrong with an option that stands alone, or {@code null}: some command has to have it. */
     static String optionProblem(String option) {
         boolean known = program(null).getSubcommands().values().stream()
+            .flatMap(command -> Stream.concat(Stream.of(command), command.getSubcommands().values().stream()))
             .anyMatch(command -> command.getCommandSpec().optionsMap().containsKey(option));
         return known ? null : "no command has such an option";
     }

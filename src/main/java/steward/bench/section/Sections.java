@@ -61,6 +61,11 @@ public final class Sections {
         return new GrowthSection(fixture, scenes);
     }
 
+    /** Leagues. */
+    public static Section leagues(MatchFixture fixture, int threads) {
+        return new LeagueSection(fixture, threads);
+    }
+
     /** The start of the program. */
     public static Section start(MatchFixture fixture) {
         return new StartupSection(fixture);

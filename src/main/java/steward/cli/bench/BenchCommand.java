@@ -86,7 +86,7 @@ public final class BenchCommand implements Callable<Integer> {
     static final class Parts implements Iterable<String> {
 
         static final List<String> ALL = List.of("pods", "games", "matches", "growth", "frames", "verify", "processes",
-            "start", "crowds");
+            "league", "start", "crowds");
 
         @Override
         public Iterator<String> iterator() {

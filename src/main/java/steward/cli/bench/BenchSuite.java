@@ -52,6 +52,7 @@ final class BenchSuite {
             scene(TURNS_LEFT, TURNS_LEFT.replace("100", LONG), MAXIMUM, MAXIMUM.replace("500", LONG)),
             Integer.parseInt(LONG), scene(MAXIMUM, MAXIMUM.replace("500", "1")),
             List.of("sh", "-c", "while read -r line; do echo '" + ANSWER + "'; done")));
+        sections.add(Sections.leagues(fixture, threads));
         sections.add(Sections.start(fixture));
         sections.add(Sections.crowds(bodies));
         return sections;

@@ -83,6 +83,11 @@ public final class SandboxOptions {
         + "others' time. Where there is no control group, a process that has left the bot's group is not stopped.")
     private boolean pauseWaiting;
 
+    /** The variables that bots are passed by name. */
+    public List<String> variables() {
+        return List.copyOf(variables);
+    }
+
     /** Whether any is there. */
     public boolean isAny() {
         return level != null || network || pauseWaiting || cleanEnvironment || memory != null || processes != null

@@ -136,7 +136,14 @@ public final class MatchCommand implements Callable<Integer> {
         Verbosity report = json ? Verbosity.JSON : quiet ? Verbosity.LINE : Verbosity.FULL;
         if (many.isAny()) {
             Series series = new Series(contest, first, many.games(), many.swap(), path, many.keep(), many.hiccups());
-            return new SeriesRun(streams, series, report, strict).play(many.threads(streams), overwrite);
+            SeriesRun run = new SeriesRun(streams, series, report, strict);
+            if (many.into() == null) {
+                return run.play(many.threads(streams), overwrite);
+            }
+            try (StoredSeries league = StoredSeries.open(OutputFiles.path(many.into()), contest, factor,
+                    sandbox.variables())) {
+                return run.play(many.threads(streams), overwrite, league::add);
+            }
         }
         SingleMatch game = new SingleMatch(streams, contest, report, strict, piped);
         return show.isAny() ? game.play(first, path, overwrite, show) : game.play(first, path, overwrite);

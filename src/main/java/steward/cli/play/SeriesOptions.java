@@ -4,8 +4,10 @@ import java.util.Arrays;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Optional;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.cli.options.CallCheck;
+import steward.cli.options.ThreadsOption;
 import steward.cli.shared.Streams;
 import steward.contest.Hiccups;
 import steward.contest.KeptReplays;
@@ -32,17 +34,7 @@ final class SeriesOptions {
         }
     }
 
-    /** The word that {@code --threads} takes beside numbers. */
-    static final class Auto implements Iterable<String> {
-
-        @Override
-        public Iterator<String> iterator() {
-            return List.of(AUTO).iterator();
-        }
-    }
-
     private static final List<String> KEEPS = Arrays.stream(KeptReplays.values()).map(KeptReplays::word).toList();
-    private static final String AUTO = "auto";
 
     private final CallCheck check = CallCheck.withHelp();
 
@@ -55,10 +47,8 @@ final class SeriesOptions {
             + "2 N games in all.")
     private boolean swap;
 
-    @Option(names = "--threads", paramLabel = "T|auto", completionCandidates = Auto.class,
-        description = "Plays so many games at the same time (default: 1); auto: as many as there are processors, less "
-            + "one. The games do not depend on it, but bots that share processors take longer to answer.")
-    private String threads;
+    @Mixin
+    private final ThreadsOption threads = new ThreadsOption();
 
     @Option(names = "--keep", paramLabel = "all|lost|failed|none", completionCandidates = Keeps.class,
         description = "Keeps, of the replays in --out, all (the default), those of games that the first bot lost "
@@ -71,6 +61,10 @@ final class SeriesOptions {
             + "or it counts (count).")
     private String hiccups;
 
+    @Option(names = "--into", paramLabel = "DIR",
+        description = "Stores the games in this league, see 'steward league'; one that it has already stays as it is.")
+    private String into;
+
     /**
      * Refuses options that are out of range or do not go together.
      *
@@ -78,9 +72,9 @@ final class SeriesOptions {
      */
     void check(boolean out) {
         check.games(games);
-        check.that(threads == null || threads(1) > 0,
-            "--threads: found '" + threads + "', expected 1 to " + CallCheck.MOST_THREADS + ", or auto");
-        check.that(isAny() || threads == null, "--threads is for many games, expected --games or --swap with it");
+        threads.check();
+        check.that(isAny() || !threads.isGiven(), "--threads is for many games, expected --games or --swap with it");
+        check.that(isAny() || into == null, "--into is for many games, expected --games or --swap with it");
         check.that(isAny() || keep == null, "--keep is for many games, expected --games or --swap with it");
         check.that(isAny() || hiccups == null, "--hiccups is for many games, expected --games or --swap with it");
         check.that(hiccups == null || Hiccups.of(hiccups).isPresent(),
@@ -113,6 +107,11 @@ final class SeriesOptions {
         return swap;
     }
 
+    /** The league as it was typed, or {@code null}. */
+    String into() {
+        return into;
+    }
+
     KeptReplays keep() {
         return Optional.ofNullable(keep).flatMap(KeptReplays::of).orElse(KeptReplays.ALL);
     }
@@ -123,34 +122,6 @@ final class SeriesOptions {
 
     /** How many games at the same time; warns if there are too few processors for them. */
     int threads(Streams streams) {
-        int processors = Runtime.getRuntime().availableProcessors();
-        int count = threads(processors);
-        if (count > processors) {
-            streams.warn("--threads " + count + " are more games at a time than the " + processors
-                + " processors here carry: bots will take longer to answer, perhaps too long; --threads auto takes "
-                + auto(processors));
-        }
-        return count;
-    }
-
-    /** -1 if it cannot be understood. */
-    private int threads(int processors) {
-        if (threads == null) {
-            return 1;
-        }
-        if (threads.equals(AUTO)) {
-            return auto(processors);
-        }
-        try {
-            int count = Integer.parseInt(threads);
-            return CallCheck.isWithin(count, 1, CallCheck.MOST_THREADS) ? count : -1;
-        } catch (NumberFormatException problem) {
-            return -1;
-        }
-    }
-
-    /** A game keeps one processor busy, since bots are asked in turns; one is left for everything else. */
-    static int auto(int processors) {
-        return Math.max(1, Math.min(processors - 1, CallCheck.MOST_THREADS));
+        return threads.count(streams);
     }
 }

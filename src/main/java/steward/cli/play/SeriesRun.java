@@ -3,6 +3,7 @@ package steward.cli.play;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Consumer;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Interruption;
 import steward.cli.shared.ProgressLine;
@@ -27,8 +28,13 @@ record SeriesRun(Streams streams, Series series, Verbosity report, boolean stric
     private static final int LONGEST_NAME = 12;
 
     /** @return the exit status: not 0 if a game has no result */
-    @SuppressWarnings("try")                           // only closed, never used
     int play(int threads, boolean overwrite) throws InterruptedException {
+        return play(threads, overwrite, game -> { });
+    }
+
+    /** @param keeper is told of every game that is over, by any thread; what it throws ends the series */
+    @SuppressWarnings("try")                           // only closed, never used
+    int play(int threads, boolean overwrite, Consumer<Series.Played> keeper) throws InterruptedException {
         series.prepare(overwrite);
         SeriesPlay play = new SeriesPlay(series, overwrite);
         AtomicBoolean told = new AtomicBoolean();
@@ -36,7 +42,8 @@ record SeriesRun(Streams streams, Series series, Verbosity report, boolean stric
             : new ProgressLine(streams.err(), series.games());
         try (Interruption interruption = new Interruption(streams, () -> told.getAndSet(true) ? null
                 : interrupted(play, progress))) {
-            play.play(threads, () -> {
+            play.play(threads, game -> {
+                keeper.accept(game);
                 if (progress != null) {
                     progress.step(standing(play.standings()));
                 }

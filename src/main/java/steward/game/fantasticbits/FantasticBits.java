@@ -28,6 +28,8 @@ public final class FantasticBits extends AbstractGame {
     private final Advance advance;
     private final Motion motion = new Motion(Pitch.endOfTurn());
 
+    private static final String[] GOAL_FOR = {"goal for player 0", "goal for player 1"};
+
     private final WizardCommand[] commands = new WizardCommand[Pitch.WIZARDS];
     private final int[] scores = new int[FantasticBitsSettings.PLAYERS];
     private final int[] magic = new int[FantasticBitsSettings.PLAYERS];
@@ -157,8 +159,8 @@ public final class FantasticBits extends AbstractGame {
             if (log.factKind(k) == Captures.GOAL) {
                 int player = log.factB(k);
                 scores[player] += isIn(player) ? 1 : 0;
-                events.add(new TurnEvent(TurnEvent.Kind.DEATH, log.factTime(k), log.factA(k), log.factX(k),
-                    log.factY(k), "goal for player " + player, true));
+                events.add(TurnEvent.Kind.DEATH, log.factTime(k), log.factA(k), log.factX(k), log.factY(k),
+                    GOAL_FOR[player], true);
             }
         }
     }

@@ -12,12 +12,13 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The page around a replay: {@code page.html} with its places, written <code>{{name}}</code>, filled in. All scripts
- * become one; the content security policy names it and the style sheet by their hashes, so that nothing else can run.
+ * The page around a replay or other data: {@code page.html} with its places, written <code>{{name}}</code>, filled in.
+ * All scripts become one; the content security policy names it and the style sheet by their hashes, so that nothing
+ * else can run.
  */
-final class PageTemplate {
+public final class PageTemplate {
 
-    private static final String FOLDER = "/steward/view/";
+    private static final String OF_REPLAYS = "/steward/view/";
     /** In the order in which they need each other. */
     private static final List<String> SCRIPTS = List.of("match.js", "notes.js", "theme.js", "shapes.js", "stage.js",
         "podrace.js", "searchrace.js", "meanmax.js", "fantasticbits.js", "playback.js", "timeline.js", "chart.js",
@@ -25,38 +26,81 @@ final class PageTemplate {
     /** The place of the replay; everything before it is written first. */
     private static final String REPLAY = "{{replay}}";
 
-    private final String template = load("page.html");
-    private final String style = load("page.css");
-    private final String script = script();
+    private final String folder;
+    private final String template;
+    private final String style;
+    private final String script;
     private final Map<String, String> values = new HashMap<>();
 
+    /** The page of a replay. */
     PageTemplate(String title) {
+        this(OF_REPLAYS, SCRIPTS, title);
+    }
+
+    /**
+     * Another page.
+     *
+     * @param folder  of the resources {@code page.html}, {@code page.css} and the scripts, with a slash at its end
+     * @param scripts in the order in which they need each other
+     * @param title   plain text
+     */
+    public PageTemplate(String folder, List<String> scripts, String title) {
+        this.folder = folder;
+        template = load("page.html");
+        style = load("page.css");
+        script = script(scripts);
         values.put("title", escape(title));
         values.put("style", style);
         values.put("script", script);
     }
 
     /** Writes bytes into the page. */
-    interface Content {
+    public interface Content {
         void writeTo(OutputStream out) throws IOException;
     }
 
     /** Fills a place with HTML. */
-    void put(String name, String html) {
+    public void put(String name, String html) {
         values.put(name, html);
     }
 
     /** Forbids everything but this style and this script; {@code connect} says what may be connected to. */
-    String policy(String connect) {
-        return "default-src 'none'; script-src " + hash(script) + "; style-src " + hash(style)
+    public String policy(String connect) {
+        return policy(connect, "", "");
+    }
+
+    /** The same, and allows the script and the style of another page, by their hashes as a policy has them. */
+    public String policy(String connect, String otherScript, String otherStyle) {
+        return "default-src 'none'; script-src " + hash(script) + otherScript + "; style-src " + hash(style)
+            + otherStyle
             + "; img-src data:; connect-src " + connect + "; base-uri 'none'; form-action 'none'";
     }
 
-    void write(OutputStream html, Content replay) throws IOException {
-        int middle = template.indexOf(REPLAY);
-        html.write(fill(template.substring(0, middle)).getBytes(StandardCharsets.UTF_8));
+    /** The hash of its script, as a policy has it. */
+    String scriptHash() {
+        return hash(script);
+    }
+
+    /** The hash of its style sheet, as a policy has it. */
+    String styleHash() {
+        return hash(style);
+    }
+
+    /** What stands before the data. */
+    String before() {
+        return fill(template.substring(0, template.indexOf(REPLAY)));
+    }
+
+    /** What stands behind the data. */
+    String after() {
+        return fill(template.substring(template.indexOf(REPLAY) + REPLAY.length()));
+    }
+
+    /** Writes the page, and the data in its place. */
+    public void write(OutputStream html, Content replay) throws IOException {
+        html.write(before().getBytes(StandardCharsets.UTF_8));
         replay.writeTo(html);
-        html.write(fill(template.substring(middle + REPLAY.length())).getBytes(StandardCharsets.UTF_8));
+        html.write(after().getBytes(StandardCharsets.UTF_8));
         html.flush();
     }
 
@@ -73,28 +117,28 @@ final class PageTemplate {
     }
 
     /** Text as HTML, in an element or in a quoted attribute. */
-    static String escape(String text) {
+    public static String escape(String text) {
         return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("\"", "&quot;");
     }
 
     /** All scripts in one scope of their own. */
-    private static String script() {
+    private String script(List<String> scripts) {
         StringBuilder all = new StringBuilder("(() => {\n'use strict';\n");
-        for (String name : SCRIPTS) {
+        for (String name : scripts) {
             all.append(load(name)).append('\n');
         }
         return all.append("})();\n").toString();
     }
 
-    private static String load(String name) {
-        try (InputStream in = PageTemplate.class.getResourceAsStream(FOLDER + name)) {
+    private String load(String name) {
+        try (InputStream in = PageTemplate.class.getResourceAsStream(folder + name)) {
             if (in == null) {
-                throw new IllegalStateException("the program is not whole: " + FOLDER + name + " is missing");
+                throw new IllegalStateException("the program is not whole: " + folder + name + " is missing");
             }
             // A browser reads every line end as \n, and takes hashes of what it reads.
             return new String(in.readAllBytes(), StandardCharsets.UTF_8).replace("\r\n", "\n");
         } catch (IOException problem) {
-            throw new IllegalStateException("the program is not whole: " + FOLDER + name, problem);
+            throw new IllegalStateException("the program is not whole: " + folder + name, problem);
         }
     }
 

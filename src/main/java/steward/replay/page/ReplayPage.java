@@ -1,9 +1,11 @@
 package steward.replay.page;
 
 import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -78,6 +80,41 @@ public final class ReplayPage {
         page.put("save", save == null ? "" : "<a href=\"" + PageTemplate.escape(save) + "\" download>Save</a>");
         page.put("source", "data-feed=\"" + PageTemplate.escape(feed) + "\"");
         page.write(html, out -> { });
+    }
+
+    /**
+     * The page without a replay and without a title, for a page that puts several together by itself.
+     *
+     * @param before     the page up to the replay; <code>{{title}}</code> stands where the title goes, as HTML
+     * @param after      the rest
+     * @param scriptHash what the policy of the other page has to allow
+     * @param styleHash  likewise
+     */
+    public record Shell(String before, String after, String scriptHash, String styleHash) {
+    }
+
+    /** The page without a replay. */
+    public static Shell shell() {
+        PageTemplate page = new PageTemplate("");
+        page.put("title", "{{title}}");
+        page.put("policy", page.policy("'none'"));
+        page.put("save", "");
+        page.put("source", "");
+        return new Shell(page.before(), page.after(), page.scriptHash(), page.styleHash());
+    }
+
+    /**
+     * A replay as it stands in a page: gzip in base64.
+     *
+     * @throws IOException     if it cannot be read
+     * @throws ReplayException if the file is no replay, of a newer format, or damaged before its end
+     */
+    public static String embedded(Path replay) throws IOException {
+        byte[] bytes = Files.readAllBytes(replay);
+        byte[] whole = check(bytes, replay.toString()) == null ? bytes : upToCut(bytes);
+        ByteArrayOutputStream text = new ByteArrayOutputStream();
+        embed(whole, text);
+        return text.toString(StandardCharsets.US_ASCII);
     }
 
     /** Reads the replay to its end; returns where it was cut off, without the name of the file, or null. */

@@ -188,10 +188,6 @@ class SeriesReportTest {
             + "time than the " + processors), many.err());
         assertEquals(1, many.json().get("games").intValue());
         assertEquals("", series("false", "false", "--games", "1", "--threads", "auto").err());
-        assertEquals(1, SeriesOptions.auto(1));
-        assertEquals(1, SeriesOptions.auto(2));
-        assertEquals(7, SeriesOptions.auto(8));
-        assertEquals(256, SeriesOptions.auto(1000));
     }
 
     /** A full disk, to which a link leads; what was there before the series stays. */

@@ -23,7 +23,7 @@ import org.openqa.selenium.logging.LogType;
 import org.openqa.selenium.logging.LoggingPreferences;
 
 /** A headless Chromium in which tests look at pages, through the page's own test hook {@code window.steward}. */
-final class PageTestBrowser implements AutoCloseable {
+public final class PageTestBrowser implements AutoCloseable {
 
     private static final Duration PATIENCE = Duration.ofSeconds(60);
 
@@ -51,7 +51,7 @@ final class PageTestBrowser implements AutoCloseable {
     }
 
     /** Starts a browser; the test is skipped, saying so, where there is none or no driver for it. */
-    static PageTestBrowser start(Path profile) {
+    public static PageTestBrowser start(Path profile) {
         Path browser = find("chromium", "chromium-browser", "google-chrome");
         Path driver = find("chromedriver");
         assumeTrue(browser != null, "there is no chromium on the PATH");
@@ -68,12 +68,12 @@ final class PageTestBrowser implements AutoCloseable {
     }
 
     /** Opens a page from disk and waits until it is ready; the link, such as {@code #turn=57}, may be empty. */
-    void open(Path page, String link) {
+    public void open(Path page, String link) {
         go(page.toUri() + link);
     }
 
     /** Opens an address and waits until the page is ready. */
-    void go(String address) {
+    public void go(String address) {
         driver.get("about:blank");                           // otherwise a change of the link alone loads nothing
         logs(LogType.BROWSER);
         logs(LogType.PERFORMANCE);
@@ -82,32 +82,32 @@ final class PageTestBrowser implements AutoCloseable {
     }
 
     /** The size of the page itself. */
-    void size(int width, int height) {
+    public void size(int width, int height) {
         driver.executeCdpCommand("Emulation.setDeviceMetricsOverride",
             Map.of("width", width, "height", height, "deviceScaleFactor", 1, "mobile", width < 500));
         driver.manage().window().setSize(new Dimension(width, height));
     }
 
     /** What the machine is set to: light or dark, and whether motion is to be reduced. */
-    void prefer(boolean dark, boolean reducedMotion) {
+    public void prefer(boolean dark, boolean reducedMotion) {
         driver.executeCdpCommand("Emulation.setEmulatedMedia", Map.of("features", List.of(
             Map.of("name", "prefers-color-scheme", "value", dark ? "dark" : "light"),
             Map.of("name", "prefers-reduced-motion", "value", reducedMotion ? "reduce" : "no-preference"))));
     }
 
-    Object run(String script, Object... arguments) {
+    public Object run(String script, Object... arguments) {
         return driver.executeScript(script, arguments);
     }
 
-    boolean is(String expression) {
+    public boolean is(String expression) {
         return Boolean.TRUE.equals(run("return Boolean(" + expression + ")"));
     }
 
-    double number(String expression) {
+    public double number(String expression) {
         return ((Number) run("return " + expression)).doubleValue();
     }
 
-    String text(String selector) {
+    public String text(String selector) {
         return (String) run("return document.querySelector(arguments[0]).innerText", selector);
     }
 
@@ -115,7 +115,7 @@ final class PageTestBrowser implements AutoCloseable {
         run("steward.seek(arguments[0], arguments[1])", turn, fraction);
     }
 
-    void click(String selector) {
+    public void click(String selector) {
         driver.findElement(By.cssSelector(selector)).click();
     }
 
@@ -131,12 +131,12 @@ final class PageTestBrowser implements AutoCloseable {
     }
 
     /** What the page complained of in the console since it was opened. */
-    List<String> complaints() {
+    public List<String> complaints() {
         return logs(LogType.BROWSER);
     }
 
     /** The addresses that were asked for since the page was opened, but for pages on disk and data within them. */
-    List<String> requests() {
+    public List<String> requests() {
         return logs(LogType.PERFORMANCE).stream().filter(line -> line.contains("\"Network.requestWillBeSent\""))
             .filter(line -> !line.contains("\"url\":\"file:") && !line.contains("\"url\":\"data:")).toList();
     }
@@ -145,7 +145,7 @@ final class PageTestBrowser implements AutoCloseable {
         return driver.manage().logs().get(type).getAll().stream().map(entry -> entry.getMessage()).toList();
     }
 
-    void await(String otherwise, BooleanSupplier condition) {
+    public void await(String otherwise, BooleanSupplier condition) {
         long end = System.nanoTime() + PATIENCE.toNanos();
         while (!condition.getAsBoolean()) {
             if (System.nanoTime() > end) {
@@ -159,7 +159,14 @@ final class PageTestBrowser implements AutoCloseable {
         }
     }
 
-    void screenshot(Path file) {
+    /** Turns to the window that was opened last, and waits until its page is ready. */
+    public void lastWindow() {
+        await("no window was opened", () -> driver.getWindowHandles().size() > 1);
+        driver.switchTo().window(driver.getWindowHandles().stream().reduce((one, other) -> other).orElseThrow());
+        await("the page of the window is not ready", () -> is("window.steward && window.steward.ready"));
+    }
+
+    public void screenshot(Path file) {
         try {
             Files.write(file, driver.getScreenshotAs(OutputType.BYTES));
         } catch (IOException e) {

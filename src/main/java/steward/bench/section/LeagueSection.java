@@ -1,0 +1,182 @@
+package steward.bench.section;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.SplittableRandom;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+import steward.bench.Effort;
+import steward.bench.Row;
+import steward.bench.Section;
+import steward.contest.Contest;
+import steward.contest.KeptReplays;
+import steward.contest.Series;
+import steward.contest.SeriesPlay;
+import steward.league.LeagueBot;
+import steward.league.LeagueFolder;
+import steward.league.LeagueSettings;
+import steward.league.Season;
+import steward.league.play.LeagueRun;
+import steward.league.play.RosterReader;
+import steward.league.rating.LeagueTable;
+import steward.league.store.GameQueries;
+import steward.league.store.GameStore;
+import steward.league.store.MadeUpGames;
+import steward.match.Protocol;
+
+/** Leagues: how they grow, and whether a game in a league costs more than one in a series. */
+final class LeagueSection implements Section {
+
+    private static final int BOTS = 10;
+    private static final int LEAST_GAMES = 1000;
+    private static final int MOST_GAMES = 1_000_000;
+    private static final int MOST_QUICK = 100_000;
+    private static final int SERIES = 40;
+    private static final int ROUNDS = 3;
+    private static final double NANOS = 1e9;
+    private static final double NANOS_PER_MS = 1e6;
+    private static final List<String> PAIR = List.of("builtin:racer", "builtin:regular");
+
+    private final MatchFixture fixture;
+    private final int threads;
+
+    LeagueSection(MatchFixture fixture, int threads) {
+        this.fixture = fixture;
+        this.threads = threads;
+    }
+
+    @Override
+    public String name() {
+        return "league";
+    }
+
+    @Override
+    public String about() {
+        return "Leagues, by the clock: storing made-up games, then opening the league and rating its " + BOTS
+            + " bots; and games between two bundled bots as a series and in a league, in turns, the best of " + ROUNDS
+            + " rounds.";
+    }
+
+    @Override
+    public int steps(Effort effort) {
+        return 2 * sizes(effort).size() + 2 * ROUNDS;
+    }
+
+    private static List<Integer> sizes(Effort effort) {
+        List<Integer> sizes = new ArrayList<>();
+        for (int games = LEAST_GAMES; games <= (effort.rounds() > ROUNDS ? MOST_GAMES : MOST_QUICK); games *= 10) {
+            sizes.add(games);
+        }
+        return sizes;
+    }
+
+    @Override
+    public void run(Effort effort, Consumer<String> about, Consumer<Row> rows) throws Exception {
+        Path folder = Files.createTempDirectory("steward-bench");
+        try {
+            for (int games : sizes(effort)) {
+                grow(new LeagueFolder(Files.createDirectory(folder.resolve("made-" + games))), games, about, rows);
+            }
+            compare(folder, about, rows);
+        } finally {
+            delete(folder);
+        }
+    }
+
+    private void grow(LeagueFolder folder, int games, Consumer<String> about, Consumer<Row> rows) throws IOException {
+        String many = String.format(Locale.ROOT, "%,d games", games);
+        about.accept(many + " stored");
+        LeagueSettings settings = LeagueSettings.usual(fixture.setup().scene().name(), 1);
+        Season season = Season.of(fixture.setup(), settings);
+        long began = System.nanoTime();
+        int number;
+        try (GameStore store = GameStore.write(folder)) {
+            number = store.open(season);
+            List<GameStore.Version> versions = new ArrayList<>();
+            for (int bot = 1; bot <= BOTS; bot++) {
+                versions.add(MadeUpGames.bot(store, bot));
+            }
+            new MadeUpGames(store, number, season, versions, new SplittableRandom(1)).add(games);
+        }
+        double seconds = (System.nanoTime() - began) / NANOS;
+        rows.accept(new Row(name(), many + " stored", "games", games / seconds, Double.NaN, Double.NaN,
+            String.format(Locale.ROOT, "%.0f bytes a game", (double) Files.size(folder.database()) / games)));
+        about.accept(many + " opened and rated");
+        began = System.nanoTime();
+        try (GameStore store = GameStore.read(folder)) {
+            List<LeagueTable.Entry> entries = store.versions().stream().map(version ->
+                new LeagueTable.Entry(version.id(), version.display(), false, true)).toList();
+            LeagueTable table = LeagueTable.of(new GameQueries(store, number, 2).results(), entries);
+            if (table.results().games() != games) {
+                throw new IllegalStateException("found " + table.results().games() + " games, expected " + games);
+            }
+        }
+        double nanos = System.nanoTime() - began;
+        rows.accept(new Row(name(), many + " opened and rated", "games", games * NANOS / nanos, Double.NaN, Double.NaN,
+            String.format(Locale.ROOT, "%.0f ms in all", nanos / NANOS_PER_MS)));
+    }
+
+    private void compare(Path folder, Consumer<String> about, Consumer<Row> rows) throws InterruptedException,
+            IOException {
+        double[] series = new double[ROUNDS];
+        double[] league = new double[ROUNDS];
+        for (int round = 0; round < ROUNDS; round++) {
+            about.accept("games of a series");
+            series[round] = series();
+            about.accept("games of a league");
+            league[round] = league(new LeagueFolder(Files.createDirectory(folder.resolve("played-" + round))));
+        }
+        double best = Arrays.stream(series).max().orElseThrow();
+        double other = Arrays.stream(league).max().orElseThrow();
+        rows.accept(new Row(name(), "games of a series", "games", best, Double.NaN, Double.NaN, threads + " threads"));
+        rows.accept(new Row(name(), "games of a league", "games", other, other / best, Double.NaN,
+            threads + " threads"));
+    }
+
+    private double series() throws InterruptedException {
+        Contest contest = Contest.of(fixture.setup(), PAIR, Protocol.JSON, Double.POSITIVE_INFINITY);
+        SeriesPlay play = new SeriesPlay(new Series(contest, 1, SERIES / 2, true, null, KeptReplays.NONE), false);
+        long began = System.nanoTime();
+        play.play(threads, () -> { });
+        return SERIES * NANOS / (System.nanoTime() - began);
+    }
+
+    private double league(LeagueFolder folder) throws InterruptedException {
+        LeagueSettings settings = LeagueSettings.usual(fixture.setup().scene().name(), 1)
+            .with(null, Double.POSITIVE_INFINITY, KeptReplays.NONE)
+            .withBots(PAIR.stream().map(bot -> new LeagueBot(bot.substring(bot.indexOf(':') + 1), bot, null, false,
+                false)).toList());
+        folder.write(settings);
+        Season season = Season.of(fixture.setup(), settings);
+        Contest contest = Contest.withoutBots(fixture.setup(), Double.POSITIVE_INFINITY);
+        try (GameStore store = GameStore.write(folder)) {
+            int number = store.open(season);
+            RosterReader reader = new RosterReader(store, contest, Map.of(), false, what -> { },
+                System::currentTimeMillis);
+            long began = System.nanoTime();
+            LeagueRun run = new LeagueRun(folder, store, number, season, contest, reader, reader.read(settings),
+                new LeagueRun.Limits(threads, SERIES, Long.MAX_VALUE), "bench", what -> { }, game -> { });
+            run.play();
+            double nanos = System.nanoTime() - began;
+            if (store.games(number) != SERIES) {
+                throw new IllegalStateException("found " + store.games(number) + " games, expected " + SERIES);
+            }
+            return SERIES * NANOS / nanos;
+        }
+    }
+
+    private static void delete(Path folder) throws IOException {
+        try (Stream<Path> files = Files.walk(folder)) {
+            for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
+                Files.delete(file);
+            }
+        }
+    }
+}

@@ -1,0 +1,108 @@
+package steward.cli.league;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import steward.bot.command.BotCommand;
+import steward.cli.options.BuiltinBotWords;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Streams;
+import steward.contest.Contest;
+import steward.files.InputException;
+import steward.league.BotIdentity;
+import steward.league.LeagueBot;
+import steward.league.LeagueFolder;
+import steward.league.LeagueReader;
+import steward.league.LeagueSettings;
+import steward.match.Protocol;
+
+/** {@code steward league add}: one bot more. */
+@Command(name = "add", description = "Adds a bot to a league, also while it is played.",
+    footer = {"",
+        "A bot is written [NAME=][builtin:|json:|codingame:]COMMAND, as in 'steward",
+        "match'. Paths in it are those of the folder from which 'league run' is called.",
+        "", "Examples:",
+        "  steward league add night 'mine=python3 bot.py'",
+        "  steward league add night 'net=python3 net.py' --file net.py --file model.bin"})
+final class AddCommand implements Callable<Integer> {
+
+    private final Streams streams;
+
+    @Mixin
+    private final LeagueArgument league = new LeagueArgument();
+
+    @Parameters(index = "1", paramLabel = "BOT", completionCandidates = BuiltinBotWords.class,
+        description = "The bot; see below.")
+    private String bot;
+
+    @Option(names = "--file", paramLabel = "FILE", description = "A file that makes it this bot: when it changes, the "
+        + "bot is a new version; can be repeated (default: every word of the command that is a file).")
+    private List<String> files;
+
+    @Option(names = "--random", description = "Says that it draws by lot: its games cannot be played again alike.")
+    private boolean random;
+
+    AddCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() {
+        LeagueFolder folder = league.open();
+        LeagueSettings settings = folder.read();
+        LeagueBot added = parsed();
+        if (settings.bot(added.name()).isPresent()) {
+            throw new InputException("found a bot '" + added.name() + "' in the league, expected another name"
+                + (settings.bot(added.name()).get().retired() ? "; 'steward league retire --back' lets it play again"
+                : ""));
+        }
+        Contest.Entrant entrant = Contest.entrant(added.typed(), Protocol.JSON);
+        if (entrant.problem() != null) {
+            throw new InputException(entrant.problem());
+        }
+        Contest.checkProtocols(LeagueOpening.setup(folder, settings), List.of(entrant));
+        refuseTwins(settings, added);
+        folder.write(settings.with(added));
+        streams.out().println(added.name() + " plays from now on: " + added.command());
+        return ExitStatus.DONE;
+    }
+
+    private LeagueBot parsed() {
+        BotCommand command;
+        try {
+            command = BotCommand.parse(bot);
+        } catch (IllegalArgumentException problem) {
+            throw new InputException(problem.getMessage());
+        }
+        String name = command.displayName();
+        if (!LeagueReader.NAME.matcher(name).matches()) {
+            throw new InputException("bot '" + bot + "': found the name '" + name + "', expected "
+                + LeagueReader.NAME_FORM + "; write NAME=" + bot);
+        }
+        return new LeagueBot(name, new BotCommand(null, command.prefix(), command.words()).toString(), files, random,
+            false);
+    }
+
+    private static void refuseTwins(LeagueSettings settings, LeagueBot added) {
+        BotIdentity identity = new BotIdentity(LeagueOpening.environment(settings));
+        String hash = identity.of(added);
+        List<String> twins = new ArrayList<>();
+        for (LeagueBot other : settings.active()) {
+            try {
+                if (identity.of(other).equals(hash)) {
+                    twins.add(other.name());
+                }
+            } catch (InputException gone) {
+                continue;                              // a bot without its files is another one in any case
+            }
+        }
+        if (!twins.isEmpty()) {
+            throw new InputException("bot '" + added.name() + "': found the program of '" + twins.get(0)
+                + "', expected another command or other files");
+        }
+    }
+}

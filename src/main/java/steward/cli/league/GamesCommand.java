@@ -1,0 +1,148 @@
+package steward.cli.league;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import steward.cli.options.CallCheck;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.FailedException;
+import steward.cli.shared.Pages;
+import steward.cli.shared.Streams;
+import steward.files.InputException;
+import steward.league.StoredGame;
+import steward.league.StoredGame.StoredSeat;
+import steward.text.TextFormat;
+
+/** {@code steward league games}: lists games and opens their replays. */
+@Command(name = "games", description = "Lists games of a league, the latest first, and opens the replay of one.",
+    footer = {"", "Examples:",
+        "  steward league games night --bot mine --lost",
+        "  steward league games night --bot mine --lost --open"})
+final class GamesCommand implements Callable<Integer> {
+
+    private static final int MOST = 1_000_000;
+
+    private final Streams streams;
+    private final CallCheck check = CallCheck.withHelp();
+
+    @Mixin
+    private final LeagueArgument league = new LeagueArgument();
+
+    @Mixin
+    private final GameFilter filter = new GameFilter();
+
+    @Option(names = "--limit", paramLabel = "N", defaultValue = "20",
+        description = "Lists so many at most (default: ${DEFAULT-VALUE}).")
+    private int limit;
+
+    @Option(names = "--game", paramLabel = "N", description = "Only this game.")
+    private Long number;
+
+    @Option(names = "--open", description = "Opens the latest of them that has a replay, in the browser.")
+    private boolean open;
+
+    @Option(names = "--view", paramLabel = "HTML", description = "Writes the page of that replay to this file.")
+    private String view;
+
+    GamesCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() throws InterruptedException {
+        filter.check();
+        check.range("--limit", limit, 1, MOST);
+        try (LeagueOpening.Opened opened = LeagueOpening.read(league.open())) {
+            Map<Integer, String> names = new HashMap<>();
+            opened.entries().forEach(entry -> names.put(entry.version(), entry.name()));
+            int version = filter.version(opened.entries());
+            int opponent = filter.opponent(opened.entries());
+            List<StoredGame> found = new ArrayList<>();
+            int[] all = {0};
+            read(opened, version, game -> {
+                if ((number == null || game.id() == number) && filter.takes(game, version, opponent)) {
+                    all[0]++;
+                    if (found.size() < limit || (open || view != null) && game.replay() != null
+                        && found.stream().noneMatch(each -> each.replay() != null)) {
+                        found.add(game);
+                    }
+                }
+            });
+            if (number != null && found.isEmpty()) {
+                throw new InputException("--game: found no game " + number
+                    + " among them, expected one of the league's");
+            }
+            for (StoredGame game : found.subList(0, Math.min(limit, found.size()))) {
+                streams.out().println(TextFormat.plain(line(game, names)));
+            }
+            streams.out().println(all[0] == 0 ? "no such games" : TextFormat.count(all[0], "game")
+                + (all[0] > limit ? ", the latest " + limit + " are listed" : ""));
+            streams.out().flush();
+            return open || view != null ? show(opened, found, names) : ExitStatus.DONE;
+        }
+    }
+
+    private static void read(LeagueOpening.Opened opened, int version, java.util.function.Consumer<StoredGame> reader) {
+        if (version >= 0) {
+            opened.games().gamesOf(version, reader);
+        } else {
+            opened.games().last(MOST).forEach(reader);
+        }
+    }
+
+    private static String line(StoredGame game, Map<Integer, String> names) {
+        List<StoredSeat> seats = game.seats().stream().sorted(Comparator.comparingInt(StoredSeat::rank)).toList();
+        StringBuilder line = new StringBuilder(TextFormat.right(Long.toString(game.id()), 7)).append("  ")
+            .append(Instant.ofEpochMilli(game.played()).truncatedTo(ChronoUnit.SECONDS)).append("  ");
+        for (int k = 0; k < seats.size(); k++) {
+            StoredSeat seat = seats.get(k);
+            line.append(k == 0 ? "" : seat.rank() == seats.get(k - 1).rank() ? " = " : " > ")
+                .append(names.get(seat.version()))
+                .append(seat.fault() == null ? "" : " (failed: " + seat.fault() + ")");
+        }
+        line.append(", ").append(TextFormat.count(game.turns(), "turn")).append(", seed ").append(game.seed());
+        if (game.problem() != null) {
+            line.append(", no result: ").append(game.problem());
+        } else if (!game.counts()) {
+            line.append(", played again since others used the processors");
+        }
+        return line + (game.replay() == null ? "" : ", replay");
+    }
+
+    private int show(LeagueOpening.Opened opened, List<StoredGame> found, Map<Integer, String> names)
+            throws InterruptedException {
+        StoredGame game = found.stream().filter(each -> each.replay() != null).findFirst().orElseThrow(() ->
+            new InputException("found no replay among these games, expected one that was kept; league.json keeps \""
+                + opened.settings().keep().word() + "\""));
+        Path replay = opened.folder().replays().resolve(game.replay());
+        if (!Files.isRegularFile(replay)) {
+            throw new InputException(replay + ": found no such file, expected the replay of game " + game.id()
+                + (Files.isDirectory(opened.folder().replays()) ? "" : "; the folder of replays is gone"));
+        }
+        byte[] html = Pages.of(replay, Pages.title(game.seats().stream().map(seat -> names.get(seat.version()))
+            .toList()));
+        Path page = view == null ? Pages.unnamed() : steward.files.OutputFiles.path(view);
+        try {
+            Files.write(page, html);
+        } catch (java.io.IOException problem) {
+            throw new FailedException(page + ": cannot be written: "
+                + steward.files.OutputFiles.reason(page, problem));
+        }
+        streams.out().println("Page of game " + game.id() + ": " + page);
+        streams.out().flush();
+        if (open) {
+            Pages.open(streams, page.toAbsolutePath().toUri());
+        }
+        return ExitStatus.DONE;
+    }
+}

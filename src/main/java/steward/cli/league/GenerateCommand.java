@@ -1,0 +1,75 @@
+package steward.cli.league;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import steward.cli.options.CallCheck;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Streams;
+import steward.files.InputException;
+import steward.league.LeagueFolder;
+import steward.league.LeagueSettings;
+import steward.league.Season;
+import steward.league.store.GameStore;
+import steward.league.store.MadeUpGames;
+import steward.text.TextFormat;
+
+/** {@code steward league generate}: made-up games, to try what a large league is like. */
+@Command(name = "generate", description = "Fills a league that has no games with made-up ones, to try how it grows.",
+    footer = {"",
+        "The bots are called bot-1, bot-2, ...; each is 30 Elo weaker than the one before.",
+        "", "Example:", "  steward league init big && steward league generate big --games 1000000"})
+final class GenerateCommand implements Callable<Integer> {
+
+    private static final int MOST_BOTS = 100;
+    private static final int MOST_GAMES = 100_000_000;
+
+    private final Streams streams;
+    private final CallCheck check = CallCheck.withHelp();
+
+    @Mixin
+    private final LeagueArgument league = new LeagueArgument();
+
+    @Option(names = "--games", paramLabel = "N", defaultValue = "1000000",
+        description = "How many games (default: ${DEFAULT-VALUE}).")
+    private int games;
+
+    @Option(names = "--bots", paramLabel = "N", defaultValue = "10",
+        description = "How many bots (default: ${DEFAULT-VALUE}).")
+    private int bots;
+
+    @Option(names = "--seed", paramLabel = "N", defaultValue = "1",
+        description = "The results follow from it (default: ${DEFAULT-VALUE}).")
+    private long seed;
+
+    GenerateCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() {
+        check.range("--games", games, 1, MOST_GAMES);
+        check.range("--bots", bots, 2, MOST_BOTS);
+        LeagueFolder folder = league.open();
+        LeagueSettings settings = folder.read();
+        Season season = Season.of(LeagueOpening.setup(folder, settings), settings);
+        try (GameStore store = GameStore.write(folder)) {
+            int number = store.open(season);
+            if (store.games(number) > 0 || !store.versions().isEmpty()) {
+                throw new InputException(folder.path() + ": found a league with games, expected an empty one");
+            }
+            List<GameStore.Version> versions = new ArrayList<>();
+            for (int bot = 1; bot <= bots; bot++) {
+                versions.add(MadeUpGames.bot(store, bot));
+            }
+            new MadeUpGames(store, number, season, versions, new SplittableRandom(seed)).add(games);
+        }
+        streams.out().println(TextFormat.count(games, "made-up game") + " between " + bots + " bots in "
+            + folder.path());
+        return ExitStatus.DONE;
+    }
+}

@@ -1,0 +1,89 @@
+package steward.cli.league;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Parameters;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Streams;
+import steward.files.InputException;
+import steward.files.OutputFiles;
+import steward.league.LeagueFolder;
+import steward.league.LeagueSettings;
+import steward.league.Season;
+import steward.league.StoredGame;
+import steward.league.store.GameLine;
+import steward.league.store.GameStore;
+import steward.text.TextFormat;
+
+/** {@code steward league import}: games of another league. */
+@Command(name = "import", description = "Reads games that 'league export' wrote, of the same scene, limits and rules.",
+    footer = {"",
+        "A game that the league has already is passed over. All of them are checked",
+        "before the first is stored.",
+        "", "Example:", "  steward league import night games.csv"})
+final class ImportGamesCommand implements Callable<Integer> {
+
+    private static final int TOGETHER = 10_000;
+
+    private final Streams streams;
+
+    @Mixin
+    private final LeagueArgument league = new LeagueArgument();
+
+    @Parameters(index = "1", paramLabel = "FILE", description = "The games; a name that ends in .csv means CSV, any "
+        + "other JSON Lines.")
+    private String file;
+
+    ImportGamesCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() {
+        LeagueFolder folder = league.open();
+        LeagueSettings settings = folder.read();
+        Season season = Season.of(LeagueOpening.setup(folder, settings), settings);
+        Path path = OutputFiles.path(file);
+        if (!Files.isRegularFile(path)) {
+            throw new InputException(path + ": found " + (Files.isDirectory(path) ? "a folder" : "no such file")
+                + ", expected games of 'league export'");
+        }
+        try (GameStore store = GameStore.write(folder)) {
+            List<StoredGame> games = new ArrayList<>();
+            GameLine.Reader reader = new GameLine.Reader(store, season);
+            read(path, found -> reader.check(found.place(), found.game(), found.seats()));
+            int number = LeagueOpening.season(folder, store, season, false);
+            read(path, found -> games.add(reader.read(found.place(), found.game(), found.seats())));
+            int added = 0;
+            for (int from = 0; from < games.size(); from += TOGETHER) {
+                added += store.add(number, games.subList(from, Math.min(games.size(), from + TOGETHER)));
+            }
+            streams.out().println(TextFormat.count(added, "game") + " stored"
+                + (games.size() > added ? ", " + (games.size() - added) + " were there already" : ""));
+        }
+        return ExitStatus.DONE;
+    }
+
+    private static void read(Path path, GameFile.Taker taker) {
+        try (BufferedReader in = Files.newBufferedReader(path, StandardCharsets.UTF_8)) {
+            if (path.toString().endsWith(".csv")) {
+                GameFile.readCsv(in, path.toString(), taker);
+            } else {
+                GameFile.readJson(in, path.toString(), taker);
+            }
+        } catch (CharacterCodingException problem) {
+            throw new InputException(path + ": found bytes that are not UTF-8, expected a text in UTF-8");
+        } catch (IOException problem) {
+            throw new InputException(path + ": cannot be read: " + OutputFiles.reason(path, problem));
+        }
+    }
+}

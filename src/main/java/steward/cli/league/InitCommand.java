@@ -1,0 +1,126 @@
+package steward.cli.league;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Iterator;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.stream.Stream;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import steward.cli.options.CallCheck;
+import steward.cli.options.SceneOptions;
+import steward.cli.options.SeedOption;
+import steward.cli.options.ShippedScenes;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Games;
+import steward.cli.shared.Streams;
+import steward.contest.KeptReplays;
+import steward.files.InputException;
+import steward.files.OutputFiles;
+import steward.league.LeagueFolder;
+import steward.league.LeagueSettings;
+import steward.scene.SceneFiles;
+import steward.text.NearestName;
+
+/** {@code steward league init}: makes the folder of a league. */
+@Command(name = "init", description = "Makes the folder of a league.",
+    footer = {"",
+        "A scene that is a file is copied into the folder. Everything else stands in",
+        "league.json and can be changed there.",
+        "", "Example:",
+        "  steward league init night --scene mad-pod-racing --keep lost"})
+final class InitCommand implements Callable<Integer> {
+
+    private final Streams streams;
+    private final CallCheck check = CallCheck.withHelp();
+
+    @Mixin
+    private final LeagueArgument league = new LeagueArgument();
+
+    @Option(names = "--scene", paramLabel = "FILE|NAME", defaultValue = SceneOptions.USUAL,
+        completionCandidates = ShippedScenes.class, description = "The scene: a file, or one of "
+            + "${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}).")
+    private String scene;
+
+    @Mixin
+    private final SeedOption seed = new SeedOption();
+
+    @Option(names = "--time-factor", paramLabel = "X", description = "Multiplies the scene's time limits.")
+    private Double factor;
+
+    @Option(names = "--keep", paramLabel = "all|lost|failed|none", completionCandidates = Keeps.class,
+        description = "Keeps the replays of all games, of those that have a loser (lost), in which a bot failed "
+            + "(failed, the default), or none.")
+    private String keep;
+
+    /** What {@code --keep} takes. */
+    static final class Keeps implements Iterable<String> {
+
+        @Override
+        public Iterator<String> iterator() {
+            return Arrays.stream(KeptReplays.values()).map(KeptReplays::word).iterator();
+        }
+    }
+
+    InitCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() {
+        check.that(factor == null || factor > 0 && factor < Double.POSITIVE_INFINITY,
+            "--time-factor: found " + factor + ", expected a finite number above 0");
+        KeptReplays kept = keep == null ? KeptReplays.FAILED : keepOf(keep);
+        Games.warn(Games.open(scene), streams);
+        Path path = league.path();
+        LeagueFolder folder = new LeagueFolder(path);
+        prepare(path);
+        boolean file = Files.isRegularFile(Path.of(scene));
+        LeagueSettings settings = LeagueSettings.usual(file ? LeagueFolder.SCENE : name(scene), seed.orDrawn())
+            .with(null, factor == null ? 1 : factor, kept);
+        try {
+            if (file) {
+                Files.copy(Path.of(scene), path.resolve(LeagueFolder.SCENE));
+            }
+        } catch (IOException problem) {
+            throw new InputException(path.resolve(LeagueFolder.SCENE) + ": cannot be written: "
+                + OutputFiles.reason(path, problem));
+        }
+        folder.write(settings);
+        streams.out().println("A league of " + settings.scene() + " in " + path + "; next:");
+        streams.out().println("  steward league add " + path + " 'NAME=COMMAND'");
+        streams.out().println("  steward league run " + path);
+        return ExitStatus.DONE;
+    }
+
+    private KeptReplays keepOf(String word) {
+        Optional<KeptReplays> found = KeptReplays.of(word);
+        check.that(found.isPresent(), "--keep: found '" + word + "', expected all, lost, failed or none"
+            + NearestName.question(word, Arrays.stream(KeptReplays.values()).map(KeptReplays::word).toList(), "'"));
+        return found.orElseThrow();
+    }
+
+    private static String name(String scene) {
+        return SceneFiles.shipped().contains(scene) ? scene : scene.replaceFirst("\\.json$", "");
+    }
+
+    /** Makes the folder; one that has a league already is refused, and one with anything else. */
+    private static void prepare(Path path) {
+        if (Files.exists(path.resolve(LeagueFolder.SETTINGS))) {
+            throw new InputException(path + ": found a league, expected a new folder");
+        }
+        OutputFiles.prepareFolder(path);
+        LeagueFolder.refuseRemote(path);
+        try (Stream<Path> files = Files.list(path)) {
+            if (files.findAny().isPresent()) {
+                throw new InputException(path + ": found a folder with files, expected an empty or a new one");
+            }
+        } catch (IOException problem) {
+            throw new InputException(path + ": cannot be read: " + OutputFiles.reason(path, problem));
+        }
+    }
+}

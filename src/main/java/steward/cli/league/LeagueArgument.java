@@ -1,0 +1,23 @@
+package steward.cli.league;
+
+import java.nio.file.Path;
+import picocli.CommandLine.Parameters;
+import steward.files.OutputFiles;
+import steward.league.LeagueFolder;
+
+/** The parameter that names a league. */
+final class LeagueArgument {
+
+    @Parameters(index = "0", paramLabel = "DIR", description = "The folder of the league.")
+    private String folder;
+
+    /** The folder as it was typed; it need not be there. */
+    Path path() {
+        return OutputFiles.path(folder);
+    }
+
+    /** The league in it. */
+    LeagueFolder open() {
+        return LeagueFolder.open(path());
+    }
+}

@@ -1,0 +1,70 @@
+package steward.cli.league;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+import steward.cli.shared.Streams;
+
+/** {@code steward league}: bots that play each other for as long as one likes, every game kept. */
+@Command(name = "league", synopsisSubcommandLabel = "COMMAND",
+    description = "Lets bots play each other for as long as you like, keeps every game, and says who is better.",
+    footer = {"",
+        "A league is a folder: league.json, which you read and edit, league.db with the",
+        "games (SQLite), and kept replays. 'run' can be ended at any moment and goes on",
+        "where it was; a bot whose file has changed is a new version, with games of its",
+        "own.",
+        "", "Examples:",
+        "  steward league demo",
+        "  steward league init night --scene mad-pod-racing",
+        "  steward league add night 'mine=python3 bot.py'",
+        "  steward league add night builtin:veteran",
+        "  steward league run night --for 8h --watch --open",
+        "  steward league table night",
+        "", "Exit status: 0 done; 1 it could not be carried out to its end; 2 the call or",
+        "the league is unusable; 130 interrupted (what was over is stored)."})
+public final class LeagueCommand implements Callable<Integer> {
+
+    @Spec
+    private CommandSpec spec;
+
+    private LeagueCommand() {
+    }
+
+    /** The command with those in it. */
+    public static CommandSpec spec(Streams streams) {
+        CommandSpec spec = CommandSpec.forAnnotatedObject(new LeagueCommand());
+        commands(streams).forEach((name, command) ->
+            spec.addSubcommand(name, CommandSpec.forAnnotatedObject(command)));
+        return spec;
+    }
+
+    private static Map<String, Object> commands(Streams streams) {
+        Map<String, Object> commands = new LinkedHashMap<>();
+        commands.put("init", new InitCommand(streams));
+        commands.put("add", new AddCommand(streams));
+        commands.put("retire", new RetireCommand(streams));
+        commands.put("rename", new RenameCommand(streams));
+        commands.put("list", new ListCommand(streams));
+        commands.put("run", new RunCommand(streams));
+        commands.put("table", new TableCommand(streams));
+        commands.put("games", new GamesCommand(streams));
+        commands.put("page", new PageCommand(streams));
+        commands.put("export", new ExportCommand(streams));
+        commands.put("import", new ImportGamesCommand(streams));
+        commands.put("backup", new BackupCommand(streams));
+        commands.put("prune", new PruneCommand(streams));
+        commands.put("demo", new LeagueDemoCommand(streams));
+        commands.put("generate", new GenerateCommand(streams));
+        return commands;
+    }
+
+    @Override
+    public Integer call() {
+        throw new ParameterException(spec.commandLine(), "found no command, expected one of "
+            + String.join(", ", spec.subcommands().keySet()));
+    }
+}

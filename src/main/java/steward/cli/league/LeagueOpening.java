@@ -1,0 +1,159 @@
+package steward.cli.league;
+
+import java.nio.file.Files;
+import java.util.ArrayList;
+import java.util.Iterator;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.function.Supplier;
+import picocli.CommandLine;
+import steward.bot.isolation.Isolation;
+import steward.cli.options.SandboxOptions;
+import steward.cli.shared.CallException;
+import steward.cli.shared.Games;
+import steward.cli.shared.Streams;
+import steward.contest.Contest;
+import steward.files.InputException;
+import steward.game.GameSetup;
+import steward.league.LeagueBot;
+import steward.league.LeagueFolder;
+import steward.league.LeagueSettings;
+import steward.league.Season;
+import steward.league.rating.LeagueTable;
+import steward.league.rating.Results;
+import steward.league.store.GameQueries;
+import steward.league.store.GameStore;
+import steward.text.NearestName;
+import steward.text.TextFormat;
+
+/** Opens what the settings of a league name. */
+final class LeagueOpening {
+
+    private LeagueOpening() {
+    }
+
+    /** The scene. */
+    static GameSetup setup(LeagueFolder folder, LeagueSettings settings) {
+        return Games.open(folder.scene(settings.scene()));
+    }
+
+    /** What is played, without bots. */
+    static Contest contest(LeagueFolder folder, LeagueSettings settings, Streams streams) {
+        return Contest.withoutBots(Games.warn(setup(folder, settings), streams), settings.factor())
+            .limitedBy(settings.basis()).isolatedBy(isolation(folder, settings, streams));
+    }
+
+    private static Supplier<Isolation> isolation(LeagueFolder folder, LeagueSettings settings, Streams streams) {
+        try {
+            return CommandLine.populateCommand(new SandboxOptions(), settings.sandbox().toArray(new String[0]))
+                .isolation(streams);
+        } catch (CallException | InputException | CommandLine.ParameterException problem) {
+            throw new InputException(folder.settings() + ": sandbox, as an option of 'steward match': "
+                + problem.getMessage());
+        }
+    }
+
+    /** The variables that bots are passed by name. */
+    static Map<String, String> environment(LeagueSettings settings) {
+        Map<String, String> passed = new TreeMap<>();
+        for (Iterator<String> word = settings.sandbox().iterator(); word.hasNext();) {
+            if (word.next().equals("--env") && word.hasNext()) {
+                String name = word.next();
+                passed.put(name, String.valueOf(System.getenv(name)));
+            }
+        }
+        return passed;
+    }
+
+    /** A bot of the league by its name. */
+    static LeagueBot bot(LeagueSettings settings, String name) {
+        List<String> names = settings.bots().stream().map(LeagueBot::name).toList();
+        return settings.bot(name).orElseThrow(() -> new InputException("found no bot '" + name + "' in the league, "
+            + "expected " + (names.isEmpty() ? "one that was added" : "one of " + String.join(", ", names)
+                + NearestName.question(name, names, "'"))));
+    }
+
+    /**
+     * The season that the settings mean, opened.
+     *
+     * @param anew whether a table may be begun beside one that has games
+     * @return its number in the store
+     * @throws InputException if the games so far are another season's
+     */
+    static int season(LeagueFolder folder, GameStore store, Season season, boolean anew) {
+        Optional<Season> last = store.lastSeason();
+        if (last.isPresent() && !last.get().key().equals(season.key()) && !anew) {
+            long games = store.games(store.season(last.get()).orElseThrow());
+            if (games > 0) {
+                throw new InputException(folder.path() + ": " + last.get().difference(season) + ", and the league has "
+                    + TextFormat.count(games, "game") + " of before; expected the former one in "
+                    + LeagueFolder.SETTINGS + ", or --new-season, which begins a new table and keeps the old games");
+            }
+        }
+        return store.open(season);
+    }
+
+    /** All versions that can have a row of the table. */
+    static List<LeagueTable.Entry> entries(LeagueSettings settings, List<GameStore.Version> versions) {
+        List<LeagueTable.Entry> entries = new ArrayList<>();
+        for (GameStore.Version version : versions) {
+            boolean newest = versions.stream().noneMatch(other -> other.bot().equals(version.bot())
+                && other.number() > version.number());
+            boolean active = newest && settings.bot(version.bot()).filter(bot -> !bot.retired()).isPresent();
+            boolean random = version.random() || settings.bot(version.bot()).filter(LeagueBot::random).isPresent();
+            entries.add(new LeagueTable.Entry(version.id(), version.display(), random, active));
+        }
+        return entries;
+    }
+
+    /**
+     * The games of the last season, opened for reading.
+     *
+     * @param folder   of the league
+     * @param settings as the file says now
+     * @param store    to be closed
+     * @param season   what all its games have in common
+     * @param games    what can be read of them
+     * @param entries  the versions of bots
+     */
+    record Opened(LeagueFolder folder, LeagueSettings settings, GameStore store, Season season, GameQueries games,
+                  List<LeagueTable.Entry> entries) implements AutoCloseable {
+
+        /** The table. */
+        LeagueTable table() {
+            Results results = games.results();
+            return LeagueTable.of(results, entries);
+        }
+
+        @Override
+        public void close() {
+            store.close();
+        }
+    }
+
+    /** Opens a league that has been played, for reading. */
+    static Opened read(LeagueFolder folder) {
+        return opened(folder, folder.read(), Files.exists(folder.database()) ? GameStore.read(folder) : null);
+    }
+
+    /** The same for writing. */
+    static Opened write(LeagueFolder folder) {
+        return opened(folder, folder.read(), Files.exists(folder.database()) ? GameStore.write(folder) : null);
+    }
+
+    private static Opened opened(LeagueFolder folder, LeagueSettings settings, GameStore store) {
+        Optional<Season> season = store == null ? Optional.empty() : store.lastSeason();
+        if (season.isEmpty()) {
+            if (store != null) {
+                store.close();
+            }
+            throw new InputException(folder.path() + ": found a league without games, expected one that has been "
+                + "played; 'steward league run " + folder.path() + "' plays it");
+        }
+        int number = store.season(season.get()).orElseThrow();
+        return new Opened(folder, settings, store, season.get(),
+            new GameQueries(store, number, season.get().players()), entries(settings, store.versions()));
+    }
+}

@@ -1,0 +1,86 @@
+package steward.cli.league;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Supplier;
+import steward.cli.shared.Colour;
+import steward.league.LeagueSettings;
+import steward.league.StoredGame;
+import steward.league.play.LeagueRun;
+import steward.league.rating.LeagueTable;
+import steward.league.rating.Results;
+import steward.league.store.GameStore;
+import steward.text.TextFormat;
+
+/** What a run has come to so far, counted as games end. Thread-safe. */
+final class LeagueProgress {
+
+    private static final int MOST_ROWS = 20;
+    private static final double NANOS = 1e9;
+
+    private final Results results;
+    private final GameStore store;
+    private final LeagueRun.Limits limits;
+    private final long began = System.nanoTime();
+    private long played;
+
+    LeagueProgress(Results results, GameStore store, LeagueRun.Limits limits) {
+        this.results = results;
+        this.store = store;
+        this.limits = limits;
+    }
+
+    /** A game has ended. */
+    synchronized void add(StoredGame game) {
+        results.add(game);
+        played += game.counts() ? 1 : 0;
+    }
+
+    /** Games of this run. */
+    synchronized long played() {
+        return played;
+    }
+
+    /** The table as it stands. */
+    synchronized LeagueTable table(LeagueSettings settings) {
+        return LeagueTable.of(results, LeagueOpening.entries(settings, store.versions()));
+    }
+
+    /** In a second, in this run. */
+    synchronized double rate() {
+        return played * NANOS / Math.max(1, System.nanoTime() - began);
+    }
+
+    /** The lines of a terminal. */
+    List<String> lines(LeagueRun run, Supplier<Colour> colour) {
+        LeagueTable table = table(run.roster().settings());
+        List<String> rows = TableText.rows(table, colour.get());
+        List<String> lines = new ArrayList<>(rows.subList(0, Math.min(rows.size(), 1 + MOST_ROWS)));
+        if (rows.size() > 1 + MOST_ROWS) {
+            lines.add("    and " + (rows.size() - 1 - MOST_ROWS) + " more");
+        }
+        lines.add(standing(run));
+        return lines;
+    }
+
+    /** Games, games a second, time left. */
+    String standing(LeagueRun run) {
+        double rate = rate();
+        long done = run.games();
+        StringBuilder line = new StringBuilder(TextFormat.count(done, "game"));
+        if (limits.games() != Long.MAX_VALUE) {
+            line.append(" of ").append(limits.games());
+        }
+        line.append(", ").append(TextFormat.number(rate, rate < 10 ? 2 : 0)).append(" games/s");
+        double left = Double.POSITIVE_INFINITY;
+        if (limits.nanos() != Long.MAX_VALUE) {
+            left = (limits.nanos() - (System.nanoTime() - began)) / NANOS;
+        }
+        if (limits.games() != Long.MAX_VALUE && rate > 0) {
+            left = Math.min(left, (limits.games() - done) / rate);
+        }
+        return line + (left < TimeUnit.DAYS.toSeconds(365) ? ", " + TextFormat.about(Math.max(0, left)) + " left" : "")
+            + "; Ctrl-C ends it";
+    }
+}

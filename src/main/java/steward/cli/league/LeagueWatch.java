@@ -1,0 +1,151 @@
+package steward.cli.league;
+
+import java.io.IOException;
+import java.net.UnknownHostException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import steward.cli.shared.Pages;
+import steward.cli.shared.Streams;
+import steward.files.InputException;
+import steward.league.LeagueFolder;
+import steward.league.LeagueSettings;
+import steward.league.Season;
+import steward.league.StoredGame;
+import steward.league.page.LeaguePage;
+import steward.league.page.LeagueView;
+import steward.league.play.LeagueRun;
+import steward.league.rating.LeagueTable;
+import steward.league.rating.RatingPath;
+import steward.league.store.GameQueries;
+import steward.live.StatusServer;
+import steward.replay.ReplayException;
+
+/** The page that follows a run: the newest state for every open browser, and the kept replays. */
+final class LeagueWatch implements AutoCloseable {
+
+    private static final long PERIOD_MS = 1000;
+    /** How long slow viewers are served after the end, in milliseconds. */
+    private static final long DELIVERY_MS = 3000;
+    private static final int LISTED = 300;
+    /** The ratings over games are computed anew after so many times what that takes. */
+    private static final int REST = 20;
+    private static final Pattern REPLAY = Pattern.compile("replay/([0-9]{1,18})");
+
+    private final LeagueFolder folder;
+    private final Season season;
+    private final GameQueries games;
+    private final LeagueProgress progress;
+    private final StatusServer server;
+    private final ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor(work -> {
+        Thread thread = new Thread(work, "league page");
+        thread.setDaemon(true);
+        return thread;
+    });
+    private RatingPath path;
+    private long pathDue = System.nanoTime();
+    private long shown = -1;
+    private LeagueRun run;
+
+    private LeagueWatch(LeagueFolder folder, Season season, GameQueries games, LeagueProgress progress,
+                        WatchOptions options) throws IOException {
+        this.folder = folder;
+        this.season = season;
+        this.games = games;
+        this.progress = progress;
+        server = StatusServer.start(options.host(), options.port(),
+            LeaguePage.live(PageCommand.title(folder.path()), StatusServer.FEED), this::page);
+    }
+
+    /** @throws InputException if the port is taken or the host unknown */
+    static LeagueWatch start(LeagueFolder folder, Season season, GameQueries games, LeagueProgress progress,
+                             WatchOptions options) {
+        try {
+            return new LeagueWatch(folder, season, games, progress, options);
+        } catch (IOException problem) {
+            throw new InputException("--watch: cannot listen on "
+                + (options.host() == null ? "" : options.host() + ", ") + "port " + options.port() + ": "
+                + (problem instanceof UnknownHostException ? "found no such host" : problem.getMessage()));
+        }
+    }
+
+    /** Says where it is, and follows the run from now on. */
+    void follow(LeagueRun followed, Streams streams, boolean open) throws InterruptedException {
+        run = followed;
+        streams.err().println("Watch the league at " + server.address());
+        if (!server.isLoopback()) {
+            streams.warn("whoever reaches this machine can watch the league");
+        }
+        clock.scheduleWithFixedDelay(this::show, 0, PERIOD_MS, TimeUnit.MILLISECONDS);
+        if (open) {
+            Pages.open(streams, server.address());
+        }
+    }
+
+    private synchronized void show() {
+        long played = run.stored();
+        if (played == shown) {
+            return;
+        }
+        LeagueSettings settings = run.roster().settings();
+        LeagueTable table = progress.table(settings);
+        try {
+            if (System.nanoTime() - pathDue >= 0) {
+                long began = System.nanoTime();
+                path = games.path(table.rows().stream().map(LeagueTable.Row::entry).toList());
+                pathDue = System.nanoTime() + REST * (System.nanoTime() - began);
+            }
+            server.show(LeaguePage.live(new LeagueView(season, table, path, games.last(LISTED), progress.rate())));
+            shown = played;
+        } catch (InputException busy) {
+            return;                                    // the next second shows it
+        }
+    }
+
+    private byte[] page(String address) {
+        Matcher matcher = REPLAY.matcher(address);
+        if (!matcher.matches()) {
+            return null;
+        }
+        StoredGame game = games.game(Long.parseLong(matcher.group(1)));
+        Path file = game == null || game.replay() == null ? null : folder.replays().resolve(game.replay());
+        if (file == null || !Files.isRegularFile(file)) {
+            return null;
+        }
+        Map<Integer, String> names = new HashMap<>();
+        progress.table(run.roster().settings()).rows()
+            .forEach(row -> names.put(row.entry().version(), row.entry().name()));
+        List<String> players = game.seats().stream().map(seat -> names.getOrDefault(seat.version(), "?")).toList();
+        try {
+            return Pages.of(file, Pages.title(players));
+        } catch (ReplayException damaged) {
+            return null;
+        }
+    }
+
+    /** Shows the end. */
+    @Override
+    public void close() {
+        clock.shutdown();
+        try {
+            clock.awaitTermination(DELIVERY_MS, TimeUnit.MILLISECONDS);
+            if (run != null) {
+                pathDue = System.nanoTime();
+                shown = -1;
+                show();
+            }
+            server.end();
+            server.awaitDelivery(DELIVERY_MS);
+        } catch (InterruptedException interrupted) {
+            Thread.currentThread().interrupt();
+        }
+        server.close();
+    }
+}

@@ -1,0 +1,100 @@
+package steward.cli.league;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import steward.cli.options.CallCheck;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.FailedException;
+import steward.cli.shared.Pages;
+import steward.cli.shared.Streams;
+import steward.files.OutputFiles;
+import steward.league.StoredGame;
+import steward.league.page.LeaguePage;
+import steward.league.page.LeagueView;
+import steward.league.rating.LeagueTable;
+import steward.text.TextFormat;
+
+/** {@code steward league page}: the league as one file for a browser. */
+@Command(name = "page", description = "Writes a league as one page for a browser, with everything in it.",
+    footer = {"",
+        "The page has the table, who beats whom, the ratings over games, the last games,",
+        "and of the kept replays the latest, each one click away.",
+        "", "Example:", "  steward league page night --out night.html --open"})
+final class PageCommand implements Callable<Integer> {
+
+    /** Games that the page lists. */
+    private static final int LISTED = 2000;
+    /** Kept replays that it has at most. */
+    private static final int REPLAYS = 200;
+
+    private final Streams streams;
+
+    @Mixin
+    private final LeagueArgument league = new LeagueArgument();
+
+    @Option(names = "--out", paramLabel = "FILE", description = "Where it goes; replaced if it exists (default: a "
+        + "temporary file, with --open).")
+    private String out;
+
+    @Option(names = "--open", description = "Opens it in the browser.")
+    private boolean open;
+
+    PageCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() throws InterruptedException {
+        CallCheck.withHelp().that(out != null || open,
+            "found no --out and no --open, expected one");
+        try (LeagueOpening.Opened opened = LeagueOpening.read(league.open())) {
+            Path path = out == null ? Pages.unnamed() : OutputFiles.path(out);
+            OutputFiles.check(path, true);
+            ByteArrayOutputStream html = new ByteArrayOutputStream();
+            int replays = write(opened, opened.table(), html);
+            try {
+                OutputFiles.replace(path, html.toByteArray());
+            } catch (IOException problem) {
+                throw new FailedException(path + ": cannot be written: " + OutputFiles.reason(path, problem));
+            }
+            streams.out().println("Page: " + path + ", " + TextFormat.count(replays, "replay") + " in it");
+            streams.out().flush();
+            if (open) {
+                Pages.open(streams, path.toAbsolutePath().toUri());
+            }
+        }
+        return ExitStatus.DONE;
+    }
+
+    /** Writes the page; returns how many replays are in it. */
+    static int write(LeagueOpening.Opened opened, LeagueTable table, OutputStream html) {
+        try {
+            return LeaguePage.write(new LeagueView(opened.season(), table, opened.games().path(opened.entries()),
+                games(opened), Double.NaN), opened.folder().replays(), html, title(opened.folder().path()));
+        } catch (IOException problem) {
+            throw new FailedException("the page cannot be written: " + problem.getMessage());
+        }
+    }
+
+    /** The last games, and behind them older ones whose replays are kept. */
+    private static List<StoredGame> games(LeagueOpening.Opened opened) {
+        List<StoredGame> games = new ArrayList<>(opened.games().last(LISTED));
+        long oldest = games.isEmpty() ? 0 : games.get(games.size() - 1).id();
+        opened.games().withReplay(REPLAYS).stream().filter(game -> game.id() < oldest).forEach(games::add);
+        return games;
+    }
+
+    /** The page's heading. */
+    static String title(Path folder) {
+        Path name = folder.toAbsolutePath().normalize().getFileName();
+        return "League " + (name == null ? "" : name);
+    }
+}

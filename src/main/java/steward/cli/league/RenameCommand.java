@@ -1,0 +1,61 @@
+package steward.cli.league;
+
+import java.nio.file.Files;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Parameters;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Streams;
+import steward.files.InputException;
+import steward.league.LeagueBot;
+import steward.league.LeagueFolder;
+import steward.league.LeagueReader;
+import steward.league.LeagueSettings;
+import steward.league.store.GameStore;
+
+/** {@code steward league rename}: another name for a bot. */
+@Command(name = "rename", description = "Gives a bot another name; its games are under that name then.",
+    footer = {"", "Example:", "  steward league rename night mine careful"})
+final class RenameCommand implements Callable<Integer> {
+
+    private final Streams streams;
+
+    @Mixin
+    private final LeagueArgument league = new LeagueArgument();
+
+    @Parameters(index = "1", paramLabel = "NAME", description = "The bot.")
+    private String name;
+
+    @Parameters(index = "2", paramLabel = "NEW-NAME", description = "What it is to be called.")
+    private String other;
+
+    RenameCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() {
+        LeagueFolder folder = league.open();
+        LeagueSettings settings = folder.read();
+        LeagueBot bot = LeagueOpening.bot(settings, name);
+        if (!LeagueReader.NAME.matcher(other).matches()) {
+            throw new InputException("found the name '" + other + "', expected " + LeagueReader.NAME_FORM);
+        }
+        boolean taken = settings.bot(other).isPresent();
+        if (Files.exists(folder.database())) {
+            try (GameStore store = GameStore.write(folder)) {
+                taken |= store.newest(other).isPresent();
+                if (!taken) {
+                    store.rename(name, other);
+                }
+            }
+        }
+        if (taken) {
+            throw new InputException("found a bot '" + other + "' in the league, expected another name");
+        }
+        folder.write(settings.replaced(name, bot.named(other)));
+        streams.out().println(name + " is now called " + other);
+        return ExitStatus.DONE;
+    }
+}

@@ -1,0 +1,43 @@
+package steward.cli.league;
+
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Streams;
+import steward.league.LeagueBot;
+import steward.league.LeagueFolder;
+import steward.league.LeagueSettings;
+
+/** {@code steward league retire}: a bot plays no more. */
+@Command(name = "retire", description = "Lets a bot play no more; its games stay.",
+    footer = {"", "Example:", "  steward league retire night mine"})
+final class RetireCommand implements Callable<Integer> {
+
+    private final Streams streams;
+
+    @Mixin
+    private final LeagueArgument league = new LeagueArgument();
+
+    @Parameters(index = "1", paramLabel = "NAME", description = "The bot.")
+    private String name;
+
+    @Option(names = "--back", description = "Lets it play again.")
+    private boolean back;
+
+    RetireCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() {
+        LeagueFolder folder = league.open();
+        LeagueSettings settings = folder.read();
+        LeagueBot bot = LeagueOpening.bot(settings, name);
+        folder.write(settings.replaced(name, bot.retired(!back)));
+        streams.out().println(name + (back ? " plays again" : " plays no more; its games stay"));
+        return ExitStatus.DONE;
+    }
+}

@@ -1,0 +1,198 @@
+package steward.cli.league;
+
+import java.lang.management.ManagementFactory;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import steward.cli.options.CallCheck;
+import steward.cli.options.ThreadsOption;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Interruption;
+import steward.cli.shared.Streams;
+import steward.contest.Contest;
+import steward.league.FolderLock;
+import steward.league.LeagueFolder;
+import steward.league.LeagueSettings;
+import steward.league.Season;
+import steward.league.play.LeagueRun;
+import steward.league.play.Roster;
+import steward.league.play.RosterReader;
+import steward.league.store.GameQueries;
+import steward.league.store.GameStore;
+import steward.text.TextFormat;
+
+/** {@code steward league run}: plays. */
+@Command(name = "run", description = "Plays a league until it is told to end, and goes on where it was.",
+    footer = {"",
+        "Every game is stored when it is over. Ctrl-C ends the games that are under way;",
+        "those that are over are stored, also after 'kill -9'. The same command goes on",
+        "with the same seeds. league.json is read anew between games.",
+        "", "Examples:",
+        "  steward league run night --threads auto --for 8h",
+        "  steward league run night --games 1000 --watch --open",
+        "", "Exit status: 0 an end was reached; 1 games could not be stored; 2 the call or",
+        "the league is unusable; 130 interrupted."})
+final class RunCommand implements Callable<Integer> {
+
+    private static final Pattern TIME = Pattern.compile("([0-9]{1,9})([smhd])");
+
+    private final Streams streams;
+    private final CallCheck check = CallCheck.withHelp();
+
+    @Mixin
+    private final LeagueArgument league = new LeagueArgument();
+
+    @Mixin
+    private final ThreadsOption threads = new ThreadsOption();
+
+    @Option(names = "--games", paramLabel = "N",
+        description = "Ends when the league has played N games in all, those of earlier runs included.")
+    private Long games;
+
+    @Option(names = "--for", paramLabel = "TIME", description = "Ends after so long, such as 90s, 30m, 8h or 2d.")
+    private String time;
+
+    @Option(names = "--durable", description = "Waits with every game until it is on the disk: nothing is lost when "
+        + "the power fails, either.")
+    private boolean durable;
+
+    @Option(names = "--same", description = "Counts a bot whose program has changed as the version that it was.")
+    private boolean same;
+
+    @Option(names = "--new-season", description = "Begins a new table where the scene or the limits have changed; the "
+        + "old games stay.")
+    private boolean anew;
+
+    @Mixin
+    private final WatchOptions watch = new WatchOptions();
+
+    @Option(names = "--quiet", description = "Prints no table at the end, and none while it plays.")
+    private boolean quiet;
+
+    RunCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() throws InterruptedException {
+        threads.check();
+        watch.check();
+        check.range("--games", games, 1, Integer.MAX_VALUE);
+        LeagueRun.Limits limits = new LeagueRun.Limits(threads.count(streams), games == null ? Long.MAX_VALUE : games,
+            nanos(time));
+        LeagueFolder folder = league.open();
+        LeagueFolder.refuseRemote(folder.path());
+        LeagueSettings settings = folder.read();
+        Contest contest = LeagueOpening.contest(folder, settings, streams);
+        Season season = Season.of(contest.setup(), settings);
+        try (FolderLock lock = FolderLock.take(folder);
+             GameStore store = durable ? GameStore.durable(folder) : GameStore.write(folder)) {
+            int number = LeagueOpening.season(folder, store, season, anew);
+            return play(folder, settings, store, season, number, contest, limits);
+        }
+    }
+
+    /** What {@code --for} says, in nanoseconds; {@code Long.MAX_VALUE} where it is not there. */
+    static long nanos(String time) {
+        if (time == null) {
+            return Long.MAX_VALUE;
+        }
+        Matcher matcher = TIME.matcher(time);
+        CallCheck.withHelp().that(matcher.matches() && Long.parseLong(matcher.group(1)) > 0,
+            "--for: found '" + time + "', expected a time such as 90s, 30m, 8h or 2d");
+        TimeUnit unit = switch (matcher.group(2)) {
+            case "s" -> TimeUnit.SECONDS;
+            case "m" -> TimeUnit.MINUTES;
+            case "h" -> TimeUnit.HOURS;
+            default -> TimeUnit.DAYS;
+        };
+        return unit.toNanos(Long.parseLong(matcher.group(1)));
+    }
+
+    @SuppressWarnings("try")                           // only closed, never used
+    private int play(LeagueFolder folder, LeagueSettings settings, GameStore store, Season season, int number,
+                     Contest contest, LeagueRun.Limits limits) throws InterruptedException {
+        AtomicReference<LiveTable> screen = new AtomicReference<>();
+        RosterReader reader = new RosterReader(store, contest, LeagueOpening.environment(settings), same,
+            what -> say(screen.get(), what), System::currentTimeMillis);
+        Roster roster = reader.read(settings);
+        GameQueries queries = new GameQueries(store, number, season.players());
+        LeagueProgress progress = new LeagueProgress(queries.results(), store, limits);
+        LeagueRun run = new LeagueRun(folder, store, number, season, contest, reader, roster, limits,
+            machine(contest), what -> say(screen.get(), what), progress::add);
+        AtomicBoolean told = new AtomicBoolean();
+        try (LeagueWatch page = watch.watch() ? LeagueWatch.start(folder, season, queries, progress, watch) : null;
+             Interruption interruption = new Interruption(streams, () -> told.getAndSet(true) ? null
+                : interrupted(run, progress, season, screen.get()))) {
+            if (page != null) {
+                page.follow(run, streams, watch.open());
+            }
+            screen.set(streams.errTerminal() && !quiet
+                ? new LiveTable(streams.err(), () -> progress.lines(run, streams::errColour)) : null);
+            run.play();
+            if (told.getAndSet(true)) {
+                return ExitStatus.FAILED;              // the process is about to end, with the status of its signal
+            }
+        } finally {
+            close(screen.get());
+        }
+        tell(run, progress, season);
+        if (run.stopped() != null) {
+            streams.err().println("steward: the league ends: " + TextFormat.plain(run.stopped())
+                + "; what was over before is stored, and the same command goes on");
+            return ExitStatus.FAILED;
+        }
+        return ExitStatus.DONE;
+    }
+
+    private static void close(LiveTable screen) {
+        if (screen != null) {
+            screen.close();
+        }
+    }
+
+    private void say(LiveTable screen, String what) {
+        String line = "steward: " + TextFormat.plain(what);
+        if (screen == null) {
+            streams.err().println(line);
+        } else {
+            screen.say(line);
+        }
+    }
+
+    /** Called at Ctrl-C, on another thread than the playing ones. */
+    private String interrupted(LeagueRun run, LeagueProgress progress, Season season, LiveTable screen) {
+        int cut = run.breakOff();
+        close(screen);
+        tell(run, progress, season);
+        streams.out().flush();
+        return TextFormat.count(progress.played(), "game") + " of this run " + (progress.played() == 1 ? "is" : "are")
+            + " stored, " + cut + " under way " + (cut == 1 ? "was" : "were")
+            + " ended and will be played again; the same command goes on";
+    }
+
+    private void tell(LeagueRun run, LeagueProgress progress, Season season) {
+        if (quiet) {
+            return;
+        }
+        List<String> lines = TableText.whole(progress.table(run.roster().settings()), season, streams.outColour());
+        lines.forEach(streams.out()::println);
+        streams.out().println(TextFormat.count(progress.played(), "game") + " in this run, "
+            + TextFormat.number(progress.rate(), 2) + " games/s.");
+    }
+
+    /** What is noted with each game. */
+    static String machine(Contest contest) {
+        return "Java " + System.getProperty("java.version") + ", " + System.getProperty("os.name") + " "
+            + System.getProperty("os.arch") + ", "
+            + TextFormat.count(ManagementFactory.getOperatingSystemMXBean().getAvailableProcessors(), "processor")
+            + ", sandbox " + contest.sandbox();
+    }
+}

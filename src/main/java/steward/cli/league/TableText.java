@@ -1,0 +1,106 @@
+package steward.cli.league;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import steward.cli.shared.Colour;
+import steward.league.Season;
+import steward.league.rating.LeagueTable;
+import steward.league.rating.LeagueTable.Row;
+import steward.text.TextFormat;
+
+/** The table of a league for people. */
+final class TableText {
+
+    private static final double NANOS_PER_MS = 1e6;
+    private static final int LONGEST_NAME = 30;
+    private static final double HUNDRED = 100;
+    /** More bots make a crosstable that is wider than a terminal. */
+    private static final int WIDEST = 12;
+
+    private TableText() {
+    }
+
+    /** Everything: heading, table, crosstable, what the numbers mean. */
+    static List<String> whole(LeagueTable table, Season season, Colour colour) {
+        List<String> lines = new ArrayList<>();
+        lines.add(colour.strong(TextFormat.plain(TextFormat.count(table.results().games(), "game") + " of "
+            + season.sceneName())) + others(table));
+        lines.add("");
+        lines.addAll(rows(table, colour));
+        if (table.rows().size() > 2 && table.rows().size() <= WIDEST) {
+            lines.add("");
+            lines.addAll(cross(table));
+        }
+        lines.add("");
+        lines.add("Rating: Elo by a joint fit of all games (Bradley and Terry); 0 is the mean by games; bar: 95%.");
+        if (season.players() == 1) {
+            lines.add("Each bot plays alone; its score on a map is compared with the others' on the same map.");
+        }
+        if (table.rows().stream().anyMatch(row -> row.entry().random())) {
+            lines.add("* draws by lot: its games cannot be played again alike.");
+        }
+        return lines;
+    }
+
+    private static String others(LeagueTable table) {
+        long again = table.results().playedAgain();
+        long without = table.results().withoutResult();
+        return (again > 0 ? ", " + again + " more played again since others used the processors" : "")
+            + (without > 0 ? ", " + without + " more without a result" : "");
+    }
+
+    private static String name(Row row) {
+        return TextFormat.plain(TextFormat.shorten(row.entry().name(), LONGEST_NAME))
+            + (row.entry().random() ? "*" : "") + (row.entry().active() ? "" : " (out)");
+    }
+
+    /** One line a bot, and their heads. */
+    static List<String> rows(LeagueTable table, Colour colour) {
+        int width = table.rows().stream().mapToInt(row -> name(row).length()).max().orElse(3);
+        List<String> lines = new ArrayList<>();
+        lines.add("  # " + TextFormat.left("bot", width)
+            + "  rating    bar   games  points  faults  mean ms  worst ms  mean score");
+        for (Row row : table.rows()) {
+            boolean played = row.sums().games() > 0;
+            String faults = TextFormat.right(Long.toString(row.sums().faults()), 8);
+            lines.add(TextFormat.right(Integer.toString(row.rank()), 3) + " " + TextFormat.left(name(row), width)
+                + colour.strong(TextFormat.right(played ? signed(row.rating()) : "-", 8))
+                + TextFormat.right(played ? "± " + Math.round(row.bar()) : "-", 7)
+                + TextFormat.right(Long.toString(row.sums().games()), 8)
+                + TextFormat.right(TextFormat.fixed(row.points(), 3), 8)
+                + (row.sums().faults() > 0 ? colour.bad(faults) : faults)
+                + TextFormat.right(TextFormat.fixed(row.sums().meanNanos() / NANOS_PER_MS, 2), 9)
+                + TextFormat.right(played ? TextFormat.ms(row.sums().worstNanos()) : "-", 10)
+                + TextFormat.right(TextFormat.fixed(row.sums().meanScore(), 2), 12));
+        }
+        return lines;
+    }
+
+    private static String signed(double rating) {
+        return String.format(Locale.ROOT, "%+d", Math.round(rating));
+    }
+
+    /** Share of the points of the row's bot against the column's, in percent. */
+    private static List<String> cross(LeagueTable table) {
+        int width = table.rows().stream().mapToInt(row -> name(row).length()).max().orElse(3);
+        int bots = table.rows().size();
+        List<String> lines = new ArrayList<>();
+        StringBuilder head = new StringBuilder(TextFormat.left("  % against", width + 4));
+        for (int column = 0; column < bots; column++) {
+            head.append(TextFormat.right("#" + (column + 1), 5));
+        }
+        lines.add(head.toString());
+        for (int row = 0; row < bots; row++) {
+            StringBuilder line = new StringBuilder(TextFormat.right(Integer.toString(row + 1), 3) + " "
+                + TextFormat.left(name(table.rows().get(row)), width));
+            for (int column = 0; column < bots; column++) {
+                double share = table.share(row, column);
+                line.append(TextFormat.right(row == column ? "." : Double.isNaN(share) ? "-"
+                    : Long.toString(Math.round(HUNDRED * share)), 5));
+            }
+            lines.add(line.toString());
+        }
+        return lines;
+    }
+}

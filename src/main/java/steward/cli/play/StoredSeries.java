@@ -1,0 +1,133 @@
+package steward.cli.play;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import steward.contest.Contest;
+import steward.contest.Failure;
+import steward.contest.Series;
+import steward.files.InputException;
+import steward.league.BotIdentity;
+import steward.league.GameName;
+import steward.league.LeagueBot;
+import steward.league.LeagueFolder;
+import steward.league.LeagueReader;
+import steward.league.LeagueSettings;
+import steward.league.Season;
+import steward.league.StoredGame;
+import steward.league.StoredGame.StoredSeat;
+import steward.league.store.GameStore;
+import steward.league.store.GameStore.Version;
+import steward.match.MatchResult;
+
+/** Stores the games of a series in a league ({@code match --into}), each when it is over. */
+final class StoredSeries implements AutoCloseable {
+
+    private final GameStore store;
+    private final Season season;
+    private final int number;
+    private final Contest contest;
+    private final String machine;
+    private final Map<Integer, Version> versions = new HashMap<>();
+
+    private StoredSeries(GameStore store, Season season, Contest contest, String machine) {
+        this.store = store;
+        this.season = season;
+        this.contest = contest;
+        this.machine = machine;
+        number = store.open(season);
+    }
+
+    /**
+     * Opens the league.
+     *
+     * @param bots        as they were called, in the order of the contest
+     * @param factor      of the time limits
+     * @param environment the variables that bots are passed by name
+     * @throws InputException if its games are of another scene, limits or rules
+     */
+    static StoredSeries open(Path path, Contest contest, double factor, List<String> environment) {
+        LeagueFolder folder = LeagueFolder.open(path);
+        LeagueSettings settings = folder.read();
+        LeagueSettings played = settings.with(settings.gauntlet(), factor, settings.keep());
+        Season season = Season.of(contest.setup(), new LeagueSettings(played.scene(), played.seed(),
+            played.gauntlet(), played.lag(), factor, contest.time().basis(), played.hiccups(), played.sandbox(),
+            played.keep(), played.keepOf(), played.bots()));
+        Season own = Season.of(steward.cli.shared.Games.open(folder.scene(settings.scene())), settings);
+        if (!own.key().equals(season.key())) {
+            throw new InputException("--into: found a league of other games, expected one of the same scene and "
+                + "limits: "
+                + own.difference(season));
+        }
+        GameStore store = GameStore.write(folder);
+        try {
+            StoredSeries stored = new StoredSeries(store, season, contest, "match, " + System.getProperty("os.name")
+                + " " + System.getProperty("os.arch") + ", Java " + System.getProperty("java.version") + ", sandbox "
+                + contest.sandbox());
+            Map<String, String> passed = new TreeMap<>();
+            environment.forEach(name -> passed.put(name, String.valueOf(System.getenv(name))));
+            stored.find(settings, new BotIdentity(passed));
+            return stored;
+        } catch (InputException problem) {
+            store.close();
+            throw problem;
+        }
+    }
+
+    private void find(LeagueSettings settings, BotIdentity identity) {
+        for (int k = 0; k < contest.entrants().size(); k++) {
+            Contest.Entrant entrant = contest.entrants().get(k);
+            String command = steward.bot.command.BotCommand.parse(entrant.bot()).name() == null ? entrant.bot()
+                : entrant.bot().substring(entrant.bot().indexOf('=') + 1);
+            List<String> files = settings.bot(entrant.name()).filter(bot -> bot.command().equals(command))
+                .map(LeagueBot::files).orElse(null);
+            String name = LeagueReader.NAME.matcher(entrant.name()).matches() ? entrant.name() : "bot-" + (k + 1);
+            LeagueBot bot = new LeagueBot(name, command, files, false, false);
+            String hash = identity.of(bot);
+            versions.put(k, store.version(hash).orElseGet(() ->
+                store.add(name, command, false, hash, System.currentTimeMillis())));
+        }
+    }
+
+    /** Stores a game, and what it replaces if it was played again. */
+    void add(Series.Played game) {
+        List<StoredGame> attempts = new ArrayList<>();
+        if (game.starved() != null) {
+            attempts.add(stored(game.starved(), 1, false));
+        }
+        attempts.add(stored(game, game.starved() == null ? 1 : 2, true));
+        store.add(number, attempts);
+    }
+
+    private StoredGame stored(Series.Played game, int attempt, boolean last) {
+        MatchResult result = game.result();
+        List<StoredSeat> seats = new ArrayList<>();
+        String[] identities = new String[season.players()];
+        for (int player = 0; player < identities.length; player++) {
+            Version version = versions.get(game.entrantOf(contest, player));
+            identities[player] = version.identity();
+            seats.add(result == null ? new StoredSeat(version.id(), 0, 0, null, 0, 0, 0, 0)
+                : seat(version, player, result, game.failures()));
+        }
+        return new StoredGame(0, GameName.of(season, game.seed(), Arrays.asList(identities), attempt), -1, game.seed(),
+            attempt, last && result != null, result == null ? 0 : result.turns(), result == null
+                ? String.valueOf(game.failure()) : null, System.currentTimeMillis(), machine, null, seats);
+    }
+
+    private static StoredSeat seat(Version version, int player, MatchResult result, List<Failure> failures) {
+        MatchResult.PlayerResult found = result.players().get(player);
+        String fault = found.fault() == null ? null : failures.stream().filter(each -> each.player() == player)
+            .map(Failure::kind).findFirst().orElse(found.fault());
+        return new StoredSeat(version.id(), found.rank(), found.score(), fault, found.answers(), found.averageNanos(),
+            found.worstNanos(), found.firstNanos());
+    }
+
+    @Override
+    public void close() {
+        store.close();
+    }
+}

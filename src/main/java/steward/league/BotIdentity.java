@@ -1,0 +1,138 @@
+package steward.league;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.URISyntaxException;
+import java.net.URL;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+import steward.bot.command.BotCommand;
+import steward.bot.command.BuiltinBots;
+import steward.files.InputException;
+
+/**
+ * Tells which program a bot is: a hash of its argument list, of the environment that it is passed, and of its files. A
+ * file is read again only when its size, time or place on the disk has changed. Not thread-safe.
+ */
+public final class BotIdentity {
+
+    private final Map<String, String> environment;
+    private final Map<Path, Content> known = new HashMap<>();
+
+    /**
+     * A file as it was read.
+     *
+     * @param stamp size, time and place
+     * @param hash  of its bytes
+     */
+    private record Content(String stamp, String hash) {
+    }
+
+    /** @param environment the variables that bots are passed by name, and their values */
+    public BotIdentity(Map<String, String> environment) {
+        this.environment = new TreeMap<>(environment);
+    }
+
+    /**
+     * The identity of a bot as it is now.
+     *
+     * @return 32 hexadecimal digits
+     * @throws InputException if one of its files cannot be read
+     */
+    public String of(LeagueBot bot) {
+        BotCommand command = bot.parsed();
+        TextHash hash = new TextHash().add(command.prefix().name()).addAll(command.words());
+        environment.forEach((name, value) -> hash.add(name).add(value));
+        for (Path file : files(bot, command)) {
+            hash.add(file.toString()).add(content(bot, file));
+        }
+        return hash.hex();
+    }
+
+    /** What would make it another one: changes when any of its files has been touched. No file is read. */
+    public String stamp(LeagueBot bot) {
+        StringBuilder stamps = new StringBuilder(bot.typed());
+        BotCommand command = bot.parsed();
+        if (bot.files() == null && command.prefix() == BotCommand.Prefix.BUILTIN) {
+            return bot.typed();                        // does not change while the program runs
+        }
+        for (Path file : files(bot, command)) {
+            stamps.append('\n').append(stamp(file));
+        }
+        return stamps.toString();
+    }
+
+    /** Its files: as league.json lists them, or every argument that is a file; of a builtin bot the program's own. */
+    static List<Path> files(LeagueBot bot, BotCommand command) {
+        if (bot.files() != null) {
+            return bot.files().stream().map(Path::of).toList();
+        }
+        if (command.prefix() == BotCommand.Prefix.BUILTIN) {
+            return bundled();
+        }
+        List<Path> files = new ArrayList<>();
+        for (String word : command.words()) {
+            try {
+                Path file = Path.of(word);
+                if (Files.isRegularFile(file)) {
+                    files.add(file);
+                }
+            } catch (InvalidPathException noFile) {
+                continue;
+            }
+        }
+        return files;
+    }
+
+    /** Where the bundled bots are: an archive, or their classes. */
+    private static List<Path> bundled() {
+        URL list = BuiltinBots.class.getClassLoader().getResource(BuiltinBots.RESOURCE);
+        if (list == null) {
+            return List.of();
+        }
+        try {
+            if (list.getProtocol().equals("jar")) {
+                String address = list.getPath();
+                return List.of(Path.of(new URL(address.substring(0, address.indexOf("!/"))).toURI()));
+            }
+            Path folder = Path.of(list.toURI()).getParent();
+            try (Stream<Path> classes = Files.walk(folder)) {
+                return classes.filter(Files::isRegularFile).sorted().toList();
+            }
+        } catch (IOException | URISyntaxException problem) {
+            throw new InputException("the bundled bots cannot be read: " + problem.getMessage());
+        }
+    }
+
+    private String content(LeagueBot bot, Path file) {
+        String stamp = stamp(file);
+        Content content = known.get(file);
+        if (content == null || !content.stamp().equals(stamp)) {
+            try (InputStream in = Files.newInputStream(file)) {
+                content = new Content(stamp, TextHash.of(in));
+            } catch (IOException problem) {
+                throw new InputException("bot '" + bot.name() + "': its file " + file + " cannot be read: "
+                    + (Files.exists(file) ? problem.getMessage() : "there is no such file"));
+            }
+            known.put(file, content);
+        }
+        return content.hash();
+    }
+
+    private static String stamp(Path file) {
+        try {
+            BasicFileAttributes found = Files.readAttributes(file, BasicFileAttributes.class);
+            return found.size() + " " + found.lastModifiedTime().toInstant() + " " + found.fileKey();
+        } catch (IOException gone) {
+            return "none";
+        }
+    }
+}

@@ -1,0 +1,36 @@
+package steward.league;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * What the schedule decides at once: some bots on one seed, every one of them on every seat; alone, each of them on the
+ * same map.
+ *
+ * @param number  counted from 0
+ * @param seed    of all its games
+ * @param lineups the versions by seat, one array for each game
+ */
+public record Decision(int number, long seed, List<int[]> lineups) {
+
+    /** All ways to move these versions up by a place. */
+    static List<int[]> rotations(int... versions) {
+        List<int[]> lineups = new ArrayList<>();
+        for (int by = 0; by < versions.length; by++) {
+            int[] lineup = new int[versions.length];
+            for (int seat = 0; seat < versions.length; seat++) {
+                lineup[seat] = versions[(seat + by) % versions.length];
+            }
+            lineups.add(lineup);
+        }
+        return lineups;
+    }
+
+    /** The same versions from the lowest: what the seats do not change. */
+    static int[] sorted(int... lineup) {
+        int[] sorted = lineup.clone();
+        Arrays.sort(sorted);
+        return sorted;
+    }
+}

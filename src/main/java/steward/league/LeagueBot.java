@@ -1,0 +1,41 @@
+package steward.league;
+
+import java.util.List;
+import steward.bot.command.BotCommand;
+
+/**
+ * A bot as league.json names it.
+ *
+ * @param name    unlike the others' names
+ * @param command {@code [builtin:|json:|codingame:]COMMAND}
+ * @param files   what its identity is made of besides the command; {@code null} for every argument that is a file
+ * @param random  whether it draws by lot: its games cannot be played again to the bit
+ * @param retired whether it plays no more; its games stay
+ */
+public record LeagueBot(String name, String command, List<String> files, boolean random, boolean retired) {
+
+    /** Copies the list. */
+    public LeagueBot {
+        files = files == null ? null : List.copyOf(files);
+    }
+
+    /** As it would be typed in a call. */
+    public String typed() {
+        return name + "=" + command;
+    }
+
+    /** @throws IllegalArgumentException if it has no command, or that cannot be split into words */
+    public BotCommand parsed() {
+        return BotCommand.parse(typed());
+    }
+
+    /** The same under another name. */
+    public LeagueBot named(String other) {
+        return new LeagueBot(other, command, files, random, retired);
+    }
+
+    /** The same, to play no more or again. */
+    public LeagueBot retired(boolean now) {
+        return new LeagueBot(name, command, files, random, now);
+    }
+}

@@ -1,0 +1,127 @@
+package steward.league;
+
+import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Set;
+import steward.files.InputException;
+import steward.files.OutputFiles;
+import steward.scene.json.JsonLimits;
+import steward.scene.json.SceneException;
+
+/**
+ * The folder of a league: {@code league.json}, {@code league.db}, {@code league.lock} and the replays.
+ *
+ * @param path as it was named
+ */
+public record LeagueFolder(Path path) {
+
+    /** The file that a person edits. */
+    public static final String SETTINGS = "league.json";
+    /** A scene of the league's own. */
+    public static final String SCENE = "scene.json";
+
+    /** File systems of other machines: SQLite's write-ahead log needs memory that all its users share. */
+    private static final Set<String> REMOTE = Set.of("nfs", "nfs3", "nfs4", "cifs", "smb", "smb2", "smb3", "smbfs",
+        "afs", "ncpfs", "9p", "v9fs", "fuse.sshfs", "fuse.rclone", "fuse.s3fs", "fuse.glusterfs", "glusterfs", "ceph",
+        "fuse.ceph", "lustre", "gpfs", "beegfs", "ocfs2", "gfs2", "davfs", "fuse.davfs2", "prl_fs", "vboxsf",
+        "webdav", "afpfs");
+
+    /**
+     * A league that is there.
+     *
+     * @throws InputException if there is none
+     */
+    public static LeagueFolder open(Path path) {
+        if (!Files.isRegularFile(path.resolve(SETTINGS))) {
+            throw new InputException(path + ": found " + (Files.isDirectory(path) ? "a folder without " + SETTINGS
+                : Files.exists(path) ? "a file" : "no such folder")
+                + ", expected the folder of a league, as 'steward league init' makes it");
+        }
+        return new LeagueFolder(path);
+    }
+
+    /** Where the settings are. */
+    public Path settings() {
+        return path.resolve(SETTINGS);
+    }
+
+    /** Where the games are. */
+    public Path database() {
+        return path.resolve("league.db");
+    }
+
+    /** What a run holds while it plays. */
+    public Path lock() {
+        return path.resolve("league.lock");
+    }
+
+    /** Where kept replays are. */
+    public Path replays() {
+        return path.resolve("replays");
+    }
+
+    /** A scene as it is named in the settings: a file of this folder, or a shipped scene's name. */
+    public String scene(String named) {
+        Path own = path.resolve(named);
+        return Files.isRegularFile(own) ? own.toString() : named;
+    }
+
+    /**
+     * Reads the settings.
+     *
+     * @throws SceneException if they are not as they should be
+     * @throws InputException if they cannot be read
+     */
+    public LeagueSettings read() {
+        Path file = settings();
+        try {
+            if (Files.size(file) > JsonLimits.BYTES) {
+                throw new InputException(file + ": found a file of " + Files.size(file)
+                    + " bytes, expected at most " + JsonLimits.BYTES);
+            }
+            return LeagueReader.read(Files.readString(file, StandardCharsets.UTF_8), file.toString());
+        } catch (CharacterCodingException problem) {
+            throw new InputException(file + ": found bytes that are not UTF-8, expected a text in UTF-8");
+        } catch (AccessDeniedException problem) {
+            throw new InputException(file + ": cannot be read: no permission");
+        } catch (IOException problem) {
+            throw new InputException(file + ": cannot be read: " + OutputFiles.reason(file, problem));
+        }
+    }
+
+    /** Replaces the settings as a whole: a run that is under way sees the old ones or the new ones. */
+    public void write(LeagueSettings settings) {
+        try {
+            OutputFiles.replace(settings(), LeagueText.write(settings).getBytes(StandardCharsets.UTF_8));
+        } catch (IOException problem) {
+            throw new InputException(settings() + ": cannot be written: "
+                + OutputFiles.reason(settings(), problem));
+        }
+    }
+
+    /**
+     * Refuses a folder of another machine.
+     *
+     * @param folder that exists
+     */
+    public static void refuseRemote(Path folder) {
+        try {
+            refuseRemote(folder, Files.getFileStore(folder).type());
+        } catch (IOException unknown) {
+            // What it is on cannot be found out: the database will say whether it can be used.
+            return;
+        }
+    }
+
+    static void refuseRemote(Path folder, String type) {
+        if (REMOTE.contains(type.toLowerCase(Locale.ROOT))) {
+            throw new InputException(folder + ": found a file system of another machine (" + type + "), expected one "
+                + "of this machine: the write-ahead log of the database is not safe over a network");
+        }
+    }
+}

@@ -1,0 +1,92 @@
+package steward.league;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import steward.bot.TimeBasis;
+import steward.contest.Hiccups;
+import steward.contest.KeptReplays;
+
+/**
+ * What a person decides about a league: the content of league.json.
+ *
+ * @param scene    a shipped scene's name, or a file in the league's folder
+ * @param seed     of the first decision; each decision has the next one
+ * @param gauntlet the bot that all others play against, or {@code null} where everyone plays everyone
+ * @param lag      how many decisions back results are known when a decision is made, 1..10000
+ * @param factor   by which the scene's time limits are multiplied; {@code POSITIVE_INFINITY} for none
+ * @param basis    what the limits are limits of
+ * @param hiccups  what becomes of games lost on time on a starved machine
+ * @param sandbox  how bots are kept apart: the options of a match that say so
+ * @param keep     which replays are kept
+ * @param keepOf   with {@link KeptReplays#LOST}: the bots whose lost games are meant; none for those of any bot
+ * @param bots     all of them, in the order of the file
+ */
+public record LeagueSettings(String scene, long seed, String gauntlet, int lag, double factor, TimeBasis basis,
+                             Hiccups hiccups, List<String> sandbox, KeptReplays keep, List<String> keepOf,
+                             List<LeagueBot> bots) {
+
+    /** The lag of a new league: more than the games that a large machine plays at the same time. */
+    public static final int USUAL_LAG = 64;
+    /** The longest lag. */
+    public static final int MOST_LAG = 10_000;
+
+    /** Copies the lists. */
+    public LeagueSettings {
+        sandbox = List.copyOf(sandbox);
+        keepOf = List.copyOf(keepOf);
+        bots = List.copyOf(bots);
+    }
+
+    /** Those of a new league without bots. */
+    public static LeagueSettings usual(String scene, long seed) {
+        return new LeagueSettings(scene, seed, null, USUAL_LAG, 1, TimeBasis.WALL, Hiccups.REPLAY,
+            List.of("--sandbox", "auto"), KeptReplays.FAILED, List.of(), List.of());
+    }
+
+    /** The bots that play. */
+    public List<LeagueBot> active() {
+        return bots.stream().filter(bot -> !bot.retired()).toList();
+    }
+
+    /** The bot of this name. */
+    public Optional<LeagueBot> bot(String name) {
+        return bots.stream().filter(bot -> bot.name().equals(name)).findFirst();
+    }
+
+    /** The same with other bots. */
+    public LeagueSettings withBots(List<LeagueBot> others) {
+        return new LeagueSettings(scene, seed, gauntlet, lag, factor, basis, hiccups, sandbox, keep, keepOf, others);
+    }
+
+    /** The same with one bot more, the last. */
+    public LeagueSettings with(LeagueBot bot) {
+        List<LeagueBot> all = new ArrayList<>(bots);
+        all.add(bot);
+        return withBots(all);
+    }
+
+    /** The same with a bot replaced, wherever it is named. */
+    public LeagueSettings replaced(String name, LeagueBot by) {
+        String hero = name.equals(gauntlet) ? by.name() : gauntlet;
+        List<String> losers = keepOf.stream().map(each -> each.equals(name) ? by.name() : each).toList();
+        return new LeagueSettings(scene, seed, hero, lag, factor, basis, hiccups, sandbox, keep, losers,
+            bots.stream().map(bot -> bot.name().equals(name) ? by : bot).toList());
+    }
+
+    /** The same with other rules of pairing, time and replays, as a new league may be told. */
+    public LeagueSettings with(String newGauntlet, double newFactor, KeptReplays newKeep) {
+        return new LeagueSettings(scene, seed, newGauntlet, lag, newFactor, basis, hiccups, sandbox, newKeep, keepOf,
+            bots);
+    }
+
+    /** The limits in words that differ where a game could end differently: part of a game's name. */
+    public String limits() {
+        return factor == Double.POSITIVE_INFINITY ? "none" : "factor " + factor + " " + basis.word();
+    }
+
+    /** How bots are paired, as it is written in the file. */
+    public String pairing() {
+        return gauntlet == null ? LeagueReader.ROUND_ROBIN : LeagueReader.GAUNTLET + gauntlet;
+    }
+}

@@ -1,0 +1,31 @@
+package steward.league;
+
+import java.util.List;
+
+/**
+ * Decides who plays next. What it is told of decisions is all of them; of their results, in a pairing that uses them,
+ * only those of decisions that are {@code lag} or more back: then nothing it decides depends on threads or on where a
+ * run was interrupted.
+ */
+public interface Pairing {
+
+    /**
+     * Chooses the versions of the next decision.
+     *
+     * @return from the lowest
+     */
+    int[] choose();
+
+    /** Tells it a decision that was made, now or in an earlier run. */
+    void made(int... versions);
+
+    /** Everyone against everyone, whoever has met least. */
+    static Pairing roundRobin(List<Integer> versions, int players) {
+        return new LeastPlayed(versions, players, -1);
+    }
+
+    /** One against everyone else. */
+    static Pairing gauntlet(List<Integer> versions, int players, int hero) {
+        return new LeastPlayed(versions, players, hero);
+    }
+}

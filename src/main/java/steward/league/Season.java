@@ -1,0 +1,42 @@
+package steward.league;
+
+import steward.game.GameSetup;
+import steward.scene.PhysicsFingerprint;
+import steward.scene.Scene;
+import steward.scene.SceneKey;
+
+/**
+ * What all games of a season have in common, so that they can be compared: the scene, the time limits, the rules.
+ *
+ * @param key       of all of it
+ * @param sceneName the scene's name
+ * @param sceneKey  of all in the scene that decides what happens
+ * @param limits    the time limits and what they are limits of
+ * @param rules     the version of the rules: changes when the bits of a result do
+ * @param players   of a game
+ */
+public record Season(String key, String sceneName, String sceneKey, String limits, String rules, int players) {
+
+    /** The season of a scene under these settings. */
+    public static Season of(GameSetup setup, LeagueSettings settings) {
+        Scene scene = setup.scene();
+        String sceneKey = SceneKey.of(scene);
+        String limits = scene.time().firstAnswerMs() + " ms, " + scene.time().answerMs() + " ms, "
+            + settings.limits();
+        String rules = PhysicsFingerprint.text() + " " + scene.accuracy().text() + " " + scene.angles();
+        return of(scene.name(), sceneKey, limits, rules, scene.players());
+    }
+
+    /** A season of these parts. */
+    public static Season of(String sceneName, String sceneKey, String limits, String rules, int players) {
+        return new Season(new TextHash().add(sceneKey).add(limits).add(rules).hex(), sceneName, sceneKey, limits,
+            rules, players);
+    }
+
+    /** What differs from another season, for a person. */
+    public String difference(Season other) {
+        return !sceneKey.equals(other.sceneKey) ? "the scene is another one (" + other.sceneName + ", was " + sceneName
+            + ")" : !limits.equals(other.limits) ? "the time limits are " + other.limits + ", were " + limits
+            : "the version of the rules is another one";
+    }
+}

@@ -1,0 +1,60 @@
+package steward.league;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.Arrays;
+import java.util.HexFormat;
+import java.util.List;
+
+/** A hash of a list of texts: the first 128 bits of SHA-256 over each text's length and bytes. */
+final class TextHash {
+
+    private static final int BYTES = 16;
+
+    private final MessageDigest digest = sha256();
+
+    private static MessageDigest sha256() {
+        try {
+            return MessageDigest.getInstance("SHA-256");
+        } catch (NoSuchAlgorithmException impossible) {
+            throw new IllegalStateException(impossible);
+        }
+    }
+
+    TextHash add(String text) {
+        byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+        digest.update(ByteBuffer.allocate(Integer.BYTES).putInt(0, bytes.length));
+        digest.update(bytes);
+        return this;
+    }
+
+    TextHash addAll(List<String> texts) {
+        add(Integer.toString(texts.size()));
+        texts.forEach(this::add);
+        return this;
+    }
+
+    /** The 16 bytes; call once. */
+    byte[] bytes() {
+        return Arrays.copyOf(digest.digest(), BYTES);
+    }
+
+    /** The same as 32 hexadecimal digits; call once. */
+    String hex() {
+        return HexFormat.of().formatHex(bytes());
+    }
+
+    /** The hash of a file's bytes, 64 hexadecimal digits. */
+    static String of(InputStream in) throws IOException {
+        MessageDigest content = sha256();
+        byte[] buffer = new byte[1 << 16];
+        for (int count = in.read(buffer); count >= 0; count = in.read(buffer)) {
+            content.update(buffer, 0, count);
+        }
+        return HexFormat.of().formatHex(content.digest());
+    }
+}

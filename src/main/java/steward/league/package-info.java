@@ -1,0 +1,8 @@
+/**
+ * What a league is: the file that a person edits, the folder, the identity of a bot and of a game, and the schedule of
+ * who plays whom. It computes nothing from results and stores nothing.
+ */
+@Internal
+package steward.league;
+
+import steward.Internal;

@@ -1,0 +1,142 @@
+package steward.league.page;
+
+import java.util.function.Function;
+import steward.game.JsonNumbers;
+import steward.league.Season;
+import steward.league.StoredGame;
+import steward.league.rating.LeagueTable;
+import steward.league.rating.LeagueTable.Row;
+import steward.league.rating.RatingPath;
+import tools.jackson.core.JsonGenerator;
+
+/** A league for programs and for its page. */
+public final class LeagueJson {
+
+    private static final double NANOS_PER_MS = 1e6;
+
+    private LeagueJson() {
+    }
+
+    /** The fields of the table: the season, games, bots by rank, and the crosstable by the same order. */
+    public static void table(JsonGenerator out, Season season, LeagueTable table) {
+        out.writeStringProperty("scene", season.sceneName());
+        out.writeStringProperty("sceneKey", season.sceneKey());
+        out.writeStringProperty("limits", season.limits());
+        out.writeNumberProperty("players", season.players());
+        out.writeNumberProperty("games", table.results().games());
+        out.writeNumberProperty("again", table.results().playedAgain());
+        out.writeNumberProperty("without", table.results().withoutResult());
+        out.writeArrayPropertyStart("bots");
+        table.rows().forEach(row -> bot(out, row));
+        out.writeEndArray();
+        out.writeArrayPropertyStart("cross");
+        for (int row = 0; row < table.rows().size(); row++) {
+            out.writeStartArray();
+            for (int column = 0; column < table.rows().size(); column++) {
+                cell(out, table, row, column);
+            }
+            out.writeEndArray();
+        }
+        out.writeEndArray();
+    }
+
+    private static void cell(JsonGenerator out, LeagueTable table, int row, int column) {
+        if (row == column || !(table.games(row, column) > 0)) {
+            out.writeNull();
+            return;
+        }
+        out.writeStartArray();
+        JsonNumbers.write(out, table.share(row, column));
+        JsonNumbers.write(out, table.games(row, column));
+        out.writeEndArray();
+    }
+
+    private static void bot(JsonGenerator out, Row row) {
+        out.writeStartObject();
+        out.writeNumberProperty("rank", row.rank());
+        out.writeNumberProperty("version", row.entry().version());
+        out.writeStringProperty("name", row.entry().name());
+        out.writeBooleanProperty("active", row.entry().active());
+        out.writeBooleanProperty("random", row.entry().random());
+        JsonNumbers.writeOrNull(out, "rating", row.rating());
+        JsonNumbers.writeOrNull(out, "bar", row.bar());
+        out.writeNumberProperty("games", row.sums().games());
+        JsonNumbers.writeOrNull(out, "points", row.points());
+        JsonNumbers.writeOrNull(out, "wins", row.wins());
+        JsonNumbers.writeOrNull(out, "draws", row.draws());
+        JsonNumbers.writeOrNull(out, "losses", row.losses());
+        out.writeNumberProperty("faults", row.sums().faults());
+        JsonNumbers.writeOrNull(out, "score", row.sums().meanScore());
+        JsonNumbers.writeOrNull(out, "meanMs", row.sums().meanNanos() / NANOS_PER_MS);
+        JsonNumbers.writeOrNull(out, "worstMs",
+            row.sums().games() == 0 ? Double.NaN : row.sums().worstNanos() / NANOS_PER_MS);
+        out.writeEndObject();
+    }
+
+    /**
+     * Everything that the page shows, as fields.
+     *
+     * @param replay how the replay of a game is to be had: {@code live}, {@code page}, or its file; {@code null} for
+     *               none
+     */
+    static void view(JsonGenerator out, LeagueView view, Function<StoredGame, String> replay) {
+        table(out, view.season(), view.table());
+        JsonNumbers.writeOrNull(out, "rate", view.rate());
+        path(out, view.path());
+        out.writeArrayPropertyStart("list");
+        for (StoredGame game : view.games()) {
+            game(out, game, replay.apply(game));
+        }
+        out.writeEndArray();
+    }
+
+    private static void path(JsonGenerator out, RatingPath path) {
+        out.writeObjectPropertyStart("path");
+        out.writeArrayPropertyStart("versions");
+        path.entries().forEach(entry -> out.writeNumber(entry.version()));
+        out.writeEndArray();
+        out.writeArrayPropertyStart("points");
+        for (RatingPath.Point point : path.points()) {
+            out.writeStartObject();
+            out.writeNumberProperty("games", point.games());
+            numbers(out, "ratings", point.ratings());
+            numbers(out, "bars", point.bars());
+            out.writeEndObject();
+        }
+        out.writeEndArray();
+        out.writeEndObject();
+    }
+
+    private static void numbers(JsonGenerator out, String name, double... values) {
+        out.writeArrayPropertyStart(name);
+        for (double value : values) {
+            if (Double.isNaN(value)) {
+                out.writeNull();
+            } else {
+                JsonNumbers.write(out, Math.rint(value * 10) / 10);
+            }
+        }
+        out.writeEndArray();
+    }
+
+    private static void game(JsonGenerator out, StoredGame game, String replay) {
+        out.writeStartObject();
+        out.writeNumberProperty("id", game.id());
+        out.writeStringProperty("seed", Long.toString(game.seed()));
+        out.writeNumberProperty("turns", game.turns());
+        out.writeBooleanProperty("counts", game.counts());
+        out.writeStringProperty("problem", game.problem());
+        out.writeStringProperty("replay", replay);
+        out.writeArrayPropertyStart("seats");
+        for (StoredGame.StoredSeat seat : game.seats()) {
+            out.writeStartObject();
+            out.writeNumberProperty("version", seat.version());
+            out.writeNumberProperty("rank", seat.rank());
+            JsonNumbers.writeOrNull(out, "score", seat.score());
+            out.writeStringProperty("fault", seat.fault());
+            out.writeEndObject();
+        }
+        out.writeEndArray();
+        out.writeEndObject();
+    }
+}

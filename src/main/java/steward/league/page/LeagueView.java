@@ -1,0 +1,24 @@
+package steward.league.page;
+
+import java.util.List;
+import steward.league.Season;
+import steward.league.StoredGame;
+import steward.league.rating.LeagueTable;
+import steward.league.rating.RatingPath;
+
+/**
+ * What there is to show of a league at one moment.
+ *
+ * @param season what all its games have in common
+ * @param table  the table
+ * @param path   how the ratings went
+ * @param games  the last games, the latest first
+ * @param rate   games a second, or NaN when it is not being played
+ */
+public record LeagueView(Season season, LeagueTable table, RatingPath path, List<StoredGame> games, double rate) {
+
+    /** Copies the list. */
+    public LeagueView {
+        games = List.copyOf(games);
+    }
+}

@@ -1,0 +1,104 @@
+package steward.league.play;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.LongSupplier;
+import steward.contest.Contest;
+import steward.contest.Failure;
+import steward.contest.GameLog;
+import steward.contest.Hiccups;
+import steward.files.InputException;
+import steward.files.OutputFiles;
+import steward.league.GameName;
+import steward.league.LeagueFolder;
+import steward.league.LeagueSettings;
+import steward.league.Schedule;
+import steward.league.Season;
+import steward.league.StoredGame;
+import steward.league.StoredGame.StoredSeat;
+import steward.league.play.Roster.Member;
+import steward.match.MatchResult;
+
+/**
+ * Plays one game of the schedule; again, once, if it was lost on time on a starved machine.
+ *
+ * @param contest of the scene, its limits and isolation
+ * @param machine what is noted with each game
+ * @param clock   milliseconds since 1970
+ */
+record GamePlay(LeagueFolder folder, Season season, Contest contest, String machine, LongSupplier clock) {
+
+    /**
+     * Plays.
+     *
+     * @param members by seat
+     * @return the attempts, of which the last one counts if it has a result
+     * @throws InputException if the replay cannot be written
+     */
+    List<StoredGame> play(Schedule.Task task, LeagueSettings settings, List<Member> members)
+            throws InterruptedException {
+        List<StoredGame> attempts = new ArrayList<>();
+        for (int attempt = 1; attempt <= 2; attempt++) {
+            Contest match = contest.between(members.stream().map(Member::entrant).toList());
+            GameLog log = new GameLog(match, 0);
+            ByteArrayOutputStream recording = KeptGames.isAny(settings) ? new ByteArrayOutputStream() : null;
+            MatchResult result = null;
+            String problem = null;
+            try {
+                result = match.play(task.seed(), 0, recording, log);
+            } catch (UncheckedIOException failed) {
+                problem = String.valueOf(failed.getMessage());
+            }
+            boolean again = attempt == 1 && result != null && settings.hiccups() == Hiccups.REPLAY
+                && log.failures().stream().anyMatch(Failure::starved);
+            attempts.add(stored(task, settings, members, attempt, result, problem, !again, log, recording));
+            if (!again) {
+                break;
+            }
+        }
+        return attempts;
+    }
+
+    private StoredGame stored(Schedule.Task task, LeagueSettings settings, List<Member> members, int attempt,
+                              MatchResult result, String problem, boolean last, GameLog log,
+                              ByteArrayOutputStream recording) {
+        byte[] name = name(task, members, attempt);
+        String replay = null;
+        String[] names = members.stream().map(member -> member.bot().name()).toArray(String[]::new);
+        if (recording != null && recording.size() > 0 && KeptGames.keeps(settings, result, names)) {
+            try {
+                replay = KeptGames.write(folder, name, recording.toByteArray());
+            } catch (IOException failed) {
+                throw new InputException(folder.replays() + ": a replay cannot be written: "
+                    + OutputFiles.reason(folder.replays(), failed));
+            }
+        }
+        List<StoredSeat> seats = new ArrayList<>();
+        for (int seat = 0; seat < members.size(); seat++) {
+            seats.add(seat(members.get(seat), seat, result, log));
+        }
+        return new StoredGame(0, name, task.decision(), task.seed(), attempt, last && result != null,
+            result == null ? 0 : result.turns(), problem, clock.getAsLong(), machine, replay, seats);
+    }
+
+    /** The game's name. */
+    byte[] name(Schedule.Task task, List<Member> members, int attempt) {
+        return GameName.of(season, task.seed(), members.stream().map(member -> member.version().identity()).toList(),
+            attempt);
+    }
+
+    private static StoredSeat seat(Member member, int seat, MatchResult result, GameLog log) {
+        int version = member.version().id();
+        if (result == null) {
+            return new StoredSeat(version, 0, 0, null, 0, 0, 0, 0);
+        }
+        MatchResult.PlayerResult player = result.players().get(seat);
+        String fault = player.fault() == null ? null : log.failures().stream()
+            .filter(failure -> failure.player() == seat).map(Failure::kind).findFirst().orElse(player.fault());
+        return new StoredSeat(version, player.rank(), player.score(), fault, player.answers(), player.averageNanos(),
+            player.worstNanos(), player.firstNanos());
+    }
+}

@@ -1,0 +1,354 @@
+package steward.league.play;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import steward.contest.Contest;
+import steward.files.InputException;
+import steward.league.LeagueFolder;
+import steward.league.LeagueSettings;
+import steward.league.Pairing;
+import steward.league.Schedule;
+import steward.league.Season;
+import steward.league.StoredGame;
+import steward.league.play.Roster.Member;
+import steward.league.store.GameQueries;
+import steward.league.store.GameStore;
+import steward.league.store.GameWriter;
+import steward.scene.json.SceneException;
+import steward.text.TextFormat;
+
+/**
+ * A league while it is played. Between games league.json is read anew; an edit that cannot be used is told, and the
+ * settings as they were stay in force.
+ */
+public final class LeagueRun {
+
+    /** How often files are looked at, in milliseconds. */
+    private static final long LOOK_MS = 200;
+    /** How long a thread sleeps that has to wait for other games, in milliseconds. */
+    private static final long WAIT_MS = 100;
+
+    private final LeagueFolder folder;
+    private final GameStore store;
+    private final GameWriter writer;
+    private final GamePlay play;
+    private final RosterReader reader;
+    private final Schedule schedule;
+    private final Limits limits;
+    private final Consumer<String> teller;
+    private final Consumer<StoredGame> listener;
+    private final long end;
+
+    /** Guarded by this, as is all below. */
+    private Roster roster;
+    private Map<Integer, Member> members;
+    private String seen;
+    private long looked = System.nanoTime();
+    private int underWay;
+    /** Whether the file of a bot is being changed or cannot be used: no game is begun then. */
+    private boolean paused;
+    private String unstable = "";
+    private String told = "";
+    private boolean brokenOff;
+    private String stopped;
+
+    /**
+     * How long to play.
+     *
+     * @param threads games at the same time
+     * @param games   that the schedule has in all when the run ends; {@code Long.MAX_VALUE} for no end
+     * @param nanos   after which no game is begun; {@code Long.MAX_VALUE} for no end
+     */
+    public record Limits(int threads, long games, long nanos) {
+    }
+
+    /**
+     * A run that is to begin.
+     *
+     * @param contest  of the scene
+     * @param season   its number in the store
+     * @param roster   the bots
+     * @param machine  what is noted with each game
+     * @param teller   is told what happens, by any thread
+     * @param listener is told of each game that is handed over to be stored, by any thread
+     */
+    public LeagueRun(LeagueFolder folder, GameStore store, int season, Season key, Contest contest,
+                     RosterReader reader, Roster roster, Limits limits, String machine, Consumer<String> teller,
+                     Consumer<StoredGame> listener) {
+        this.folder = folder;
+        this.store = store;
+        this.reader = reader;
+        this.limits = limits;
+        this.teller = teller;
+        this.listener = listener;
+        play = new GamePlay(folder, key, contest, machine, System::currentTimeMillis);
+        schedule = new Schedule(roster.settings().seed(), key.players(), roster.settings().lag());
+        new GameQueries(store, season, key.players()).decisions(schedule::stored);
+        seen = stamp();
+        use(roster);
+        end = limits.nanos() == Long.MAX_VALUE ? Long.MAX_VALUE : System.nanoTime() + limits.nanos();
+        writer = new GameWriter(store, season);
+    }
+
+    private String stamp() {
+        Path file = folder.settings();
+        try {
+            return Files.size(file) + " " + Files.getLastModifiedTime(file).toInstant() + " "
+                + Files.readAttributes(file, java.nio.file.attribute.BasicFileAttributes.class).fileKey();
+        } catch (java.io.IOException gone) {
+            return "none";
+        }
+    }
+
+    private void use(Roster next) {
+        check(next, play.season().players());
+        roster = next;
+        members = next.byVersion();
+        LeagueSettings settings = next.settings();
+        schedule.play(next.versions(), versions -> settings.gauntlet() == null
+            ? Pairing.roundRobin(versions, play.season().players())
+            : Pairing.gauntlet(versions, play.season().players(), next.versionOf(settings.gauntlet()).orElseThrow()));
+    }
+
+    /** Refuses a roster that no game can be played with. */
+    private static void check(Roster roster, int players) {
+        LeagueSettings settings = roster.settings();
+        if (roster.members().size() < players) {
+            throw new InputException("found " + TextFormat.count(roster.members().size(), "bot") + " that "
+                + (roster.members().size() == 1 ? "plays" : "play") + ", expected at least " + players
+                + "; 'steward league add' adds one");
+        }
+        if (settings.gauntlet() != null && roster.versionOf(settings.gauntlet()).isEmpty()) {
+            throw new InputException("pairing: the bot '" + settings.gauntlet() + "' of the gauntlet is retired, "
+                + "expected one that plays");
+        }
+    }
+
+    /** Plays until an end is reached. Call once. */
+    public void play() throws InterruptedException {
+        ExecutorService workers = Executors.newFixedThreadPool(limits.threads(), LeagueRun::daemon);
+        try {
+            List<Future<?>> working = new ArrayList<>();
+            for (int k = 0; k < limits.threads(); k++) {
+                working.add(workers.submit(() -> {
+                    boolean more = true;
+                    while (more) {
+                        more = playNext();
+                    }
+                    return null;
+                }));
+            }
+            for (Future<?> one : working) {
+                one.get();
+            }
+        } catch (ExecutionException problem) {
+            throw new IllegalStateException("a game of the league", problem.getCause());
+        } finally {
+            workers.shutdownNow();
+            writer.close();
+        }
+        if (writer.problem() != null) {
+            stop(writer.problem().getMessage());
+        }
+    }
+
+    private static Thread daemon(Runnable work) {
+        Thread thread = new Thread(work, "league");
+        thread.setDaemon(true);
+        return thread;
+    }
+
+    private boolean playNext() throws InterruptedException {
+        Schedule.Task task;
+        List<Member> seats;
+        LeagueSettings settings;
+        synchronized (this) {
+            task = take();
+            if (task == null) {
+                return false;
+            }
+            seats = Arrays.stream(task.lineup()).mapToObj(members::get).toList();
+            settings = roster.settings();
+        }
+        List<StoredGame> attempts = List.of();
+        String problem = null;
+        try {
+            attempts = play.play(task, settings, seats);
+        } catch (InputException failed) {
+            problem = failed.getMessage();
+        }
+        synchronized (this) {
+            underWay--;
+            if (problem != null) {
+                stop(problem);
+            }
+            boolean changed = seats.stream().anyMatch(member -> !reader.stamp(member.bot()).equals(member.stamp()));
+            if (brokenOff || problem != null || changed) {
+                attempts.forEach(game -> KeptGames.remove(folder, game));
+                schedule.dropped(task);
+                looked = changed ? System.nanoTime() - TimeUnit.MILLISECONDS.toNanos(LOOK_MS) : looked;
+                notifyAll();
+                return !brokenOff && stopped == null;
+            }
+            schedule.over(task);
+            notifyAll();
+            if (!writer.add(attempts)) {
+                stop(writer.problem().getMessage());
+                return false;
+            }
+        }
+        attempts.forEach(listener);
+        return true;
+    }
+
+    /** The next game, or {@code null} at the end. */
+    private Schedule.Task take() throws InterruptedException {
+        for (;;) {
+            if (brokenOff || stopped != null || writer.problem() != null
+                || end != Long.MAX_VALUE && System.nanoTime() - end >= 0) {
+                return null;
+            }
+            look();
+            if (paused) {
+                wait(WAIT_MS);
+                continue;
+            }
+            Schedule.Task task = schedule.next(limits.games());
+            if (task != null) {
+                byte[] name = play.name(task, Arrays.stream(task.lineup()).mapToObj(members::get).toList(), 1);
+                if (!store.has(name)) {
+                    underWay++;
+                    return task;
+                }
+                store.adopt(name, task.decision());
+                schedule.over(task);
+                continue;
+            }
+            if (underWay == 0) {
+                return null;
+            }
+            wait(WAIT_MS);
+        }
+    }
+
+    /** Looks whether league.json or the file of a bot has changed. */
+    private void look() {
+        if (System.nanoTime() - looked < TimeUnit.MILLISECONDS.toNanos(LOOK_MS)) {
+            return;
+        }
+        looked = System.nanoTime();
+        boolean changed = isChanged();
+        String now = stamp();
+        boolean edited = !Objects.equals(now, seen);
+        if (!edited && !changed) {
+            paused = false;
+            return;
+        }
+        if (changed && isUnstable()) {
+            paused = true;                             // perhaps it is just being written
+            return;
+        }
+        try {
+            LeagueSettings read = edited ? folder.read() : roster.settings();
+            String fixed = fixed(read);
+            if (fixed != null) {
+                throw new InputException(folder.settings() + ": " + fixed
+                    + " has changed, which is read when a run begins");
+            }
+            use(reader.read(read));
+            paused = false;
+            tell(edited ? "read " + folder.settings() + " anew: " + TextFormat.count(roster.members().size(), "bot")
+                : "");
+        } catch (SceneException | InputException problem) {
+            paused = changed;
+            tell(problem.getMessage() + (changed ? "; no game is begun until that is so"
+                : "; the league goes on as before"));
+        }
+        seen = now;
+    }
+
+    private boolean isChanged() {
+        return roster.members().stream().anyMatch(member -> !reader.stamp(member.bot()).equals(member.stamp()));
+    }
+
+    /** Whether the files of the bots have changed since they were last looked at. */
+    private boolean isUnstable() {
+        String now = String.join("\n", roster.members().stream().map(member -> reader.stamp(member.bot())).toList());
+        boolean same = now.equals(unstable);
+        unstable = now;
+        return !same;
+    }
+
+    /** Says something, once. */
+    private void tell(String what) {
+        if (!what.isEmpty() && !what.equals(told)) {
+            teller.accept(what);
+        }
+        told = what;
+    }
+
+    private String fixed(LeagueSettings read) {
+        LeagueSettings old = roster.settings();
+        return !read.scene().equals(old.scene()) ? "the scene"
+            : !read.limits().equals(old.limits()) ? "the time limit"
+            : !read.sandbox().equals(old.sandbox()) ? "the sandbox"
+            : read.seed() != old.seed() ? "the seed" : read.lag() != old.lag() ? "the lag" : null;
+    }
+
+    private synchronized void stop(String why) {
+        stopped = stopped == null ? why : stopped;
+        notifyAll();
+    }
+
+    /**
+     * Breaks it off, from any thread: games that are under way do not count; those that are over are stored.
+     *
+     * @return how many were under way
+     */
+    public int breakOff() {
+        int games;
+        synchronized (this) {
+            brokenOff = true;
+            games = underWay;
+            notifyAll();
+        }
+        writer.close();
+        return games;
+    }
+
+    /** Why it ended before its time, or {@code null}. */
+    public synchronized String stopped() {
+        return stopped;
+    }
+
+    /** The bots that play now. */
+    public synchronized Roster roster() {
+        return roster;
+    }
+
+    /** How many games the schedule has had, in this run and before. */
+    public synchronized long games() {
+        return schedule.games() - underWay;
+    }
+
+    /** How many have been stored in this run, attempts included. */
+    public long stored() {
+        return writer.stored();
+    }
+
+    /** In how many transactions. */
+    public long transactions() {
+        return writer.transactions();
+    }
+}

@@ -1,0 +1,53 @@
+package steward.league.play;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import steward.contest.Contest.Entrant;
+import steward.league.LeagueBot;
+import steward.league.LeagueSettings;
+import steward.league.store.GameStore.Version;
+
+/**
+ * The bots that play at the moment.
+ *
+ * @param settings where they are named
+ * @param members  in the order of the file
+ */
+public record Roster(LeagueSettings settings, List<Member> members) {
+
+    /**
+     * A bot that plays.
+     *
+     * @param bot     as the file names it
+     * @param version which program it is
+     * @param entrant how it is started
+     * @param stamp   changes when one of its files does
+     */
+    public record Member(LeagueBot bot, Version version, Entrant entrant, String stamp) {
+    }
+
+    /** Copies the list. */
+    public Roster {
+        members = List.copyOf(members);
+    }
+
+    /** The numbers of their versions. */
+    public List<Integer> versions() {
+        return members.stream().map(member -> member.version().id()).toList();
+    }
+
+    /** The members by the number of their version. */
+    Map<Integer, Member> byVersion() {
+        Map<Integer, Member> members = new HashMap<>();
+        this.members.forEach(member -> members.put(member.version().id(), member));
+        return members;
+    }
+
+    /** The version of the bot of this name. */
+    Optional<Integer> versionOf(String name) {
+        return members.stream().filter(member -> member.bot().name().equals(name))
+            .map(member -> member.version().id()).findFirst();
+    }
+}

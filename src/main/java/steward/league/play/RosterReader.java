@@ -1,0 +1,129 @@
+package steward.league.play;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.LongSupplier;
+import steward.contest.Contest;
+import steward.contest.Contest.Entrant;
+import steward.files.InputException;
+import steward.league.BotIdentity;
+import steward.league.LeagueBot;
+import steward.league.LeagueSettings;
+import steward.league.store.GameStore;
+import steward.league.store.GameStore.Version;
+import steward.match.Protocol;
+import steward.text.TextFormat;
+
+/**
+ * Finds out which program each bot is, and gives a bot whose program has changed a new version. Not thread-safe.
+ */
+public final class RosterReader {
+
+    private final GameStore store;
+    private final Contest contest;
+    private final BotIdentity identity;
+    private final boolean same;
+    private final Consumer<String> teller;
+    private final LongSupplier clock;
+
+    /**
+     * @param contest of the scene; its own bots do not matter
+     * @param same    whether a changed program is the same version all the same
+     * @param teller  is told what has changed
+     * @param clock   milliseconds since 1970
+     */
+    public RosterReader(GameStore store, Contest contest, Map<String, String> environment, boolean same,
+                        Consumer<String> teller, LongSupplier clock) {
+        this.store = store;
+        this.contest = contest;
+        identity = new BotIdentity(environment);
+        this.same = same;
+        this.teller = teller;
+        this.clock = clock;
+    }
+
+    /**
+     * Reads the bots that play.
+     *
+     * @throws InputException if one cannot be started, two have the same program, or they are too few
+     */
+    public Roster read(LeagueSettings settings) {
+        List<LeagueBot> active = settings.active();
+        Map<LeagueBot, String> identities = identities(active);
+        List<Entrant> entrants = new ArrayList<>();
+        for (LeagueBot bot : active) {
+            Entrant entrant = Contest.entrant(bot.typed(), Protocol.JSON);
+            if (entrant.problem() != null) {
+                throw new InputException(entrant.problem());
+            }
+            entrants.add(entrant);
+        }
+        Contest.checkProtocols(contest.setup(), entrants);
+        List<Roster.Member> members = new ArrayList<>();
+        for (int k = 0; k < active.size(); k++) {
+            LeagueBot bot = active.get(k);
+            Version version = version(settings, bot, identities.get(bot));
+            members.add(new Roster.Member(bot, version, entrants.get(k).named(version.display()),
+                identity.stamp(bot)));
+        }
+        return new Roster(settings, members);
+    }
+
+    /** What would make a bot another program; no file is read. */
+    String stamp(LeagueBot bot) {
+        return identity.stamp(bot);
+    }
+
+    private Map<LeagueBot, String> identities(List<LeagueBot> active) {
+        Map<LeagueBot, String> identities = new HashMap<>();
+        Map<String, LeagueBot> owners = new HashMap<>();
+        for (LeagueBot bot : active) {
+            String hash = identity.of(bot);
+            LeagueBot other = owners.putIfAbsent(hash, bot);
+            if (other != null) {
+                throw sameProgram(other.name(), bot.name());
+            }
+            identities.put(bot, hash);
+        }
+        return identities;
+    }
+
+    private static InputException sameProgram(String one, String other) {
+        return new InputException("found the same program twice, as '" + one + "' and as '" + other
+            + "', expected bots that differ in command, environment or files");
+    }
+
+    private Version version(LeagueSettings settings, LeagueBot bot, String hash) {
+        Optional<Version> known = store.version(hash);
+        if (known.isPresent()) {
+            Version version = known.get();
+            if (version.bot().equals(bot.name())) {
+                return version;
+            }
+            if (settings.bot(version.bot()).isPresent()) {
+                throw sameProgram(version.bot(), bot.name());
+            }
+            if (store.newest(bot.name()).isPresent()) {
+                throw new InputException("bot '" + bot.name() + "': found the program of '" + version.bot()
+                    + "', but another program of the name '" + bot.name() + "' has games, expected another name");
+            }
+            store.rename(version.bot(), bot.name());
+            teller.accept(version.bot() + " is now called " + bot.name());
+            return store.version(hash).orElseThrow();
+        }
+        Optional<Version> before = store.newest(bot.name());
+        if (before.isPresent() && same) {
+            store.same(before.get(), hash, clock.getAsLong());
+            teller.accept(bot.name() + " changed and counts as " + before.get().display() + " as before");
+            return before.get();
+        }
+        Version version = store.add(bot.name(), bot.command(), bot.random(), hash, clock.getAsLong());
+        before.ifPresent(old -> teller.accept(bot.name() + " changed after "
+            + TextFormat.count(store.gamesOf(old.id()), "game") + ": new version " + version.display()));
+        return version;
+    }
+}

@@ -1,0 +1,55 @@
+package steward.league.rating;
+
+import steward.league.StoredGame.StoredSeat;
+
+/** What is summed up over the games of one version of a bot. */
+public final class BotSums {
+
+    private long games;
+    private double score;
+    private long faults;
+    private long answers;
+    private double nanos;
+    private long worstNanos;
+
+    /** Adds a game. */
+    void add(StoredSeat seat) {
+        add(1, seat.score(), seat.fault() == null ? 0 : 1, seat.answers(), (double) seat.meanNanos() * seat.answers(),
+            seat.worstNanos());
+    }
+
+    /** Adds sums. */
+    void add(long moreGames, double moreScore, long moreFaults, long moreAnswers, double moreNanos, long worst) {
+        games += moreGames;
+        score += moreScore;
+        faults += moreFaults;
+        answers += moreAnswers;
+        nanos += moreNanos;
+        worstNanos = Math.max(worstNanos, worst);
+    }
+
+    /** How many count. */
+    public long games() {
+        return games;
+    }
+
+    /** The game's own score, the mean; NaN without games. */
+    public double meanScore() {
+        return games == 0 ? Double.NaN : score / games;
+    }
+
+    /** Games in which it failed. */
+    public long faults() {
+        return faults;
+    }
+
+    /** In nanoseconds; NaN without answers. */
+    public double meanNanos() {
+        return answers == 0 ? Double.NaN : nanos / answers;
+    }
+
+    /** The longest answer, in nanoseconds. */
+    public long worstNanos() {
+        return worstNanos;
+    }
+}

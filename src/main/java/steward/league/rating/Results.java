@@ -1,0 +1,145 @@
+package steward.league.rating;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.TreeMap;
+import steward.league.StoredGame;
+
+/**
+ * What the games of a season come to: points between any two versions, and sums for each. Games are added one by one or
+ * many at once; the order does not matter. A game of n players counts as its n (n - 1) / 2 pairs, each with the weight
+ * 2 / n, so that it tells as much as n - 1 games of two. Where each plays alone, the results of two bots on one map
+ * count as a game between them.
+ *
+ * <p>Not thread-safe.
+ */
+public final class Results {
+
+    private final boolean alone;
+    private final Map<Integer, BotSums> sums = new TreeMap<>();
+    private final Map<Long, double[]> pairs = new TreeMap<>();
+    private final Map<Long, Map<Integer, Double>> maps = new HashMap<>();
+    private long games;
+    private long again;
+    private long without;
+
+    /** @param players of a game */
+    public Results(int players) {
+        alone = players == 1;
+    }
+
+    /** Adds a game, if it counts; otherwise it is counted apart. */
+    public void add(StoredGame game) {
+        if (!game.counts()) {
+            addOthers(game.problem() == null ? 1 : 0, game.problem() == null ? 0 : 1);
+            return;
+        }
+        game.seats().forEach(seat -> sums(seat.version()).add(seat));
+        if (alone) {
+            games++;
+            addAlone(game.seed(), game.seats().get(0).version(), game.seats().get(0).score());
+        } else {
+            addGames(game.lineup(), game.seats().stream().mapToInt(StoredGame.StoredSeat::rank).toArray(), 1);
+        }
+    }
+
+    /** Adds games that do not count: those that were played again, and those without a result. */
+    public void addOthers(long playedAgain, long withoutResult) {
+        again += playedAgain;
+        without += withoutResult;
+    }
+
+    /** Adds so many games between the same versions with the same ranks; their sums are added apart. */
+    public void addGames(int[] lineup, int[] ranks, long count) {
+        games += count;
+        double weight = 2.0 / lineup.length;
+        for (int i = 0; i < lineup.length; i++) {
+            for (int j = 0; j < i; j++) {
+                double points = ranks[i] < ranks[j] ? 1 : ranks[i] == ranks[j] ? 0.5 : 0;
+                addPair(lineup[i], lineup[j], points, weight * count);
+            }
+        }
+    }
+
+    private void addPair(int one, int other, double points, double weight) {
+        int low = Math.min(one, other);
+        double[] pair = pairs.computeIfAbsent(key(low, Math.max(one, other)), key -> new double[4]);
+        double ofLow = low == one ? points : 1 - points;
+        pair[0] += ofLow * weight;
+        pair[1] += weight;
+        pair[2] += ofLow == 1 ? weight : 0;
+        pair[3] += ofLow == 0.5 ? weight : 0;
+    }
+
+    private static long key(int low, int high) {
+        return (long) low << Integer.SIZE | high;
+    }
+
+    /** Adds what a version reached alone on a map; higher is better. The sums are added apart. */
+    public void addAlone(long map, int version, double score) {
+        Map<Integer, Double> scores = maps.computeIfAbsent(map, key -> new TreeMap<>());
+        scores.forEach((other, theirs) ->
+            addPair(version, other, score > theirs ? 1 : score == theirs ? 0.5 : 0, 1));
+        scores.put(version, score);
+    }
+
+    /** Adds so many games played alone, told by {@link #addAlone}. */
+    public void addAloneGames(long count) {
+        games += count;
+    }
+
+    /** Adds sums of a version. */
+    public void addSums(int version, long count, double score, long faults, long answers, double nanos, long worst) {
+        sums(version).add(count, score, faults, answers, nanos, worst);
+    }
+
+    private BotSums sums(int version) {
+        return sums.computeIfAbsent(version, key -> new BotSums());
+    }
+
+    /** The sums of a version; all 0 if it has no games. */
+    public BotSums of(int version) {
+        return sums.getOrDefault(version, new BotSums());
+    }
+
+    /** How many games count. */
+    public long games() {
+        return games;
+    }
+
+    /** How many were played again since the machine was starved, and do not count. */
+    public long playedAgain() {
+        return again;
+    }
+
+    /** How many have no result. */
+    public long withoutResult() {
+        return without;
+    }
+
+    /** Games between two versions, in whole games of two. */
+    public double games(int one, int other) {
+        return pair(one, other)[1];
+    }
+
+    /** Points of the first in games against the second. */
+    public double points(int one, int other) {
+        double[] pair = pair(one, other);
+        return one < other ? pair[0] : pair[1] - pair[0];
+    }
+
+    /** Wins of the first in games against the second. */
+    public double wins(int one, int other) {
+        double[] pair = pair(one, other);
+        return one < other ? pair[2] : pair[1] - pair[2] - pair[3];
+    }
+
+    /** Draws between two versions. */
+    public double draws(int one, int other) {
+        return pair(one, other)[3];
+    }
+
+    private double[] pair(int one, int other) {
+        return pairs.getOrDefault(key(Math.min(one, other), Math.max(one, other)), new double[4]);
+    }
+}

@@ -1,0 +1,7 @@
+/**
+ * How strong bots are, from the games that were stored and nothing else: sums, a joint fit of all games, tables.
+ */
+@Internal
+package steward.league.rating;
+
+import steward.Internal;

@@ -1,0 +1,183 @@
+package steward.league.store;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HexFormat;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import steward.files.InputException;
+import steward.league.GameName;
+import steward.league.Season;
+import steward.league.StoredGame;
+import steward.league.StoredGame.StoredSeat;
+import steward.league.store.GameStore.Version;
+
+/**
+ * One game as a line of text fields, for other programs and other leagues: what it was, and each seat with the identity
+ * of its bot. Replays are not part of it.
+ */
+public final class GameLine {
+
+    /** The fields of the game itself. */
+    public static final List<String> GAME = List.of("name", "sceneKey", "limits", "rules", "decision", "seed",
+        "attempt", "counts", "turns", "problem", "played", "machine");
+    /** The fields of a seat. */
+    public static final List<String> SEAT = List.of("bot", "number", "identity", "command", "random", "rank", "score",
+        "fault", "answers", "meanNanos", "worstNanos", "firstNanos");
+
+    private GameLine() {
+    }
+
+    /** The fields of a game, in the order of {@link #GAME}; absent ones are empty. */
+    public static Map<String, String> game(StoredGame game, Season season) {
+        Map<String, String> fields = new LinkedHashMap<>();
+        List<String> values = List.of(HexFormat.of().formatHex(game.name()), season.sceneKey(), season.limits(),
+            season.rules(), game.decision() < 0 ? "" : Integer.toString(game.decision()), Long.toString(game.seed()),
+            Integer.toString(game.attempt()), Boolean.toString(game.counts()), Integer.toString(game.turns()),
+            game.problem() == null ? "" : game.problem(), Long.toString(game.played()), game.machine());
+        for (int k = 0; k < GAME.size(); k++) {
+            fields.put(GAME.get(k), values.get(k));
+        }
+        return fields;
+    }
+
+    /** The fields of a seat, in the order of {@link #SEAT}. */
+    public static Map<String, String> seat(StoredSeat seat, Version version) {
+        Map<String, String> fields = new LinkedHashMap<>();
+        List<String> values = List.of(version.bot(), Integer.toString(version.number()), version.identity(),
+            version.command(), Boolean.toString(version.random()), Integer.toString(seat.rank()),
+            Double.toString(seat.score()), seat.fault() == null ? "" : seat.fault(), Integer.toString(seat.answers()),
+            Long.toString(seat.meanNanos()), Long.toString(seat.worstNanos()), Long.toString(seat.firstNanos()));
+        for (int k = 0; k < SEAT.size(); k++) {
+            fields.put(SEAT.get(k), values.get(k));
+        }
+        return fields;
+    }
+
+    /** Reads games back; gives bots that this store does not know a version. */
+    public static final class Reader {
+
+        private final GameStore store;
+        private final Season season;
+        private final Map<String, Version> versions = new LinkedHashMap<>();
+
+        /** @param season that the games have to be of */
+        public Reader(GameStore store, Season season) {
+            this.store = store;
+            this.season = season;
+        }
+
+        /**
+         * Reads a game.
+         *
+         * @param place names the line in errors
+         * @throws InputException if it is of another season, or not what it says it is
+         */
+        public StoredGame read(String place, Map<String, String> game, List<Map<String, String>> seats) {
+            return read(place, game, seats, true);
+        }
+
+        /** The same, but gives no bot a version. */
+        public void check(String place, Map<String, String> game, List<Map<String, String>> seats) {
+            read(place, game, seats, false);
+        }
+
+        private StoredGame read(String place, Map<String, String> game, List<Map<String, String>> seats,
+                                boolean known) {
+            Season found = Season.of(season.sceneName(), text(place, game, "sceneKey"), text(place, game, "limits"),
+                text(place, game, "rules"), season.players());
+            if (!found.key().equals(season.key())) {
+                throw new InputException(place + ": found a game of another season, expected one of this league's: "
+                    + season.difference(found));
+            }
+            if (seats.size() != season.players()) {
+                throw new InputException(place + ": found " + seats.size() + " seats, expected " + season.players());
+            }
+            long seed = number(place, game, "seed", Long.MIN_VALUE, Long.MAX_VALUE);
+            int attempt = (int) number(place, game, "attempt", 1, 2);
+            byte[] name = GameName.of(season, seed,
+                seats.stream().map(seat -> text(place, seat, "identity")).toList(), attempt);
+            if (!HexFormat.of().formatHex(name).equals(text(place, game, "name"))) {
+                throw new InputException(place + ": name: found '" + game.get("name")
+                    + "', expected that of its seed, attempt and identities, " + HexFormat.of().formatHex(name));
+            }
+            List<StoredSeat> stored = new ArrayList<>();
+            seats.forEach(seat -> stored.add(seat(place, seat,
+                known ? version(place, seat).id() : checked(place, seat))));
+            String problem = game.getOrDefault("problem", "");
+            return new StoredGame(0, name, game.getOrDefault("decision", "").isEmpty() ? -1
+                : (int) number(place, game, "decision", 0, Integer.MAX_VALUE), seed, attempt,
+                flag(place, game, "counts") && problem.isEmpty(),
+                (int) number(place, game, "turns", 0, Integer.MAX_VALUE), problem.isEmpty() ? null : problem,
+                number(place, game, "played", 0, Long.MAX_VALUE), text(place, game, "machine"), null, stored);
+        }
+
+        private static int checked(String place, Map<String, String> seat) {
+            for (String name : List.of("bot", "command", "identity")) {
+                text(place, seat, name);
+            }
+            flag(place, seat, "random");
+            return 0;
+        }
+
+        private static StoredSeat seat(String place, Map<String, String> seat, int version) {
+            String fault = seat.getOrDefault("fault", "");
+            return new StoredSeat(version, (int) number(place, seat, "rank", 0, Integer.MAX_VALUE),
+                score(place, seat), fault.isEmpty() ? null : fault,
+                (int) number(place, seat, "answers", 0, Integer.MAX_VALUE),
+                number(place, seat, "meanNanos", 0, Long.MAX_VALUE),
+                number(place, seat, "worstNanos", 0, Long.MAX_VALUE),
+                number(place, seat, "firstNanos", 0, Long.MAX_VALUE));
+        }
+
+        private static double score(String place, Map<String, String> seat) {
+            try {
+                double score = Double.parseDouble(text(place, seat, "score"));
+                if (Double.isFinite(score)) {
+                    return score;
+                }
+            } catch (NumberFormatException problem) {
+                // Told below.
+            }
+            throw new InputException(place + ": score: found '" + seat.get("score") + "', expected a finite number");
+        }
+
+        private Version version(String place, Map<String, String> seat) {
+            String identity = text(place, seat, "identity");
+            return versions.computeIfAbsent(identity, key -> store.version(identity).orElseGet(() ->
+                store.add(text(place, seat, "bot"), text(place, seat, "command"), flag(place, seat, "random"),
+                    identity, System.currentTimeMillis())));
+        }
+
+        private static String text(String place, Map<String, String> fields, String name) {
+            String text = fields.get(name);
+            if (text == null || text.isEmpty()) {
+                throw new InputException(place + ": " + name + ": found nothing, expected a value");
+            }
+            return text;
+        }
+
+        private static boolean flag(String place, Map<String, String> fields, String name) {
+            String text = text(place, fields, name);
+            if (!Arrays.asList("true", "false").contains(text)) {
+                throw new InputException(place + ": " + name + ": found '" + text + "', expected true or false");
+            }
+            return text.equals("true");
+        }
+
+        private static long number(String place, Map<String, String> fields, String name, long low, long high) {
+            String text = text(place, fields, name);
+            try {
+                long number = Long.parseLong(text);
+                if (number >= low && number <= high) {
+                    return number;
+                }
+            } catch (NumberFormatException problem) {
+                // Told below.
+            }
+            throw new InputException(place + ": " + name + ": found '" + text + "', expected a whole number"
+                + (low == Long.MIN_VALUE ? "" : " from " + low));
+        }
+    }
+}

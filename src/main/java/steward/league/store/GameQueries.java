@@ -1,0 +1,251 @@
+package steward.league.store;
+
+import java.sql.ResultSet;
+import java.sql.SQLException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Consumer;
+import steward.league.StoredGame;
+import steward.league.StoredGame.StoredSeat;
+import steward.league.rating.LeagueTable;
+import steward.league.rating.RatingPath;
+import steward.league.rating.Results;
+
+/** What is read of the games of one season: sums, decisions, lists. */
+public final class GameQueries {
+
+    private static final String SUMS = "SELECT version, count(*), sum(score), count(fault), sum(answers), "
+        + "sum(mean_nanos * 1.0 * answers), max(worst_nanos) FROM seat WHERE season = ? AND game NOT IN "
+        + "(SELECT id FROM game WHERE counts = 0) GROUP BY version";
+    private static final String GAME = "SELECT g.id, g.name, g.decision, g.seed, g.attempt, g.counts, g.turns, "
+        + "g.problem, g.played, m.name, g.replay, s.version, s.rank, s.score, s.fault, s.answers, s.mean_nanos, "
+        + "s.worst_nanos, s.first_nanos FROM game g JOIN machine m ON m.id = g.machine JOIN seat s ON s.game = g.id ";
+
+    private final Database database;
+    private final int season;
+    private final int players;
+
+    /** A decision as it was played: a game of it. */
+    public interface DecisionReader {
+        void game(int decision, int... lineup);
+    }
+
+    /**
+     * @param season  its number
+     * @param players of a game
+     */
+    public GameQueries(GameStore store, int season, int players) {
+        database = store.database();
+        this.season = season;
+        this.players = players;
+    }
+
+    /** The sums of all games. */
+    public Results results() {
+        Results results = new Results(players);
+        database.with(() -> {
+            try (ResultSet row = database.query("SELECT count(*) - count(problem), count(problem) FROM game "
+                + "WHERE season = ? AND counts = 0", season)) {
+                results.addOthers(row.getLong(1), row.getLong(2));
+            }
+            try (ResultSet row = database.query(SUMS, season)) {
+                while (row.next()) {
+                    results.addSums(row.getInt(1), row.getLong(2), row.getDouble(3), row.getLong(4), row.getLong(5),
+                        row.getDouble(6), row.getLong(7));
+                }
+            }
+            if (players == 1) {
+                addAlone(results, Long.MAX_VALUE);
+            } else {
+                addGroups(results);
+            }
+            return null;
+        });
+        return results;
+    }
+
+    private void addGroups(Results results) throws SQLException {
+        try (ResultSet row = database.query("SELECT l.versions, r.ranks, r.games FROM (SELECT lineup, ranks, "
+            + "count(*) games FROM game WHERE season = ? AND counts = 1 GROUP BY lineup, ranks) r "
+            + "JOIN lineup l ON l.id = r.lineup", season)) {
+            while (row.next()) {
+                results.addGames(numbers(row.getString(1)), numbers(row.getString(2)), row.getLong(3));
+            }
+        }
+    }
+
+    private void addAlone(Results results, long upTo) throws SQLException {
+        long count = 0;
+        try (ResultSet row = database.query("SELECT g.seed, s.version, s.score FROM game g JOIN seat s "
+            + "ON s.game = g.id WHERE g.season = ? AND g.counts = 1 AND g.id <= ?", season, upTo)) {
+            while (row.next()) {
+                results.addAlone(row.getLong(1), row.getInt(2), row.getDouble(3));
+                count++;
+            }
+        }
+        results.addAloneGames(count);
+    }
+
+    static int[] numbers(String text) {
+        return text.isEmpty() ? new int[0] : Arrays.stream(text.split(" ")).mapToInt(Integer::parseInt).toArray();
+    }
+
+    /** Tells of every game of the schedule that has been played to its end. */
+    public void decisions(DecisionReader reader) {
+        database.with(() -> {
+            Map<Integer, int[]> lineups = new HashMap<>();
+            try (ResultSet row = database.query("SELECT id, versions FROM lineup")) {
+                while (row.next()) {
+                    lineups.put(row.getInt(1), numbers(row.getString(2)));
+                }
+            }
+            // In the order of the table: by an index every row would be looked up.
+            try (ResultSet row = database.query("SELECT decision, lineup FROM game NOT INDEXED WHERE season = ? "
+                + "AND decision IS NOT NULL AND (counts = 1 OR problem IS NOT NULL)", season)) {
+                while (row.next()) {
+                    reader.game(row.getInt(1), lineups.get(row.getInt(2)));
+                }
+            }
+            return null;
+        });
+    }
+
+    /** How the ratings of these versions went. */
+    public RatingPath path(List<LeagueTable.Entry> entries) {
+        RatingPath.Collector path = new RatingPath.Collector(entries);
+        database.with(() -> {
+            long first = number("SELECT coalesce(min(id), 0) FROM game WHERE season = ?", season);
+            long last = number("SELECT coalesce(max(id), 0) FROM game WHERE season = ?", season);
+            long step = Math.max(1, (last - first + RatingPath.MOST) / RatingPath.MOST);
+            if (last == 0) {
+                return null;
+            }
+            Results results = new Results(players);
+            String source = players == 1
+                ? "SELECT (g.id - ?) / ? part, s.version, g.seed, s.score, 1 FROM game g JOIN seat s ON s.game = g.id "
+                    + "WHERE g.season = ? AND g.counts = 1 ORDER BY part"
+                : "SELECT part, l.versions, ranks, 0.0, games FROM (SELECT (id - ?) / ? part, lineup, ranks, "
+                    + "count(*) games FROM game WHERE season = ? AND counts = 1 GROUP BY part, lineup, ranks) "
+                    + "JOIN lineup l ON l.id = lineup ORDER BY part";
+            try (ResultSet row = database.query(source, first, step, season)) {
+                long part = -1;
+                while (row.next()) {
+                    if (row.getLong(1) != part && part >= 0) {
+                        path.take(results);
+                    }
+                    part = row.getLong(1);
+                    take(row, results);
+                }
+                if (part >= 0) {
+                    path.take(results);
+                }
+            }
+            return null;
+        });
+        return path.path();
+    }
+
+    private void take(ResultSet row, Results results) throws SQLException {
+        long count = row.getLong(5);
+        int[] lineup = numbers(row.getString(2));
+        if (players == 1) {
+            results.addAlone(row.getLong(3), lineup[0], row.getDouble(4));
+            results.addAloneGames(1);
+        } else {
+            results.addGames(lineup, numbers(row.getString(3)), count);
+        }
+        for (int version : lineup) {
+            results.addSums(version, count, 0, 0, 0, 0, 0);
+        }
+    }
+
+    private long number(String sql, Object... values) throws SQLException {
+        return ((Number) database.value(sql, values)).longValue();
+    }
+
+    /** All games, in the order in which they were stored. */
+    public void games(Consumer<StoredGame> reader) {
+        read(reader, GAME + "WHERE g.season = ? ORDER BY g.id, s.seat", season);
+    }
+
+    /** The last games, the latest first. */
+    public List<StoredGame> last(int most) {
+        List<StoredGame> games = new ArrayList<>();
+        read(games::add, GAME + "WHERE g.id IN (SELECT id FROM game WHERE season = ? ORDER BY id DESC LIMIT ?) "
+            + "ORDER BY g.id DESC, s.seat", season, most);
+        return games;
+    }
+
+    /** All games of a version, the latest first. */
+    public void gamesOf(int version, Consumer<StoredGame> reader) {
+        read(reader, GAME + "WHERE g.id IN (SELECT game FROM seat WHERE season = ? AND version = ?) "
+            + "ORDER BY g.id DESC, s.seat", season, version);
+    }
+
+    /** All games that have a replay, the latest first. */
+    public List<StoredGame> withReplay(int most) {
+        List<StoredGame> games = new ArrayList<>();
+        read(games::add, GAME + "WHERE g.id IN (SELECT id FROM game WHERE replay IS NOT NULL AND season = ? "
+            + "ORDER BY id DESC LIMIT ?) ORDER BY g.id DESC, s.seat", season, most);
+        return games;
+    }
+
+    /** The files of all kept replays, of any season. */
+    public Set<String> allReplays() {
+        return database.with(() -> {
+            Set<String> files = new HashSet<>();
+            try (ResultSet row = database.query("SELECT replay FROM game WHERE replay IS NOT NULL")) {
+                while (row.next()) {
+                    files.add(row.getString(1));
+                }
+            }
+            return files;
+        });
+    }
+
+    /** A game by its number, or {@code null}. */
+    public StoredGame game(long id) {
+        List<StoredGame> games = new ArrayList<>();
+        read(games::add, GAME + "WHERE g.id = ? ORDER BY s.seat", id);
+        return games.isEmpty() ? null : games.get(0);
+    }
+
+    private void read(Consumer<StoredGame> reader, String sql, Object... values) {
+        database.with(() -> {
+            try (ResultSet row = database.query(sql, values)) {
+                StoredGame game = null;
+                List<StoredSeat> seats = new ArrayList<>();
+                while (row.next()) {
+                    if (game == null || row.getLong(1) != game.id()) {
+                        deliver(reader, game, seats);
+                        game = head(row);
+                        seats.clear();
+                    }
+                    seats.add(new StoredSeat(row.getInt(12), row.getInt(13), row.getDouble(14), row.getString(15),
+                        row.getInt(16), row.getLong(17), row.getLong(18), row.getLong(19)));
+                }
+                deliver(reader, game, seats);
+            }
+            return null;
+        });
+    }
+
+    private static StoredGame head(ResultSet row) throws SQLException {
+        int decision = row.getInt(3);
+        return new StoredGame(row.getLong(1), row.getBytes(2), row.wasNull() ? -1 : decision, row.getLong(4),
+            row.getInt(5), row.getBoolean(6), row.getInt(7), row.getString(8), row.getLong(9), row.getString(10),
+            row.getString(11), List.of());
+    }
+
+    private static void deliver(Consumer<StoredGame> reader, StoredGame head, List<StoredSeat> seats) {
+        if (head != null) {
+            reader.accept(new StoredGame(head.id(), head.name(), head.decision(), head.seed(), head.attempt(),
+                head.counts(), head.turns(), head.problem(), head.played(), head.machine(), head.replay(), seats));
+        }
+    }
+}

@@ -1,0 +1,72 @@
+package steward.league.store;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import steward.league.GameName;
+import steward.league.Season;
+import steward.league.StoredGame;
+import steward.league.StoredGame.StoredSeat;
+
+/** Games that were never played, to measure what a large league costs. */
+public final class MadeUpGames {
+
+    /** Games in a transaction. */
+    private static final int TOGETHER = 10_000;
+    private static final int STEP_ELO = 30;
+    private static final double ELO = 173.7177927613007;
+    private static final double DRAWS = 0.05;
+    private static final int TURNS = 150;
+    private static final int NANOS = 2_000_000;
+
+    private final GameStore store;
+    private final int season;
+    private final Season key;
+    private final List<GameStore.Version> versions;
+    private final SplittableRandom random;
+
+    /** @param versions from the strongest */
+    public MadeUpGames(GameStore store, int season, Season key, List<GameStore.Version> versions,
+                       SplittableRandom random) {
+        this.store = store;
+        this.season = season;
+        this.key = key;
+        this.versions = versions;
+        this.random = random;
+    }
+
+    /** A bot without a program. */
+    public static GameStore.Version bot(GameStore store, int number) {
+        return store.add("bot-" + number, "none", false, String.format("%032x", number), 0);
+    }
+
+    /** Adds so many games between any two. */
+    public void add(int games) {
+        List<StoredGame> batch = new ArrayList<>(TOGETHER);
+        for (int k = 0; k < games; k++) {
+            batch.add(game(k));
+            if (batch.size() == TOGETHER || k + 1 == games) {
+                store.add(season, batch);
+                batch.clear();
+            }
+        }
+    }
+
+    private StoredGame game(int number) {
+        int one = random.nextInt(versions.size());
+        int other = (one + 1 + random.nextInt(versions.size() - 1)) % versions.size();
+        double chance = 1 / (1 + StrictMath.exp((one - other) * STEP_ELO / ELO));
+        boolean draw = random.nextDouble() < DRAWS;
+        boolean win = random.nextDouble() < chance;
+        byte[] name = GameName.of(key, number, List.of(versions.get(one).identity(), versions.get(other).identity()),
+            1);
+        return new StoredGame(0, name, number / 2, number, 1, true, TURNS, null, number, "made up", null,
+            List.of(seat(one, draw || win), seat(other, draw || !win)));
+    }
+
+    private StoredSeat seat(int bot, boolean first) {
+        long mean = random.nextLong(NANOS);
+        return new StoredSeat(versions.get(bot).id(), first ? 0 : 1, first ? 1 : 0, null, TURNS, mean,
+            mean + random.nextLong(NANOS), NANOS);
+    }
+}

@@ -1,0 +1,86 @@
+package steward.league.store;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import org.sqlite.SQLiteJDBCLoader;
+import org.sqlite.util.LibraryLoaderUtil;
+import org.sqlite.util.OSInfo;
+
+/**
+ * Puts SQLite's machine code where it stays: once into the user's cache folder. Left to itself, the library would
+ * unpack it into the temporary folder at every start, and a process that is killed would leave it there.
+ */
+final class NativeLibrary {
+
+    private static final String PATH = "org.sqlite.lib.path";
+    private static final String NAME = "org.sqlite.lib.name";
+
+    private NativeLibrary() {
+    }
+
+    /**
+     * Makes sure that it is there, before the first connection.
+     *
+     * @param own a folder to take if there is no cache folder
+     */
+    static void prepare(Path own) {
+        if (System.getProperty(PATH) != null) {
+            return;
+        }
+        String name = LibraryLoaderUtil.getNativeLibName();
+        Path folder = unpack(cache(), name);
+        if (folder == null) {
+            folder = unpack(own.resolve(".sqlite"), name);
+        }
+        if (folder != null) {
+            System.setProperty(PATH, folder.toString());
+            System.setProperty(NAME, name);
+        }
+    }
+
+    /** The user's folder for what can be made again (XDG base directory specification). */
+    private static Path cache() {
+        String given = System.getenv("XDG_CACHE_HOME");
+        Path base = given != null && !given.isEmpty() ? Path.of(given)
+            : Path.of(System.getProperty("user.home"), ".cache");
+        return base.resolve("steward");
+    }
+
+    /** The folder with the library, or {@code null} if it cannot be written there. */
+    static Path unpack(Path cache, String name) {
+        Path folder = cache.resolve("sqlite-" + SQLiteJDBCLoader.getVersion() + "-"
+            + OSInfo.getNativeLibFolderPathForCurrentOS().replace('/', '-'));
+        Path file = folder.resolve(name);
+        if (Files.isRegularFile(file)) {
+            return folder;
+        }
+        Path part = null;
+        String resource = LibraryLoaderUtil.getNativeLibResourcePath() + "/" + name;
+        try (InputStream library = SQLiteJDBCLoader.class.getResourceAsStream(resource)) {
+            if (library == null) {
+                return null;
+            }
+            Files.createDirectories(folder);
+            part = Files.createTempFile(folder, "unpacking", ".part");
+            Files.copy(library, part, StandardCopyOption.REPLACE_EXISTING);
+            Files.move(part, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+            return folder;
+        } catch (IOException problem) {
+            remove(part);
+            return null;
+        }
+    }
+
+    private static void remove(Path part) {
+        try {
+            if (part != null) {
+                Files.deleteIfExists(part);
+            }
+        } catch (IOException stays) {
+            return;
+        }
+    }
+}

@@ -1,0 +1,131 @@
+package steward.league.store;
+
+import java.nio.file.Path;
+import java.sql.Connection;
+import java.sql.ResultSet;
+import java.sql.SQLException;
+import java.sql.Statement;
+import java.util.List;
+import steward.files.InputException;
+
+/**
+ * The form of the database, with its number in {@code PRAGMA user_version}; docs/league.md says what is in each table.
+ * An older form is brought up to date step by step, each in a transaction; a newer one is refused.
+ */
+final class SchemaVersion {
+
+    /** "Stwd": tells a league's database from others. */
+    static final int APPLICATION = 0x53747764;
+
+    /** From nothing to 1, from 1 to 2, and so on. */
+    private static final List<List<String>> STEPS = List.of(List.of(
+        """
+        CREATE TABLE season (
+          id INTEGER PRIMARY KEY,
+          key TEXT NOT NULL UNIQUE,
+          scene TEXT NOT NULL,
+          scene_key TEXT NOT NULL,
+          limits TEXT NOT NULL,
+          rules TEXT NOT NULL,
+          players INTEGER NOT NULL,
+          opened INTEGER NOT NULL)""",
+        """
+        CREATE TABLE version (
+          id INTEGER PRIMARY KEY,
+          bot TEXT NOT NULL,
+          number INTEGER NOT NULL,
+          command TEXT NOT NULL,
+          random INTEGER NOT NULL,
+          began INTEGER NOT NULL,
+          UNIQUE (bot, number))""",
+        """
+        CREATE TABLE identity (
+          hash TEXT PRIMARY KEY,
+          version INTEGER NOT NULL REFERENCES version,
+          began INTEGER NOT NULL) WITHOUT ROWID""",
+        "CREATE TABLE machine (id INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE)",
+        "CREATE TABLE lineup (id INTEGER PRIMARY KEY, versions TEXT NOT NULL UNIQUE)",
+        """
+        CREATE TABLE game (
+          id INTEGER PRIMARY KEY,
+          name BLOB NOT NULL UNIQUE,
+          season INTEGER NOT NULL REFERENCES season,
+          decision INTEGER,
+          seed INTEGER NOT NULL,
+          lineup INTEGER NOT NULL REFERENCES lineup,
+          ranks TEXT NOT NULL,
+          attempt INTEGER NOT NULL,
+          counts INTEGER NOT NULL,
+          turns INTEGER NOT NULL,
+          problem TEXT,
+          played INTEGER NOT NULL,
+          machine INTEGER NOT NULL REFERENCES machine,
+          replay TEXT)""",
+        """
+        CREATE TABLE seat (
+          season INTEGER NOT NULL REFERENCES season,
+          version INTEGER NOT NULL REFERENCES version,
+          game INTEGER NOT NULL REFERENCES game,
+          seat INTEGER NOT NULL,
+          rank INTEGER NOT NULL,
+          score REAL NOT NULL,
+          fault TEXT,
+          answers INTEGER NOT NULL,
+          mean_nanos INTEGER NOT NULL,
+          worst_nanos INTEGER NOT NULL,
+          first_nanos INTEGER NOT NULL,
+          PRIMARY KEY (season, version, game, seat)) WITHOUT ROWID""",
+        "CREATE INDEX game_by_result ON game (season, counts, lineup, ranks)",
+        "CREATE INDEX seat_by_game ON seat (game, seat)",
+        "CREATE INDEX game_without_result ON game (id) WHERE counts = 0",
+        "CREATE INDEX game_with_replay ON game (id) WHERE replay IS NOT NULL"));
+
+    /** The newest one. */
+    static final int NEWEST = STEPS.size();
+
+    private SchemaVersion() {
+    }
+
+    /**
+     * Refuses what is no league's database, or a newer one's.
+     *
+     * @return whether there is nothing in it yet, or it is of an older form
+     */
+    static boolean isBehind(Connection connection, Path file) throws SQLException {
+        int found = number(connection, "user_version");
+        int application = number(connection, "application_id");
+        if (found > 0 && application != APPLICATION) {
+            throw new InputException(file + ": found a database of another program, expected a league's");
+        }
+        if (found > NEWEST) {
+            throw new InputException(file + ": found a database of form " + found + " of a newer Steward, expected "
+                + NEWEST + " or older");
+        }
+        if (found == 0 && number(connection, "schema_version") > 0) {
+            throw new InputException(file + ": found a database of another program, expected a league's");
+        }
+        return found < NEWEST;
+    }
+
+    /** Brings it up to date. */
+    static void migrate(Connection connection) throws SQLException {
+        try (Statement statement = connection.createStatement()) {
+            statement.execute("BEGIN IMMEDIATE");
+            for (int step = number(connection, "user_version"); step < NEWEST; step++) {
+                for (String change : STEPS.get(step)) {
+                    statement.execute(change);
+                }
+            }
+            statement.execute("PRAGMA application_id = " + APPLICATION);
+            statement.execute("PRAGMA user_version = " + NEWEST);
+            statement.execute("COMMIT");
+        }
+    }
+
+    static int number(Connection connection, String pragma) throws SQLException {
+        try (Statement statement = connection.createStatement();
+             ResultSet result = statement.executeQuery("PRAGMA " + pragma)) {
+            return result.getInt(1);
+        }
+    }
+}

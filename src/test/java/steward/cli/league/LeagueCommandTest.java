@@ -1,0 +1,136 @@
+package steward.cli.league;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import picocli.CommandLine;
+import steward.cli.Cli;
+import steward.cli.Main;
+import steward.cli.shared.Streams;
+
+/** The commands of a league that play nothing. */
+class LeagueCommandTest {
+
+    @TempDir
+    private Path folder;
+
+    private Cli league(String... words) {
+        String[] call = new String[words.length + 1];
+        call[0] = "league";
+        for (int k = 0; k < words.length; k++) {
+            call[k + 1] = words[k].replace("TMP", folder.toString());
+        }
+        return Cli.run(call);
+    }
+
+    private String done(String... words) {
+        Cli cli = league(words);
+        assertEquals(0, cli.status(), cli.err());
+        return cli.out();
+    }
+
+    private String refused(String... words) {
+        Cli cli = league(words);
+        assertEquals(2, cli.status(), cli.out());
+        return cli.err().replace(folder.toString(), "TMP");
+    }
+
+    private void generated(String name, int games) {
+        done("init", "TMP/" + name, "--scene", "duel", "--seed", "1");
+        done("generate", "TMP/" + name, "--games", Integer.toString(games), "--bots", "3");
+    }
+
+    @Test
+    void botsAreAddedRenamedRetiredAndListed() {
+        done("init", "TMP/a", "--scene", "duel");
+        done("add", "TMP/a", "one=sh -c 'exit 1'");
+        done("add", "TMP/a", "two=sh -c 'exit 2'", "--random");
+        assertTrue(refused("add", "TMP/a", "three=sh -c 'exit 2'").contains("found the program of 'two'"));
+        assertTrue(refused("add", "TMP/a", "one=sh -c 'exit 3'").contains("found a bot 'one' in the league"));
+        done("rename", "TMP/a", "one", "uno");
+        done("retire", "TMP/a", "uno");
+        assertEquals("2 bots in a league of duel, round-robin\n  uno (retired): sh -c 'exit 1'\n"
+            + "  two (random): sh -c 'exit 2'\n", done("list", "TMP/a"));
+        done("retire", "TMP/a", "uno", "--back");
+        assertFalse(done("list", "TMP/a").contains("retired"));
+        assertTrue(refused("retire", "TMP/a", "due").contains("found no bot 'due' in the league, expected one of uno"));
+    }
+
+    @Test
+    void gamesThatAreExportedAndImportedMakeTheSameTable() throws IOException {
+        generated("a", 300);
+        String table = done("table", "TMP/a", "--json");
+        for (String form : new String[] {"csv", "jsonl"}) {
+            done("export", "TMP/a", "--out", "TMP/games." + form);
+            done("init", "TMP/" + form, "--scene", "duel");
+            assertEquals("300 games stored\n", done("import", "TMP/" + form, "TMP/games." + form));
+            assertEquals("0 games stored, 300 were there already\n",
+                done("import", "TMP/" + form, "TMP/games." + form));
+            assertEquals(rounded(table), rounded(done("table", "TMP/" + form, "--json")));
+        }
+        Path file = folder.resolve("games.jsonl");
+        String games = Files.readString(file);
+        Files.writeString(file, games.replaceFirst("\"seed\":\"\\d+\"", "\"seed\":\"987654\""));
+        done("init", "TMP/wrong", "--scene", "duel");
+        assertTrue(refused("import", "TMP/wrong", "TMP/games.jsonl").startsWith("steward: TMP/games.jsonl:1: name: "));
+        assertTrue(refused("table", "TMP/wrong").contains("has been played"), "nothing was stored");
+        done("init", "TMP/other", "--scene", "mad-pod-racing");
+        assertTrue(refused("import", "TMP/other", "TMP/games.csv").contains("found a game of another season"));
+    }
+
+    /** Versions have the numbers in which they came, and sums the rounding of their order. */
+    private static String rounded(String json) {
+        return json.replaceAll("\"version\":\\d+", "").replaceAll("(\\.\\d{6})\\d+", "$1");
+    }
+
+    @Test
+    void theTableComesInEveryForm() {
+        generated("a", 200);
+        assertTrue(done("table", "TMP/a").startsWith("200 games of duel\n\n  # bot"));
+        assertEquals(4, done("table", "TMP/a", "--csv").lines().count());
+        assertTrue(done("table", "TMP/a", "--html").startsWith("<!DOCTYPE html>"));
+        done("table", "TMP/a", "--plots", "TMP/plots");
+        for (String name : new String[] {"ratings.png", "ratings.svg", "path.png", "path.svg"}) {
+            assertTrue(folder.resolve("plots").resolve(name).toFile().length() > 1000, name);
+        }
+        assertTrue(refused("table", "TMP/a", "--csv", "--json").contains("exclude each other"));
+        assertTrue(done("games", "TMP/a", "--bot", "bot-1", "--won", "--limit", "3").lines().count() == 4);
+        assertTrue(refused("games", "TMP/a", "--open").contains("found no replay among these games"));
+    }
+
+    @Test
+    void aBackupIsALeaguesDatabase() throws IOException {
+        generated("a", 50);
+        done("backup", "TMP/a", "TMP/copy.db");
+        assertTrue(refused("backup", "TMP/a", "TMP/copy.db").contains("exists already"));
+        done("init", "TMP/b", "--scene", "duel");
+        Files.move(folder.resolve("copy.db"), folder.resolve("b/league.db"));
+        assertEquals(done("table", "TMP/a"), done("table", "TMP/b"));
+    }
+
+    @Test
+    void pruningSaysSizesAndRemovesOnlyReplays() throws IOException {
+        generated("a", 10);
+        assertEquals("Removed: 0 replays, 0 B. Kept: 0 replays, 0 B.\n", done("prune", "TMP/a", "--keep", "none"));
+        assertTrue(done("table", "TMP/a").startsWith("10 games of duel"));
+    }
+
+    @Test
+    void everyCommandHasHelpThatFits() {
+        CommandLine program = Main.program(Streams.standard(), "league");
+        var commands = program.getSubcommands().get("league").getSubcommands();
+        assertTrue(commands.size() >= 15, commands.keySet().toString());
+        commands.keySet().forEach(name -> {
+            String help = done(name, "--help");
+            assertTrue(help.contains("Usage: steward league " + name), help);
+            assertTrue(help.contains("Example"), help);
+            assertEquals(0, help.lines().filter(line -> line.length() > 80).count(), help);
+        });
+    }
+}

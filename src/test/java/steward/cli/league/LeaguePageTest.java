@@ -1,0 +1,120 @@
+package steward.cli.league;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import steward.cli.Cli;
+import steward.cli.ShellBots;
+import steward.cli.TextShellBots;
+import steward.league.page.LeaguePage;
+import steward.live.StatusServer;
+import steward.replay.page.PageTestBrowser;
+
+/** The page of a league in a real browser: from disk, and fed by a server; its replays are one click away. */
+@Tag("browser")
+@Tag("process")
+@Tag("slow")
+@Timeout(300)
+class LeaguePageTest {
+
+    private static final int GAMES = 12;
+
+    @TempDir
+    private Path folder;
+
+    private void played() throws IOException {
+        assumeTrue(ShellBots.runnable(), "skipped: there is no /bin/sh");
+        String scene = Files.readString(Path.of("config/scenes/duel.json"))
+            .replace("\"maximumTurns\": 200", "\"maximumTurns\": 6").replace("\"answerMs\": 75", "\"answerMs\": 30000")
+            .replace("\"firstAnswerMs\": 1000", "\"firstAnswerMs\": 60000");
+        Files.writeString(folder.resolve("short.json"), scene);
+        TextShellBots bots = new TextShellBots(folder);
+        done("init", folder + "/a", "--scene", folder + "/short.json", "--seed", "5", "--keep", "all");
+        done("add", folder + "/a", "drives=codingame:" + bots.driver());
+        done("add", folder + "/a", "stays=codingame:" + bots.idler(0));
+        done("add", folder + "/a", "fails=codingame:" + bots.idler(3));
+        done("run", folder + "/a", "--games", Integer.toString(GAMES));
+        done("page", folder + "/a", "--out", folder + "/page.html");
+    }
+
+    private static void done(String... words) {
+        Cli cli = Cli.run(Stream.concat(Stream.of("league"), Arrays.stream(words)).toArray(String[]::new));
+        assertEquals(0, cli.status(), cli.err());
+    }
+
+    @Test
+    void everythingIsOnThePage() throws IOException {
+        played();
+        try (PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+            browser.open(folder.resolve("page.html"), "");
+            assertEquals(3, rows(browser, "#table"));
+            assertEquals(3, rows(browser, "#cross"));
+            assertEquals(GAMES, rows(browser, "#games"));
+            assertTrue(browser.is("document.querySelectorAll('#path svg path').length === 3"));
+            assertTrue(browser.is("document.querySelectorAll('#table .bars rect').length === 6"));
+            assertEquals(List.of(), browser.requests(), "nothing is asked of a network");
+
+            browser.run("document.getElementById('result').value = 'failed';"
+                + "document.getElementById('filter').dispatchEvent(new Event('change'))");
+            assertEquals(8, rows(browser, "#games"), "fails fails in 8 of 12 games");
+            browser.run("document.getElementById('result').value = '';"
+                + "document.getElementById('kept').checked = true;"
+                + "document.getElementById('filter').dispatchEvent(new Event('change'))");
+            assertEquals(GAMES, rows(browser, "#games"));
+
+            for (boolean dark : new boolean[] {false, true}) {
+                browser.prefer(dark, false);
+                for (int width : new int[] {390, 1280}) {
+                    browser.size(width, 800);
+                    assertTrue(browser.is("document.documentElement.scrollWidth <= innerWidth"),
+                        "nothing is wider than " + width);
+                    browser.screenshot(folder.resolve((dark ? "dark" : "light") + width + ".png"));
+                }
+            }
+            assertEquals(List.of(), browser.complaints());
+            browser.click("#games button.link");
+            browser.lastWindow();
+            assertTrue(browser.text("h1").contains(" against "), browser.text("h1"));
+            assertEquals(List.of(), browser.complaints());
+        }
+    }
+
+    private static int rows(PageTestBrowser browser, String table) {
+        return (int) browser.number("document.querySelectorAll('" + table + " tbody tr').length");
+    }
+
+    @Test
+    void anOpenPageFollows() throws IOException, InterruptedException {
+        String state = """
+            {"scene":"duel","games":%d,"again":0,"without":0,"rate":2.5,\
+            "bots":[{"rank":1,"version":1,"name":"<i>a</i>",\
+            "active":true,"random":false,"rating":12.5,"bar":30,"games":%d,"points":0.6,"faults":0,"score":1,\
+            "meanMs":1,\
+            "worstMs":2}],"cross":[[null]],"path":{"versions":[1],"points":[]},"list":[]}""";
+        byte[] page = LeaguePage.live("League", StatusServer.FEED);
+        try (StatusServer server = StatusServer.start(null, 0, page, path -> null);
+             PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+            server.show(state.formatted(1, 1));
+            browser.go(server.address().toString());
+            assertEquals("<i>a</i>", browser.text("#table td.name"), "names are text");
+            server.show(state.formatted(7, 7));
+            browser.await("the page does not follow", () -> browser.text("#scene").contains("7 games of duel"));
+            assertTrue(browser.is("document.body.classList.contains('live')"));
+            server.end();
+            browser.await("the page does not notice the end",
+                () -> browser.is("!document.body.classList.contains('live')"));
+            assertEquals(List.of(), browser.complaints());
+        }
+    }
+}

@@ -1,0 +1,75 @@
+package steward.league;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import steward.bot.TimeBasis;
+import steward.contest.Hiccups;
+import steward.contest.KeptReplays;
+import steward.files.InputException;
+import steward.scene.json.SceneException;
+
+/** league.json: what it says is read, written and read again; what it should not say is refused with its place. */
+class LeagueReaderTest {
+
+    private static final String WHOLE = """
+        {
+          "league": 1, "scene": "duel", "seed": "-9223372036854775808", "pairing": "gauntlet a", "lag": 7,
+          "time": { "factor": 2.5, "basis": "cpu" }, "hiccups": "count",
+          "sandbox": { "level": "strict", "memory": "2G", "processes": 9, "network": true, "environment": ["X", "Y"] },
+          "replays": { "keep": "lost", "of": ["a"] },
+          "bots": [ { "name": "a", "command": "python3 'b c.py'", "files": ["b c.py"], "random": true },
+                    { "name": "b", "command": "codingame:./b", "retired": true } ] }
+        """;
+
+    private static LeagueSettings read(String text) {
+        return LeagueReader.read(text, "league.json");
+    }
+
+    private static String refusal(String text) {
+        return assertThrows(SceneException.class, () -> read(text)).getMessage();
+    }
+
+    @Test
+    void everyFieldIsReadAndWritten() {
+        LeagueSettings settings = read(WHOLE);
+        assertEquals(new LeagueSettings("duel", Long.MIN_VALUE, "a", 7, 2.5, TimeBasis.CPU, Hiccups.COUNT,
+            List.of("--sandbox", "strict", "--memory", "2G", "--processes", "9", "--network", "--env", "X", "--env",
+                "Y"),
+            KeptReplays.LOST, List.of("a"), List.of(
+                new LeagueBot("a", "python3 'b c.py'", List.of("b c.py"), true, false),
+                new LeagueBot("b", "codingame:./b", null, false, true))), settings);
+        assertEquals(settings, read(LeagueText.write(settings)));
+        LeagueSettings usual = LeagueSettings.usual("duel", 3);
+        assertEquals(usual, read(LeagueText.write(usual)));
+        LeagueSettings unlimited = usual.with(null, Double.POSITIVE_INFINITY, KeptReplays.ALL);
+        assertEquals(unlimited, read(LeagueText.write(unlimited)));
+    }
+
+    @Test
+    void aWrongFieldIsNamedWithItsPlace() {
+        assertEquals("league.json:2:95: pairing: found the unknown bot \"c\", expected one of the league's bots",
+            refusal(WHOLE.replace("gauntlet a", "gauntlet c")).replaceAll("2:\\d+", "2:95"));
+        assertEquals("league.json:7:23: bots[1].name: found \"a\" a second time, expected each name once",
+            refusal(WHOLE.replace("\"name\": \"b\"", "\"name\": \"a\"")).replaceAll("7:\\d+", "7:23"));
+        assertEquals("league.json:1:27: seed: found nothing, expected a text",
+            refusal("{\"league\":1,\"scene\":\"duel\"}").replaceAll("1:\\d+", "1:27"));
+        assertEquals("league.json:1:45: bost: found an unknown field", refusal(
+            "{\"league\":1,\"scene\":\"duel\",\"seed\":\"1\",  \"bost\": []}").replaceAll("1:\\d+", "1:45")
+            .replaceAll(", expected.*", ""));
+        assertEquals("league.json:1:11: league: found 2, expected a whole number 1..1",
+            refusal("{\"league\":2,\"scene\":\"duel\"}"));
+    }
+
+    @Test
+    void aFolderOfAnotherMachineIsRefused(@TempDir Path folder) {
+        InputException refused = assertThrows(InputException.class, () -> LeagueFolder.refuseRemote(folder, "NFS4"));
+        assertEquals(folder + ": found a file system of another machine (NFS4), expected one of this machine: the "
+            + "write-ahead log of the database is not safe over a network", refused.getMessage());
+        LeagueFolder.refuseRemote(folder, "ext4");
+    }
+}

@@ -1,0 +1,141 @@
+package steward.league;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.SplittableRandom;
+import java.util.TreeSet;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The order of games: the same however many threads play them and wherever a run is interrupted. */
+class ScheduleTest {
+
+    private static final int GAMES = 60;
+
+    private static Schedule schedule(int players, int lag, Integer... bots) {
+        Schedule schedule = new Schedule(100, players, lag);
+        schedule.play(List.of(bots), versions -> Pairing.roundRobin(versions, players));
+        return schedule;
+    }
+
+    private static String name(Schedule.Task task) {
+        return task.decision() + " " + task.seed() + " " + Arrays.toString(task.lineup());
+    }
+
+    private static List<String> straight(int players, Integer... bots) {
+        Schedule schedule = schedule(players, 8, bots);
+        List<String> games = new ArrayList<>();
+        for (Schedule.Task task = schedule.next(GAMES); task != null; task = schedule.next(GAMES)) {
+            games.add(name(task));
+            schedule.over(task);
+        }
+        return games;
+    }
+
+    @Test
+    void everyPairMeetsEquallyOftenFromBothSides() {
+        List<String> games = straight(2, 1, 2, 3);
+        assertEquals(List.of("0 100 [1, 2]", "0 100 [2, 1]", "1 101 [1, 3]", "1 101 [3, 1]", "2 102 [2, 3]",
+            "2 102 [3, 2]", "3 103 [1, 2]"), games.subList(0, 7));
+        Map<String, Integer> counts = new HashMap<>();
+        games.forEach(game -> counts.merge(game.replaceAll(".*\\[", ""), 1, Integer::sum));
+        assertEquals(Map.of("1, 2]", 10, "2, 1]", 10, "1, 3]", 10, "3, 1]", 10, "2, 3]", 10, "3, 2]", 10), counts);
+    }
+
+    @Test
+    void threePlayersTakeAllSeatsAndOnePlayerTakesEveryMap() {
+        assertEquals(List.of("0 100 [1, 2, 3]", "0 100 [2, 3, 1]", "0 100 [3, 1, 2]", "1 101 [1, 2, 4]"),
+            straight(3, 1, 2, 3, 4).subList(0, 4));
+        assertEquals(List.of("0 100 [5]", "0 100 [6]", "1 101 [5]", "1 101 [6]"), straight(1, 5, 6).subList(0, 4));
+    }
+
+    @Test
+    void theGauntletsBotIsInEveryGame() {
+        Schedule schedule = new Schedule(0, 2, 8);
+        schedule.play(List.of(1, 2, 3), versions -> Pairing.gauntlet(versions, 2, 2));
+        for (int k = 0; k < GAMES; k++) {
+            Schedule.Task task = schedule.next(Long.MAX_VALUE);
+            assertTrue(Arrays.stream(task.lineup()).anyMatch(version -> version == 2), name(task));
+            schedule.over(task);
+        }
+    }
+
+    @Test
+    void aBotThatComesLaterCatchesUp() {
+        Schedule schedule = schedule(2, 8, 1, 2);
+        for (int k = 0; k < 10; k++) {
+            schedule.over(schedule.next(Long.MAX_VALUE));
+        }
+        schedule.play(List.of(1, 2, 3), versions -> Pairing.roundRobin(versions, 2));
+        for (int k = 0; k < 20; k++) {
+            Schedule.Task task = schedule.next(Long.MAX_VALUE);
+            assertTrue(Arrays.stream(task.lineup()).anyMatch(version -> version == 3), name(task));
+            schedule.over(task);
+        }
+    }
+
+    @Test
+    void noDecisionIsBegunWhileOneLagBackIsOpen() {
+        Schedule schedule = schedule(2, 3, 1, 2);
+        Schedule.Task first = schedule.next(Long.MAX_VALUE);
+        for (int k = 0; k < 5; k++) {
+            schedule.over(schedule.next(Long.MAX_VALUE));
+        }
+        assertNull(schedule.next(Long.MAX_VALUE));
+        schedule.over(first);
+        assertNotNull(schedule.next(Long.MAX_VALUE));
+    }
+
+    @Test
+    void aGameThatIsDroppedComesAgain() {
+        Schedule schedule = schedule(2, 3, 1, 2);
+        Schedule.Task first = schedule.next(2);
+        schedule.dropped(first);
+        assertEquals(name(first), name(schedule.next(2)));
+        assertNotNull(schedule.next(2));
+        assertNull(schedule.next(2));
+    }
+
+    /** Random numbers of threads, games that end in random order, and interruptions that lose what is under way. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3})
+    void threadsAndInterruptionsDoNotMatter(int players) {
+        Integer[] bots = {1, 2, 3, 4};
+        TreeSet<String> expected = new TreeSet<>(straight(players, bots));
+        assertEquals(GAMES, expected.size());
+        for (long seed = 0; seed < 200; seed++) {
+            assertEquals(expected, interrupted(players, bots, new SplittableRandom(seed)), "seed " + seed);
+        }
+    }
+
+    private static TreeSet<String> interrupted(int players, Integer[] bots, SplittableRandom random) {
+        Map<String, Schedule.Task> stored = new HashMap<>();
+        while (stored.size() < GAMES) {
+            Schedule schedule = schedule(players, 4, bots);
+            stored.values().forEach(task -> schedule.stored(task.decision(), task.lineup()));
+            List<Schedule.Task> open = new ArrayList<>();
+            int threads = 1 + random.nextInt(5);
+            int end = random.nextInt(GAMES);
+            for (int k = 0; k < end; k++) {
+                Schedule.Task task = open.size() < threads ? schedule.next(GAMES) : null;
+                if (task != null) {
+                    open.add(task);
+                } else if (!open.isEmpty()) {
+                    Schedule.Task over = open.remove(random.nextInt(open.size()));
+                    schedule.over(over);
+                    stored.put(name(over), over);
+                }
+            }
+        }
+        return new TreeSet<>(stored.keySet());
+    }
+}

@@ -1,0 +1,250 @@
+package steward.league.store;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.sql.Connection;
+import java.sql.DriverManager;
+import java.sql.SQLException;
+import java.sql.Statement;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import steward.files.InputException;
+import steward.league.GameName;
+import steward.league.LeagueFolder;
+import steward.league.Season;
+import steward.league.StoredGame;
+import steward.league.StoredGame.StoredSeat;
+import steward.league.rating.LeagueTable;
+import steward.league.rating.RatingPath;
+import steward.league.rating.Results;
+import steward.league.store.GameStore.Version;
+
+/** Games go into a database and come out again; databases that cannot be used are refused with a reason. */
+class GameStoreTest {
+
+    private static final Season SEASON = Season.of("duel", "key", "limits", "rules", 2);
+
+    @TempDir
+    private Path path;
+    private LeagueFolder folder;
+
+    @BeforeEach
+    void open() {
+        folder = new LeagueFolder(path);
+    }
+
+    private static StoredGame game(Version one, Version other, long seed, int ranks, int attempt, boolean counts) {
+        return new StoredGame(0, GameName.of(SEASON, seed, List.of(one.identity(), other.identity()), attempt),
+            (int) seed, seed, attempt, counts, 50, null, 1000 + seed, "here", counts ? null : "aa/x.jsonl",
+            List.of(new StoredSeat(one.id(), ranks == 1 ? 1 : 0, 3, null, 50, 100, 900, 5000),
+                new StoredSeat(other.id(), ranks == -1 ? 1 : 0, 2, ranks == -1 ? "exited" : null, 50, 200, 800, 6000)));
+    }
+
+    @Test
+    void aGameThatIsPlayedTwiceIsStoredOnce() {
+        try (GameStore store = GameStore.write(folder)) {
+            int season = store.open(SEASON);
+            Version a = store.add("a", "./a", false, "1a", 1);
+            Version b = store.add("b", "./b", true, "1b", 2);
+            List<StoredGame> games = List.of(game(a, b, 7, -1, 1, false), game(a, b, 7, 1, 2, true),
+                game(b, a, 7, 0, 1, true));
+            assertEquals(3, store.add(season, games));
+            assertEquals(0, store.add(season, games));
+            assertEquals(3, store.games(season));
+            assertTrue(store.has(games.get(1).name()));
+            assertFalse(store.has(GameName.of(SEASON, 8, List.of("1a", "1b"), 1)));
+
+            GameQueries queries = new GameQueries(store, season, 2);
+            List<StoredGame> read = new ArrayList<>();
+            queries.games(read::add);
+            assertEquals(3, read.size());
+            assertEquals(games.get(0).seats(), read.get(0).seats());
+            assertEquals("aa/x.jsonl", read.get(0).replay());
+            assertEquals(1, queries.withReplay(10).size());
+            assertEquals(List.of(3L, 2L), queries.last(2).stream().map(StoredGame::id).toList());
+
+            Results results = queries.results();
+            assertEquals(2, results.games());
+            assertEquals(1, results.playedAgain());
+            assertEquals(0.5, results.points(a.id(), b.id()), 1e-12);
+            assertEquals(0, results.of(b.id()).faults(), "the game that was played again does not count");
+            assertEquals(2, results.of(a.id()).games());
+            Results added = new Results(2);
+            read.forEach(added::add);
+            assertEquals(results.points(a.id(), b.id()), added.points(a.id(), b.id()), 1e-12);
+            assertEquals(results.of(a.id()).meanNanos(), added.of(a.id()).meanNanos(), 1e-9);
+            assertEquals("ok", store.integrity());
+        }
+    }
+
+    @Test
+    void versionsSeasonsAndNamesAreKept() {
+        try (GameStore store = GameStore.write(folder)) {
+            assertTrue(store.lastSeason().isEmpty());
+            int first = store.open(SEASON);
+            Season other = Season.of("duel", "key", "longer", "rules", 2);
+            int second = store.open(other);
+            assertEquals(other, store.lastSeason().orElseThrow());
+            assertEquals(first, store.open(SEASON));
+            assertEquals(SEASON, store.lastSeason().orElseThrow());
+            assertTrue(first != second);
+
+            Version one = store.add("mine", "./mine", false, "aa", 1);
+            Version two = store.add("mine", "./mine", false, "bb", 2);
+            assertEquals("mine", one.display());
+            assertEquals("mine#2", two.display());
+            store.same(two, "cc", 3);
+            assertEquals(two, store.version("cc").orElseThrow());
+            assertEquals(two, store.newest("mine").orElseThrow());
+            store.rename("mine", "yours");
+            assertEquals("yours#2", store.version("bb").orElseThrow().display());
+        }
+        try (GameStore again = GameStore.read(folder)) {
+            assertEquals(2, again.versions().size());
+        }
+    }
+
+    @Test
+    void theTableAndThePathOfManyGamesAgree() {
+        try (GameStore store = GameStore.write(folder)) {
+            int season = store.open(SEASON);
+            List<Version> versions = List.of(MadeUpGames.bot(store, 1), MadeUpGames.bot(store, 2),
+                MadeUpGames.bot(store, 3));
+            new MadeUpGames(store, season, SEASON, versions, new SplittableRandom(1)).add(3000);
+            List<LeagueTable.Entry> entries = versions.stream().map(version ->
+                new LeagueTable.Entry(version.id(), version.display(), false, true)).toList();
+            GameQueries queries = new GameQueries(store, season, 2);
+            LeagueTable table = LeagueTable.of(queries.results(), entries);
+            assertEquals(List.of("bot-1", "bot-2", "bot-3"), table.rows().stream().map(row -> row.entry().name())
+                .toList());
+            RatingPath path = queries.path(entries);
+            RatingPath.Point last = path.points().get(path.points().size() - 1);
+            assertEquals(RatingPath.MOST, path.points().size());
+            assertEquals(3000, last.games());
+            assertEquals(table.rows().get(0).rating(), last.ratings()[0], 1e-9);
+            Path copy = path().resolve("copy.db");
+            store.backup(copy);
+            assertTrue(Files.exists(copy));
+        }
+    }
+
+    private Path path() {
+        return path;
+    }
+
+    @Test
+    void theWriterStoresEverythingItWasGiven() throws InterruptedException {
+        try (GameStore store = GameStore.write(folder)) {
+            int season = store.open(SEASON);
+            Version a = store.add("a", "./a", false, "1a", 1);
+            Version b = store.add("b", "./b", false, "1b", 2);
+            GameWriter writer = new GameWriter(store, season);
+            for (int seed = 0; seed < 5000; seed++) {
+                assertTrue(writer.add(List.of(game(a, b, seed, 1, 1, true))));
+            }
+            writer.close();
+            assertEquals(5000, writer.stored());
+            assertEquals(5000, store.games(season));
+            assertTrue(writer.transactions() < 5000, "games that wait go together");
+        }
+    }
+
+    private void run(String... statements) throws SQLException {
+        try (Connection connection = DriverManager.getConnection("jdbc:sqlite:" + folder.database());
+             Statement statement = connection.createStatement()) {
+            for (String sql : statements) {
+                statement.execute(sql);
+            }
+        }
+    }
+
+    private String refusal(boolean write) {
+        return assertThrows(InputException.class, () -> Database.open(folder, write, false, 50).close()).getMessage()
+            .replace(folder.database().toString(), "DB");
+    }
+
+    @Test
+    void whatIsNoLeaguesDatabaseIsRefused() throws IOException, SQLException {
+        assertEquals("DB: found no such file, expected the games of the league; 'steward league run' makes it",
+            refusal(false));
+        Files.writeString(folder.database(), "this is no database, and has more than a hundred bytes so that it is "
+            + "read as one: " + "x".repeat(200));
+        assertEquals("DB: found no database, expected one of SQLite", refusal(true));
+        assertEquals("DB: found no database, expected one of SQLite", refusal(false));
+        Files.delete(folder.database());
+        run("CREATE TABLE addresses (name TEXT)");
+        assertEquals("DB: found a database of another program, expected a league's", refusal(true));
+        Files.delete(folder.database());
+        GameStore.write(folder).close();
+        run("PRAGMA user_version = 99");
+        assertEquals("DB: found a database of form 99 of a newer Steward, expected " + SchemaVersion.NEWEST
+            + " or older", refusal(true));
+        run("PRAGMA user_version = " + SchemaVersion.NEWEST, "PRAGMA application_id = 5");
+        assertEquals("DB: found a database of another program, expected a league's", refusal(false));
+    }
+
+    @Test
+    void aDatabaseThatStaysLockedIsToldOf() throws SQLException {
+        GameStore.write(folder).close();
+        try (Connection connection = DriverManager.getConnection("jdbc:sqlite:" + folder.database());
+             Statement statement = connection.createStatement();
+             Database ours = Database.open(folder, true, false, 50)) {
+            statement.execute("BEGIN IMMEDIATE");
+            String told = assertThrows(InputException.class, () -> ours.inTransaction(() -> 1)).getMessage();
+            assertEquals(folder.database() + ": found it locked by another program, and it stayed so; nothing was "
+                + "written", told);
+            statement.execute("ROLLBACK");
+            assertEquals(1, ours.inTransaction(() -> 1));
+        }
+    }
+
+    /** A limit of pages is what a full disk is to SQLite: the same error, and the same promise. */
+    @Test
+    void aFullDiskStopsItAndTearsNothing() throws SQLException, InterruptedException {
+        try (GameStore store = GameStore.write(folder)) {
+            int season = store.open(SEASON);
+            Version a = store.add("a", "./a", false, "1a", 1);
+            Version b = store.add("b", "./b", false, "1b", 2);
+            store.add(season, List.of(game(a, b, 0, 1, 1, true)));
+            int pages = SchemaVersion.number(store.database().connection(), "page_count");
+            store.database().with(() -> {
+                store.database().execute("PRAGMA max_page_count = " + (pages + 3));
+                return null;
+            });
+            GameWriter writer = new GameWriter(store, season);
+            boolean more = true;
+            for (int seed = 1; seed < 5000 && more; seed++) {
+                more = writer.add(List.of(game(a, b, seed, 1, 1, true)));
+            }
+            writer.close();
+            assertEquals(folder.database() + ": the disk is full; what was stored before is whole",
+                writer.problem().getMessage());
+            assertEquals("ok", store.integrity());
+            assertEquals(1 + writer.stored(), store.games(season));
+        }
+    }
+
+    @Test
+    void theMachineCodeIsUnpackedOnceAndWhole() throws IOException {
+        Path unpacked = NativeLibrary.unpack(path, org.sqlite.util.LibraryLoaderUtil.getNativeLibName());
+        Path file = unpacked.resolve(org.sqlite.util.LibraryLoaderUtil.getNativeLibName());
+        long size = Files.size(file);
+        assertTrue(size > 100_000, () -> size + " bytes");
+        Object before = Files.getLastModifiedTime(file);
+        assertEquals(unpacked, NativeLibrary.unpack(path, org.sqlite.util.LibraryLoaderUtil.getNativeLibName()));
+        assertEquals(before, Files.getLastModifiedTime(file));
+        try (var left = Files.list(unpacked)) {
+            assertEquals(List.of(file), left.toList());
+        }
+    }
+}
