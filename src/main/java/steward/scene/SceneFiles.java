@@ -20,7 +20,7 @@ public final class SceneFiles {
 
     /** The scenes that come with the program; a test compares the list with their folder. */
     static final List<String> SHIPPED = List.of("duel", "mad-pod-racing-silver", "mad-pod-racing", "mean-max",
-        "search-race", "walled-race");
+        "poker-chip-race", "search-race", "walled-race");
 
     private static final String SUFFIX = ".json";
 

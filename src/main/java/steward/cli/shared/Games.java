@@ -6,6 +6,7 @@ import steward.game.GameType;
 import steward.game.GameTypes;
 import steward.game.meanmax.protocol.MeanMaxType;
 import steward.game.podrace.protocol.PodRaceType;
+import steward.game.pokerchiprace.protocol.PokerChipRaceType;
 import steward.game.searchrace.protocol.SearchRaceType;
 import steward.scene.Accuracy;
 import steward.scene.SceneFiles;
@@ -23,7 +24,8 @@ public final class Games {
 
     /** All games. */
     public static GameTypes types() {
-        return new GameTypes(List.of(new PodRaceType(), new SearchRaceType(), new MeanMaxType()));
+        return new GameTypes(List.of(new PodRaceType(), new SearchRaceType(), new MeanMaxType(),
+            new PokerChipRaceType()));
     }
 
     /** The ids of all games. */
