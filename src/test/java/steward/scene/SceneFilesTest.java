@@ -43,7 +43,7 @@ class SceneFilesTest {
         SceneText file = SceneFiles.load(FOLDER.resolve(name + ".json").toString());
         Scene scene = SceneReader.read(file.text(), file.source());
         assertEquals(name, scene.name());
-        assertTrue(List.of("mean-max", "search-race").contains(name) ? scene.gameId().equals(name)
+        assertTrue(List.of("mean-max", "poker-chip-race", "search-race").contains(name) ? scene.gameId().equals(name)
             : scene.gameId().equals("pod-race"), scene.gameId());
         assertEquals(scene, SceneReader.read(scene.json(), "again"));
     }
@@ -119,7 +119,8 @@ class SceneFilesTest {
         assertTrue(message.startsWith("mad-pod-racign: found no such file, expected a scene file"), message);
         if (!SceneFiles.shipped().isEmpty()) {
             assertTrue(message.endsWith(" or one of \"duel\", \"mad-pod-racing-silver\", \"mad-pod-racing\", "
-                + "\"mean-max\", \"search-race\", \"walled-race\"; did you mean \"mad-pod-racing\"?"), message);
+                + "\"mean-max\", \"poker-chip-race\", \"search-race\", \"walled-race\"; did you mean "
+                + "\"mad-pod-racing\"?"), message);
         }
         assertTrue(refused("no\0name").startsWith("no\0name: found no such file"));
         assertTrue(refused("").startsWith("\"\": found no such file"));

@@ -19,7 +19,8 @@ import tools.jackson.databind.json.JsonMapper;
 class SchemaFilesTest {
 
     /** {@code game/name}. */
-    static final List<String> NAMES = Stream.of(Schemas.POD_RACE, Schemas.SEARCH_RACE, Schemas.MEAN_MAX)
+    static final List<String> NAMES = Stream.of(Schemas.POD_RACE, Schemas.SEARCH_RACE, Schemas.MEAN_MAX,
+            Schemas.POKER_CHIP_RACE)
         .flatMap(game -> Schemas.NAMES.stream().map(name -> game + "/" + name)).toList();
 
     private static String text(String name) {

@@ -53,7 +53,7 @@ public record ChipSettings(int players, int neutral, int perPlayer, double radiu
         }
         boolean bumpers = scene.field().stream().anyMatch(field -> !field.bumpers().isEmpty());
         List<Wall> walls = scene.field().map(field -> field.walls()).orElse(List.of());
-        if (bumpers || walls.size() != WALLS.size() || !walls.stream().allMatch(ChipSettings::isOfTable)) {
+        if (bumpers || !isTable(walls)) {
             throw root.error("field", "another field",
                 "the table: x -400, y -257.5, width 800, height 515, walls \"box\", no bumpers");
         }
@@ -71,9 +71,15 @@ public record ChipSettings(int players, int neutral, int perPlayer, double radiu
         return new ChipSettings(scene.players(), neutral, perPlayer, radius, symmetric, turns);
     }
 
-    private static boolean isOfTable(Wall wall) {
-        return wall instanceof HalfPlane plane && plane.restitution() == 1 && WALLS.stream().anyMatch(own ->
-            own.gap(0, 0, 0) == plane.gap(0, 0, 0) && own.normalX(0, 0) == plane.normalX(0, 0)
-                && own.normalY(0, 0) == plane.normalY(0, 0));
+    /** The order counts, because impacts name a wall by its place in it. */
+    private static boolean isTable(List<Wall> walls) {
+        boolean is = walls.size() == WALLS.size();
+        for (int k = 0; is && k < walls.size(); k++) {
+            Wall own = WALLS.get(k);
+            is = walls.get(k) instanceof HalfPlane plane && plane.restitution() == own.restitution()
+                && own.gap(0, 0, 0) == plane.gap(0, 0, 0) && own.normalX(0, 0) == plane.normalX(0, 0)
+                && own.normalY(0, 0) == plane.normalY(0, 0);
+        }
+        return is;
     }
 }

@@ -251,6 +251,16 @@ public final class OfficialChips extends OfficialLoop {
         if (!again) {
             addGhost(eatenId, eaten);
             bodies.remove(index[eaten]);
+            forget(bodies.passing(), eatenId);
+        }
+    }
+
+    /** A chip that was eaten is in no pair. */
+    private static void forget(PassingPairs pairs, int id) {
+        for (int k = pairs.size() - 1; k >= 0; k--) {
+            if (pairs.first(k) == id || pairs.second(k) == id) {
+                pairs.remove(k);
+            }
         }
     }
 

@@ -180,7 +180,7 @@ public final class PokerChipRace extends AbstractGame {
                     lastEaten[owner] = Math.max(lastEaten[owner], log.factTime(k));
                 }
                 events.add(new TurnEvent(TurnEvent.Kind.DEATH, log.factTime(k), log.factA(k), log.factX(k),
-                    log.factY(k), eatenBy(log.factB(k)), false));
+                    log.factY(k), owner == ChipTable.NEUTRAL ? "" : eatenBy(log.factB(k)), false));
             }
         }
     }
@@ -240,6 +240,15 @@ public final class PokerChipRace extends AbstractGame {
     /** When a player has lost its last chip: the turn and the time within it; below 0 while it has one. */
     public double lost(int player) {
         return lost[player];
+    }
+
+    /**
+     * The owner of a chip as players see it, or {@link ChipTable#NEUTRAL}: the chips of a player who has failed in this
+     * turn are neutral for those who are asked after it.
+     */
+    public int ownerOf(int chip) {
+        int owner = table.owner(chip);
+        return owner == ChipTable.NEUTRAL || isIn(owner) ? owner : ChipTable.NEUTRAL;
     }
 
     /** The settings from the scene. */

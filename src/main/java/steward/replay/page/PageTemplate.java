@@ -20,8 +20,8 @@ final class PageTemplate {
     private static final String FOLDER = "/steward/view/";
     /** In the order in which they need each other. */
     private static final List<String> SCRIPTS = List.of("match.js", "notes.js", "theme.js", "shapes.js", "stage.js",
-        "podrace.js", "searchrace.js", "meanmax.js", "playback.js", "timeline.js", "chart.js", "panels.js",
-        "page.js");
+        "podrace.js", "searchrace.js", "meanmax.js", "pokerchiprace.js", "playback.js", "timeline.js", "chart.js",
+        "panels.js", "page.js");
     /** The place of the replay; everything before it is written first. */
     private static final String REPLAY = "{{replay}}";
 

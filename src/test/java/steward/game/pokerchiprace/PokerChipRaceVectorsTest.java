@@ -14,8 +14,8 @@ import steward.game.Comparison;
 import steward.game.GroundTruth;
 
 /**
- * Whole matches of the published Poker Chip Race referee: starts, states, impacts, ends, faults and the lines sent to bots,
- * from the seed and from every recorded state. Another folder of this form:
+ * Whole matches of the published Poker Chip Race referee: starts, states, impacts, ends, faults and the lines sent to
+ * bots, from the seed and from every recorded state. Another folder of this form:
  * {@code gradle test --tests '*VectorsTest' -Psteward.vectors=FOLDER}.
  */
 class PokerChipRaceVectorsTest {

@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.zip.GZIPInputStream;
 import steward.game.pokerchiprace.protocol.PokerChipRaceType;
+import steward.scene.Scene;
 import steward.scene.SceneFiles;
 import steward.scene.SceneReader;
 import tools.jackson.databind.JsonNode;
@@ -40,10 +41,14 @@ record PokerMatch(String name, JsonNode header, JsonNode start, List<JsonNode> t
     }
 
     /** The shipped scene with another number of players and more fields of its block {@code chips}. */
-    static PokerChipRaceType.PokerChipRaceSetup setup(int players, String fields) {
+    static Scene scene(int players, String fields) {
         String text = SceneFiles.load("poker-chip-race").text().replace("\"players\": 2", "\"players\": " + players)
             .replace("\"chips\": { ", "\"chips\": { " + fields);
-        return new PokerChipRaceType().open(SceneReader.read(text, "poker-chip-race.json"));
+        return SceneReader.read(text, "poker-chip-race.json");
+    }
+
+    static PokerChipRaceType.PokerChipRaceSetup setup(int players, String fields) {
+        return new PokerChipRaceType().open(scene(players, fields));
     }
 
     /** What was played: the properties that were given to the referee are fields of the scene. */

@@ -39,7 +39,7 @@ final class ChipFrames implements BotFrames {
             out.writeNumber(table.ownId(player, k));
         }
         out.writeEndArray();
-        ChipJson.write(out, CHIPS, table);
+        ChipJson.write(out, CHIPS, game);
     }
 
     @Override

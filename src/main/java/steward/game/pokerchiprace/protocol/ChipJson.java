@@ -2,6 +2,7 @@ package steward.game.pokerchiprace.protocol;
 
 import steward.game.JsonNumbers;
 import steward.game.pokerchiprace.ChipTable;
+import steward.game.pokerchiprace.PokerChipRace;
 import steward.physics.Bodies;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.SerializableString;
@@ -25,15 +26,15 @@ final class ChipJson {
     }
 
     /** All chips in play, in the order of their ids. */
-    static void write(JsonGenerator out, SerializableString name, ChipTable table) {
-        Bodies bodies = table.bodies();
+    static void write(JsonGenerator out, SerializableString name, PokerChipRace game) {
+        Bodies bodies = game.bodies();
         out.writeName(name);
         out.writeStartArray();
         for (int chip = 0; chip < bodies.size(); chip++) {
             out.writeStartObject();
             JsonNumbers.write(out, Name.ID, bodies.id(chip));
-            if (table.owner(chip) != ChipTable.NEUTRAL) {
-                JsonNumbers.write(out, Name.PLAYER, table.owner(chip));
+            if (game.ownerOf(chip) != ChipTable.NEUTRAL) {
+                JsonNumbers.write(out, Name.PLAYER, game.ownerOf(chip));
             }
             JsonNumbers.write(out, Name.RADIUS, bodies.radius[chip]);
             JsonNumbers.write(out, Name.X, bodies.x[chip]);

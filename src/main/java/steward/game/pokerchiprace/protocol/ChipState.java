@@ -64,7 +64,7 @@ final class ChipState implements StateCodec {
     /** The list of a player's chips is that of its bodies, in their order. */
     @Override
     public void writeState(JsonGenerator out) {
-        ChipJson.write(out, BODIES, game.table());
+        ChipJson.write(out, BODIES, game);
         PassingPairs pairs = game.bodies().passing();
         out.writeArrayPropertyStart("contacts");
         for (int k = 0; k < pairs.size(); k++) {

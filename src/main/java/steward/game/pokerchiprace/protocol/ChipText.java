@@ -47,18 +47,18 @@ final class ChipText implements TextCodec {
         Bodies bodies = table.bodies();
         out.append(table.owned(player)).append('\n').append(bodies.size()).append('\n');
         for (int k = 0; k < table.owned(player); k++) {
-            append(out, table, table.ownChip(player, k));
+            append(out, table.ownChip(player, k));
         }
         for (int chip = 0; chip < bodies.size(); chip++) {
             if (table.owner(chip) != player) {
-                append(out, table, chip);
+                append(out, chip);
             }
         }
     }
 
-    private static void append(StringBuilder out, ChipTable table, int chip) {
-        Bodies bodies = table.bodies();
-        out.append(bodies.id(chip)).append(' ').append(table.owner(chip));
+    private void append(StringBuilder out, int chip) {
+        Bodies bodies = game.bodies();
+        out.append(bodies.id(chip)).append(' ').append(game.ownerOf(chip));
         append(out, bodies.radius[chip]);
         append(out, bodies.x[chip] + ChipTable.HALF_WIDTH);
         append(out, bodies.y[chip] + ChipTable.HALF_HEIGHT);
