@@ -5,8 +5,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The better bot. For each chip it looks at waiting and at a push in each of 24 directions, flies all chips straight on
- * from there, and takes the way on which the chip has eaten most, and soonest, without being eaten itself.
+ * The better bot. For each chip it looks at waiting and at up to three pushes in each of 24 directions, flies all other
+ * chips straight on, and takes the way on which the chip has eaten most, and soonest, without being eaten itself.
  */
 public final class Glutton extends ChipBot {
 
@@ -15,14 +15,19 @@ public final class Glutton extends ChipBot {
     private static final double FAR = 100;
     /** How many turns it looks ahead, in steps of a third of a turn. */
     private static final int STEPS = 120;
-    private static final double STEP = 1.0 / 3;
+    private static final int STEPS_OF_TURN = 3;
+    private static final double STEP = 1.0 / STEPS_OF_TURN;
     /** What a gain loses of its worth with each step. */
     private static final double PATIENCE = 0.988;
     /** What a push gives to a chip's speed, in u per turn, and what it leaves of its area. */
     private static final double PUSH = 200.0 / 14;
     private static final double LEFT = 14.0 / 15;
+    /** The most pushes in a row that it looks at. */
+    private static final int PUSHES = 3;
     /** A bigger chip is avoided from this distance on, in u; it may grow or turn. */
     private static final double MARGIN = 4;
+    /** What the area of a rival's chip is worth. */
+    private static final double RIVAL = 1.5;
     /** Being eaten costs as much as this many times the chip. */
     private static final double FEAR = 2;
     /** A way must be better by this share of the area than waiting. */
@@ -42,31 +47,45 @@ public final class Glutton extends ChipBot {
             }
         }
         double area = chip.radius * chip.radius;
-        double best = worth(others, chip, chip.vx, chip.vy, area) + WORTH * area;
+        double best = worth(others, chip, 0, 0, 0) + WORTH * area;
         double[] way = null;
         for (int k = 0; k < DIRECTIONS; k++) {
             double angle = 2 * Math.PI * k / DIRECTIONS;
             double x = Math.cos(angle);
             double y = Math.sin(angle);
-            double worth = worth(others, chip, chip.vx + PUSH * x, chip.vy + PUSH * y, LEFT * area);
-            if (worth > best) {
-                best = worth;
-                way = new double[] {FAR * x, FAR * y};
+            for (int pushes = 1; pushes <= PUSHES; pushes++) {
+                double worth = worth(others, chip, x, y, pushes);
+                if (worth > best) {
+                    best = worth;
+                    way = new double[] {FAR * x, FAR * y};
+                }
             }
         }
         return way;
     }
 
-    /** The area that the chip will have, in which what comes late counts less; areas are without the factor pi. */
-    private double worth(List<Chip> others, Chip chip, double vx, double vy, double area) {
-        double[] me = {chip.x, chip.y, vx, vy};
-        double radius = Math.sqrt(area);
-        double now = area;
-        double worth = area;
+    /**
+     * The area that the chip will have, in which what comes late counts less; areas are without the factor pi.
+     *
+     * @param x      the direction of its pushes, one a turn
+     * @param pushes how many there are
+     */
+    private double worth(List<Chip> others, Chip chip, double x, double y, int pushes) {
+        double[] me = {chip.x, chip.y, chip.vx, chip.vy};
+        double now = chip.radius * chip.radius;
+        double radius = chip.radius;
+        double worth = now;
         double weight = 1;
         boolean[] eaten = new boolean[others.size()];
         for (int step = 1; step <= STEPS; step++) {
             weight *= PATIENCE;
+            if (step % STEPS_OF_TURN == 1 && step / STEPS_OF_TURN < pushes && radius > SMALL) {
+                me[2] += PUSH * x;
+                me[3] += PUSH * y;
+                worth -= (1 - LEFT) * now;
+                now *= LEFT;
+                radius = Math.sqrt(now);
+            }
             fly(me, radius);
             for (int k = 0; k < eaten.length; k++) {
                 Chip other = others.get(k);
@@ -87,10 +106,15 @@ public final class Glutton extends ChipBot {
                 me[3] = (me[3] * now + other.vy * gain) / all;
                 now = all;
                 radius = Math.sqrt(now);
-                worth += other.player == chip.player ? 0 : weight * gain;
+                worth += weight * gain * worthOf(other, chip);
             }
         }
         return worth;
+    }
+
+    /** What a chip takes from a rival counts more, and what it takes from its own side nothing. */
+    private static double worthOf(Chip prey, Chip chip) {
+        return prey.player == chip.player ? 0 : prey.player < 0 ? 1 : RIVAL;
     }
 
     private static void fly(double[] me, double radius) {

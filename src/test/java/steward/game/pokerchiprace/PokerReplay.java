@@ -103,7 +103,8 @@ final class PokerReplay {
                 compareInput(when, inputs.get(player), player, game, offset);
             }
             if (answer.isNull()) {
-                comparison.same(when + " player " + player + " is asked", over, game.isIn(player));
+                comparison.same(when + " player " + player + " is asked", false,
+                    game.isIn(player) && !over);
             } else if (!answer.isArray()) {
                 game.eliminate(player, "no answer in time");
             } else {

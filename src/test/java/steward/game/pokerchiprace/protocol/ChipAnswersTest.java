@@ -132,7 +132,7 @@ class ChipAnswersTest {
         lines("1e300 2/WAIT 4/1 WAIT");
         lines("1e300 2/?/WAIT");
         String kept = kept();
-        assertEquals("{\"c\":[{\"x\":1e300,\"y\":-255.5},{\"wait\":true},{\"wait\":true}]}", kept,
+        assertEquals("{\"c\":[{\"x\":1.0E300,\"y\":-255.5},{\"wait\":true},{\"wait\":true}]}", kept,
             "the game forgets only what was played");
         codec.state().clearCommand(1);
         lines("1e300 2/?/WAIT");
