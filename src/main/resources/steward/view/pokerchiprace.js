@@ -54,6 +54,8 @@ function drawChip(scene, body) {
   const isNeutral = body.after.player === undefined;      // the drawing knows who owned it at the start
   const colour = isNeutral ? paint.muted : theme.team(body.after.player);
   circle(ctx, x, y, radius);
+  ctx.fillStyle = paint.field;                            // hides the trail below
+  ctx.fill();
   ctx.fillStyle = withAlpha(colour, isNeutral ? 0.3 : 0.75);
   ctx.fill();
   ctx.strokeStyle = colour;

@@ -24,6 +24,9 @@ public final class ChipEating implements Reaction {
 
     @Override
     public Verdict on(double time, int a, int b, Bodies bodies, TurnSink sink) {
+        if (b < 0) {
+            return Verdict.BOUNCE;
+        }
         double[] parents = bodies.columns[ChipTable.PARENT];
         if (parents[a] == bodies.id(b) || parents[b] == bodies.id(a)) {
             return Verdict.PASS;
@@ -38,6 +41,16 @@ public final class ChipEating implements Reaction {
             eater = eat(time, eats ? eater : other, eats ? other : eater, bodies, sink);
         }
         return Verdict.CHANGED;
+    }
+
+    /** A chip that bounced, also off a wall, forgets what it was ejected from: it may come back to that. */
+    @Override
+    public boolean after(double time, int a, int b, Bodies bodies, TurnSink sink) {
+        bodies.columns[ChipTable.PARENT][a] = -1;
+        if (b >= 0) {
+            bodies.columns[ChipTable.PARENT][b] = -1;
+        }
+        return false;
     }
 
     /** A chip of another radius that one which has just grown overlaps, or -1: the two meet without an approach. */

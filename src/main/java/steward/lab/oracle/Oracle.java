@@ -127,6 +127,9 @@ public final class Oracle {
     private List<Touch> touches(List<OracleBody> bodies, BigDecimal left) {
         List<Touch> touches = new ArrayList<>();
         int size = bodies.size();
+        if (contacts != null) {
+            contacts.release(bodies);
+        }
         boolean descending = law.scanOrder() == ImpactLaw.ScanOrder.DESCENDING;
         OracleBroadPhase reach = new OracleBroadPhase(bodies);
         double time = left.doubleValue();

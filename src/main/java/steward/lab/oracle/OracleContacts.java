@@ -6,6 +6,7 @@ import java.util.List;
 import steward.physics.Bodies;
 import steward.physics.Contacts;
 import steward.physics.Contacts.Meaning;
+import steward.physics.PassingPairs;
 import steward.physics.PhysicsParts;
 import steward.physics.Reaction;
 import steward.physics.TurnSink;
@@ -14,8 +15,8 @@ import steward.physics.TurnSink;
  * What contacts mean to the {@link Oracle}: which kinds meet, and what the game's reaction answers. The reaction is
  * asked about rounded copies of the bodies; those that it does not alter keep all their digits.
  *
- * <p>Caveats: a reaction may answer {@code BOUNCE}, {@code CHANGED} or {@code ALTERED}, not {@code PASS}; contacts with
- * a distance of their own are refused.
+ * <p>Caveats: bodies that pass each other do so until they are apart as doubles; walls let none pass; contacts with a
+ * distance of their own are refused.
  */
 final class OracleContacts {
 
@@ -39,7 +40,28 @@ final class OracleContacts {
 
     /** Whether two bodies can have an impact. */
     boolean meet(int a, int b) {
-        return contacts.between(rounded.kind[a], rounded.kind[b]) != Meaning.NONE;
+        return contacts.between(rounded.kind[a], rounded.kind[b]) != Meaning.NONE
+            && (rounded.passing().isEmpty() || !rounded.passing().contains(rounded.id(a), rounded.id(b)));
+    }
+
+    /** Lets the pairs meet again that have passed each other: they are apart, and do not come nearer. */
+    void release(List<OracleBody> bodies) {
+        PassingPairs pairs = rounded.passing();
+        for (int k = pairs.size() - 1; k >= 0; k--) {
+            int a = rounded.indexOf(pairs.first(k));
+            int b = pairs.second(k) < 0 ? -1 : rounded.indexOf(pairs.second(k));
+            if (a < 0 || b < 0 || isApart(bodies.get(a), bodies.get(b))) {
+                pairs.remove(k);
+            }
+        }
+    }
+
+    private static boolean isApart(OracleBody p, OracleBody q) {
+        double dx = p.x.subtract(q.x).doubleValue();
+        double dy = p.y.subtract(q.y).doubleValue();
+        double touch = p.radius.add(q.radius).doubleValue();
+        double approach = dx * p.vx.subtract(q.vx).doubleValue() + dy * p.vy.subtract(q.vy).doubleValue();
+        return dx * dx + dy * dy > touch * touch && approach >= 0;
     }
 
     /** Whether a body can have an impact with a wall. */
@@ -61,12 +83,10 @@ final class OracleContacts {
      * Asks the reaction, if the contact asks.
      *
      * @return whether an impact follows; otherwise the bodies may have been altered
-     * @throws IllegalArgumentException if the answer is {@code PASS}
+     * @throws IllegalArgumentException if the answer at a wall is {@code PASS}
      */
     boolean bounces(List<OracleBody> bodies, int a, int b, BigDecimal time) {
-        Meaning meaning = b < 0 ? contacts.withWall(rounded.kind[a])
-            : contacts.between(rounded.kind[a], rounded.kind[b]);
-        if (meaning == Meaning.BOUNCE) {
+        if (meaning(a, b) == Meaning.BOUNCE) {
             return true;
         }
         round(bodies);
@@ -75,7 +95,13 @@ final class OracleContacts {
             case BOUNCE -> {
                 return true;
             }
-            case PASS -> throw new IllegalArgumentException("the oracle lets no bodies pass");
+            case PASS -> {
+                if (b < 0) {
+                    throw new IllegalArgumentException("the oracle lets no body pass a wall");
+                }
+                rounded.passing().add(rounded.id(a), rounded.id(b));
+                return false;
+            }
             default -> {
                 take(bodies, before);
                 return false;
@@ -83,9 +109,13 @@ final class OracleContacts {
         }
     }
 
+    private Meaning meaning(int a, int b) {
+        return b < 0 ? contacts.withWall(rounded.kind[a]) : contacts.between(rounded.kind[a], rounded.kind[b]);
+    }
+
     /** Tells the reaction that an impact has happened, if the contact asks. */
     void after(List<OracleBody> bodies, int a, int b, BigDecimal time) {
-        if (reaction != null && b >= 0 && contacts.between(rounded.kind[a], rounded.kind[b]) == Meaning.ASK) {
+        if (reaction != null && meaning(a, b) == Meaning.ASK) {
             round(bodies);
             Bodies before = rounded.copy();
             reaction.after(time.doubleValue(), a, b, rounded, TurnSink.NONE);

@@ -12,9 +12,11 @@ import steward.game.pokerchiprace.ChipEating;
 import steward.game.pokerchiprace.ChipSettings;
 import steward.game.pokerchiprace.OfficialChips;
 import steward.game.pokerchiprace.PokerChipRace;
+import steward.physics.Arithmetic;
 import steward.physics.Contacts;
 import steward.physics.Contacts.Meaning;
 import steward.physics.PhysicsParts;
+import steward.scene.Accuracy;
 import steward.scene.GameOwn;
 import steward.scene.Part;
 import steward.scene.Plan;
@@ -47,12 +49,18 @@ public final class PokerChipRaceType implements GameType {
     public PokerChipRaceSetup open(Scene scene) {
         ChipSettings settings = ChipSettings.read(scene);
         scene.root().done();
-        Contacts contacts = new Contacts(1).set(0, 0, Meaning.ASK);
+        Contacts contacts = new Contacts(1).set(0, 0, Meaning.ASK).setWall(0, Meaning.ASK);
         Plan plan = Plan.of(scene, contacts, 1, false, 0, List.of(
             new Part("pushes", true, "chips eject a fifteenth of their area", Part.When.COMMANDS),
-            new Part("eating", true, "the bigger chip eats the smaller, equal ones bounce")),
+            new Part("eating", true, "the bigger chip eats the smaller, equal ones bounce"),
+            new Part("batches", isOfficial(scene), isOfficial(scene) ? "impacts within 1e-5 turns react together"
+                : "one impact at a time")),
             new GameOwn(OfficialChips::new, null, ""));
         return new PokerChipRaceSetup(scene, settings, plan);
+    }
+
+    private static boolean isOfficial(Scene scene) {
+        return scene.accuracy().equals(Accuracy.event(Arithmetic.OFFICIAL));
     }
 
     /**
