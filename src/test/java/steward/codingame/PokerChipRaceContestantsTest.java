@@ -25,8 +25,8 @@ import steward.match.TestScenes;
 import steward.match.TimeControl;
 
 /**
- * Three Poker Chip Race bots as contestants write them, in three languages, on the site's lines with seats rotated; those
- * whose language is not there leave their seat to the one in Java. More games: {@code -Dsteward.games=100}.
+ * Three Poker Chip Race bots as contestants write them, in three languages, on the site's lines with seats rotated;
+ * those whose language is not there leave their seat to the one in Java. More games: {@code -Dsteward.games=100}.
  */
 @Tag("process")
 class PokerChipRaceContestantsTest {

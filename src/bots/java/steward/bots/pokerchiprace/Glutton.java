@@ -26,6 +26,9 @@ public final class Glutton extends ChipBot {
     private static final int PUSHES = 3;
     /** A bigger chip is avoided from this distance on, in u; it may grow or turn. */
     private static final double MARGIN = 4;
+    /** How much nearer a rival may come than it seems, in u per turn and in all. */
+    private static final double CHASE = 3;
+    private static final double MOST_CHASE = 40;
     /** What the area of a rival's chip is worth. */
     private static final double RIVAL = 1.5;
     /** Being eaten costs as much as this many times the chip. */
@@ -92,7 +95,7 @@ public final class Glutton extends ChipBot {
                 double dx = folded(other.x + other.vx * STEP * step, HALF_WIDTH - other.radius) - me[0];
                 double dy = folded(other.y + other.vy * STEP * step, HALF_HEIGHT - other.radius) - me[1];
                 boolean smaller = other.radius < radius;
-                double reach = other.radius + radius + (smaller || other.player == chip.player ? 0 : MARGIN);
+                double reach = other.radius + radius + (smaller ? 0 : margin(other, chip, step));
                 if (eaten[k] || dx * dx + dy * dy >= reach * reach) {
                     continue;
                 }
@@ -110,6 +113,12 @@ public final class Glutton extends ChipBot {
             }
         }
         return worth;
+    }
+
+    /** Bigger chips of rivals may come after it. */
+    private static double margin(Chip bigger, Chip chip, int step) {
+        return bigger.player == chip.player ? 0 : bigger.player < 0 ? MARGIN
+            : MARGIN + Math.min(MOST_CHASE, CHASE * STEP * step);
     }
 
     /** What a chip takes from a rival counts more, and what it takes from its own side nothing. */

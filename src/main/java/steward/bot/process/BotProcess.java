@@ -266,7 +266,8 @@ public final class BotProcess implements Player {
             throw new UncheckedIOException(name + " could not be started: " + message, problem);
         }
         Matcher system = SYSTEM_ERROR.matcher(message);
-        answer.setStderr("failed to execute " + launch.command().get(0) + (system.find() ? ": " + system.group(2) : ""));
+        answer.setStderr("failed to execute " + launch.command().get(0) + (system.find() ? ": " + system.group(2)
+            : ""));
         return FaultMessages.exited(status);
     }
 

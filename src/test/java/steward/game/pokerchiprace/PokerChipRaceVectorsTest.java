@@ -45,7 +45,8 @@ class PokerChipRaceVectorsTest {
             turns += match.turns().size();
             differences.addAll(found.differences());
         }
-        GroundTruth.tell(report, "poker-chip-race, " + how + ": " + files.size() + " matches, " + turns + " turns, " + impacts
+        GroundTruth.tell(report, "poker-chip-race, " + how + ": " + files.size() + " matches, " + turns + " turns, "
+            + impacts
             + " impacts, " + values + " values compared, " + differences.size() + " different");
 
         assertTrue(values > 0, "the folder holds matches");
