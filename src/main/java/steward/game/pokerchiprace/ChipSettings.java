@@ -14,7 +14,7 @@ import steward.scene.json.Block;
  *
  * @param players      2..4
  * @param neutral      most neutral chips at the start, {@link #DRAWN} or 0..200
- * @param perPlayer    chips of each player, {@link #DRAWN} or 1..20
+ * @param perPlayer    chips of each player, {@link #DRAWN} or 1..40
  * @param radius       of the players' chips in u, NaN if drawn, or 1..100
  * @param symmetric    whether the start is symmetric
  * @param maximumTurns turns after which the game ends, 1..1000
@@ -35,7 +35,7 @@ public record ChipSettings(int players, int neutral, int perPlayer, double radiu
         new HalfPlane(0, ChipTable.HALF_HEIGHT, 0, -1, 1));
 
     private static final int MOST_NEUTRAL = 200;
-    private static final int MOST_PER_PLAYER = 20;
+    private static final int MOST_PER_PLAYER = 40;
     private static final int LEAST_RADIUS = 1;
     private static final int GREATEST_RADIUS = 100;
     private static final int MOST_TURNS = 1000;

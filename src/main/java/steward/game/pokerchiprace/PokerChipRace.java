@@ -52,11 +52,7 @@ public final class PokerChipRace extends AbstractGame {
         lastEaten = new double[players()];
         Arrays.fill(lost, NOT_LOST);
         for (int player = 0; player < players(); player++) {
-            commands[player] = new ChipCommand[Math.max(1, table.owned(player))];
-            if (table.owned(player) == 0) {
-                lost[player] = 1;
-                putOut(player, "there is no place for its chips");
-            }
+            commands[player] = new ChipCommand[table.owned(player)];
         }
         ranking.set(table, lost);
     }
@@ -195,7 +191,7 @@ public final class PokerChipRace extends AbstractGame {
         for (int player = 0; player < players(); player++) {
             if (lost[player] < 0 && table.isWithoutChips(player)) {
                 lost[player] = turn() + lastEaten[player];
-                putOut(player, "its last chip was eaten");
+                putOut(player, table.owned(player) == 0 ? "it has no chips" : "its last chip was eaten");
             }
         }
     }

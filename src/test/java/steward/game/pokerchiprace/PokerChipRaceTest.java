@@ -150,6 +150,22 @@ class PokerChipRaceTest {
         assertEquals(List.of(1, 2, 0), Arrays.stream(game.ranks()).boxed().toList());
     }
 
+    /** It is asked once, for no line, and is out with the first turn. */
+    @Test
+    void aPlayerForWhoseChipsThereIsNoPlaceIsOut() {
+        ChipTable table = ChipTable.empty(2, 20);
+        table.add(0, 15, -100, 100, 0, 0);
+        PokerChipRace game = SETUP.create(1).on(table, IN);
+        assertTrue(game.isIn(1));
+        assertEquals(1, SETUP.textCodec(game).orElseThrow().answerLines(1));
+        assertEquals(null, SETUP.textCodec(game).orElseThrow().readAnswer(1, new byte[0], 0));
+        game.play();
+
+        assertEquals("it has no chips", game.eliminationReason(1));
+        assertEquals(1, game.lost(1));
+        assertEquals("all others are out", game.ending());
+    }
+
     @Test
     void aCopyGoesOnAlikeAndIndependently() {
         PokerChipRace game = SETUP.create(5);

@@ -87,6 +87,9 @@ final class ChipText implements TextCodec {
         messages[player] = null;
         String[] lines = new String(answer, 0, length, StandardCharsets.UTF_8).split("\n", -1);
         int own = game.table().owned(player);
+        if (own == 0) {
+            return null;                                // a start without a place for its chips: it says nothing
+        }
         if (lines.length != own) {
             return "found " + lines.length + " lines, expected " + own;
         }
