@@ -6,7 +6,7 @@ import java.io.IOException;
 public final class Nibbler extends ChipBot {
 
     /** A chip that comes nearer by this much a turn is on its way, in u. */
-    private static final double FAST = 20;
+    private static final double FAST = 6;
 
     /** Plays one match over the standard streams. */
     public static void main(String[] arguments) throws IOException {

@@ -52,9 +52,8 @@ public final class PokerChipRaceType implements GameType {
         Contacts contacts = new Contacts(1).set(0, 0, Meaning.ASK).setWall(0, Meaning.ASK);
         Plan plan = Plan.of(scene, contacts, 1, false, 0, List.of(
             new Part("pushes", true, "chips eject a fifteenth of their area", Part.When.COMMANDS),
-            new Part("eating", true, "the bigger chip eats the smaller, equal ones bounce"),
-            new Part("batches", isOfficial(scene), isOfficial(scene) ? "impacts within 1e-5 turns react together"
-                : "one impact at a time")),
+            new Part("eating", true, "the bigger chip eats the smaller, equal ones bounce"
+                + (isOfficial(scene) ? "; impacts within 1e-5 turns react together" : ""), Part.When.OUTCOME)),
             new GameOwn(OfficialChips::new, null, ""));
         return new PokerChipRaceSetup(scene, settings, plan);
     }
