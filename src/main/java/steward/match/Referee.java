@@ -231,16 +231,12 @@ public final class Referee {
         } else {
             faults[player] = SafeText.wellFormed(fault);
             turn.faults[player] = faults[player];
+            game.eliminate(player, faults[player]);
             players.get(player).close();
         }
     }
 
     private void playTurn() {
-        for (int player = 0; player < players.size(); player++) {
-            if (turn.faults[player] != null) {
-                game.eliminate(player, turn.faults[player]);
-            }
-        }
         listener.commands(turn);
         game.play();
         listener.played(turn);

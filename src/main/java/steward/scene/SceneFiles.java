@@ -20,8 +20,7 @@ public final class SceneFiles {
 
     /** The scenes that come with the program; a test compares the list with their folder. */
     static final List<String> SHIPPED = List.of("duel", "fantastic-bits-contest", "fantastic-bits",
-        "mad-pod-racing-silver", "mad-pod-racing", "mean-max",
-        "search-race", "walled-race");
+        "mad-pod-racing-silver", "mad-pod-racing", "mean-max", "poker-chip-race", "search-race", "walled-race");
 
     private static final String SUFFIX = ".json";
 

@@ -6,6 +6,7 @@ import steward.game.GameTypes;
 import steward.game.fantasticbits.protocol.FantasticBitsType;
 import steward.game.meanmax.protocol.MeanMaxType;
 import steward.game.podrace.protocol.PodRaceType;
+import steward.game.pokerchiprace.protocol.PokerChipRaceType;
 import steward.game.searchrace.protocol.SearchRaceType;
 import steward.scene.SceneFiles;
 
@@ -14,7 +15,8 @@ public final class TestScenes {
 
     /** The games that tests know. */
     public static final GameTypes TYPES =
-        new GameTypes(List.of(new PodRaceType(), new SearchRaceType(), new MeanMaxType(), new FantasticBitsType()));
+        new GameTypes(List.of(new PodRaceType(), new SearchRaceType(), new MeanMaxType(), new FantasticBitsType(),
+            new PokerChipRaceType()));
 
     /** Every shipped scene of a two-player pod race that is worth a whole match: official, walled, small. */
     public static final List<String> SHIPPED = List.of("mad-pod-racing", "walled-race", "duel");

@@ -43,8 +43,8 @@ class SceneFilesTest {
         SceneText file = SceneFiles.load(FOLDER.resolve(name + ".json").toString());
         Scene scene = SceneReader.read(file.text(), file.source());
         assertEquals(name, scene.name());
-        String game = List.of("fantastic-bits", "mean-max", "search-race").stream().filter(name::startsWith).findFirst()
-            .orElse("pod-race");
+        String game = List.of("fantastic-bits", "mean-max", "poker-chip-race", "search-race").stream()
+            .filter(name::startsWith).findFirst().orElse("pod-race");
         assertEquals(game, scene.gameId());
         assertEquals(scene, SceneReader.read(scene.json(), "again"));
     }
@@ -120,8 +120,8 @@ class SceneFilesTest {
         assertTrue(message.startsWith("mad-pod-racign: found no such file, expected a scene file"), message);
         if (!SceneFiles.shipped().isEmpty()) {
             assertTrue(message.endsWith(" or one of \"duel\", \"fantastic-bits-contest\", \"fantastic-bits\", "
-                + "\"mad-pod-racing-silver\", \"mad-pod-racing\", "
-                + "\"mean-max\", \"search-race\", \"walled-race\"; did you mean \"mad-pod-racing\"?"), message);
+                + "\"mad-pod-racing-silver\", \"mad-pod-racing\", \"mean-max\", \"poker-chip-race\", "
+                + "\"search-race\", \"walled-race\"; did you mean \"mad-pod-racing\"?"), message);
         }
         assertTrue(refused("no\0name").startsWith("no\0name: found no such file"));
         assertTrue(refused("").startsWith("\"\": found no such file"));

@@ -20,7 +20,7 @@ class SchemaFilesTest {
 
     /** {@code game/name}. */
     static final List<String> NAMES = Stream.of(Schemas.POD_RACE, Schemas.SEARCH_RACE, Schemas.MEAN_MAX,
-            Schemas.FANTASTIC_BITS)
+            Schemas.FANTASTIC_BITS, Schemas.POKER_CHIP_RACE)
         .flatMap(game -> Schemas.NAMES.stream().map(name -> game + "/" + name)).toList();
 
     private static String text(String name) {

@@ -18,6 +18,7 @@ final class Schemas {
     static final String SEARCH_RACE = "search-race";
     static final String MEAN_MAX = "mean-max";
     static final String FANTASTIC_BITS = "fantastic-bits";
+    static final String POKER_CHIP_RACE = "poker-chip-race";
     static final List<String> NAMES = List.of("setup", "turn", "end", "answer", "replay", "scene");
 
     private Schemas() {

@@ -7,6 +7,7 @@ import steward.game.GameTypes;
 import steward.game.fantasticbits.protocol.FantasticBitsType;
 import steward.game.meanmax.protocol.MeanMaxType;
 import steward.game.podrace.protocol.PodRaceType;
+import steward.game.pokerchiprace.protocol.PokerChipRaceType;
 import steward.game.searchrace.protocol.SearchRaceType;
 import steward.scene.Accuracy;
 import steward.scene.Scene;
@@ -26,7 +27,7 @@ public final class Games {
     /** All games. */
     public static GameTypes types() {
         return new GameTypes(List.of(new PodRaceType(), new SearchRaceType(), new MeanMaxType(),
-            new FantasticBitsType()));
+            new FantasticBitsType(), new PokerChipRaceType()));
     }
 
     /** The ids of all games. */

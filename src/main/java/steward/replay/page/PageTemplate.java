@@ -21,7 +21,8 @@ public final class PageTemplate {
     private static final String OF_REPLAYS = "/steward/view/";
     /** In the order in which they need each other. */
     private static final List<String> SCRIPTS = List.of("match.js", "notes.js", "theme.js", "shapes.js", "stage.js",
-        "podrace.js", "searchrace.js", "meanmax.js", "fantasticbits.js", "playback.js", "timeline.js", "chart.js",
+        "podrace.js", "searchrace.js", "meanmax.js", "fantasticbits.js", "pokerchiprace.js", "playback.js",
+        "timeline.js", "chart.js",
         "panels.js", "page.js");
     /** The place of the replay; everything before it is written first. */
     private static final String REPLAY = "{{replay}}";

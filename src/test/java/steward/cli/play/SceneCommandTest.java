@@ -73,8 +73,8 @@ class SceneCommandTest {
             assertEquals(ExitStatus.UNUSABLE, cli.status());
             assertEquals("steward: duell: found no scene of this name, expected one of \"duel\", "
                 + "\"fantastic-bits-contest\", \"fantastic-bits\", "
-                + "\"mad-pod-racing-silver\", \"mad-pod-racing\", \"mean-max\", \"search-race\", "
-                + "\"walled-race\"; did you mean \"duel\"?\n",
+                + "\"mad-pod-racing-silver\", \"mad-pod-racing\", \"mean-max\", \"poker-chip-race\", "
+                + "\"search-race\", \"walled-race\"; did you mean \"duel\"?\n",
                 cli.err());
             assertEquals("", cli.out());
         }

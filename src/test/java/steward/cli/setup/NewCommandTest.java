@@ -114,6 +114,21 @@ class NewCommandTest {
     }
 
     @Test
+    @Tag("process")
+    void theStarterOfThePokerChipRacePlays() throws IOException {
+        assumeTrue(ProgramFinder.find("python3") != null, "there is no python3");
+        Path place = folder.resolve("chips");
+        Cli made = Cli.run("new", "python", place.toString(), "--game", "poker-chip-race");
+        assertEquals(ExitStatus.DONE, made.status(), made.err());
+        Cli cli = Cli.run("match", "--scene", "poker-chip-race", "--bot",
+            "me=python3 " + CommandLine.quote(List.of(place.resolve("bot.py").toString())), "--bot", "builtin:nibbler",
+            "--seed", "7", "--json", "--time-factor", "30");
+        JsonNode me = cli.json().get("players").get(0);
+        assertTrue(me.get("fault").isNull(), cli.out());
+        assertTrue(me.get("score").doubleValue() >= 0, cli.out());
+    }
+
+    @Test
     void anUnknownGameOrOneWithoutThisLanguageIsRefused() {
         assertEquals("steward: --game: found 'serch-race', expected one of " + String.join(", ", Games.ids())
             + "; did you mean 'search-race'?\n",

@@ -19,6 +19,7 @@ import steward.physics.Motion;
 import steward.physics.PhysicsParts;
 import steward.physics.Reaction;
 import steward.physics.TurnLog;
+import steward.physics.TurnSink;
 import steward.physics.Wall;
 import steward.physics.event.EventAdvance;
 import steward.physics.event.StepAdvance;
@@ -229,6 +230,52 @@ class TurnTruthTest {
         Bodies one = copy(start);
         new EventAdvance(reaching).turn(one, new TurnLog());
         assertEquals(0, truth.positionError(one), 1e-9);
+    }
+
+    /** A third body stands behind them: the two pass each other once, and the one that has passed bounces off it. */
+    @Test
+    void bodiesThatPassEachOtherDoSoUntilTheyAreApart() {
+        PhysicsParts passing = asking((time, a, b, bodies, sink) ->
+            bodies.id(a) + bodies.id(b) == 1 ? Reaction.Verdict.PASS : Reaction.Verdict.BOUNCE);
+        Bodies start = new Bodies(3);
+        start.add(0, 0, 5, 1);
+        start.add(20, 0, 5, 1);
+        start.add(60, 0, 5, 1);
+        start.setVelocity(0, 100, 0);
+        TurnTruth truth = TurnTruth.of(start, passing);
+        Bodies flown = copy(start);
+        new EventAdvance(passing).turn(flown, new TurnLog());
+
+        assertEquals(1, truth.impacts());
+        assertEquals(50, flown.x[0], 1e-9);
+        assertEquals(0, truth.positionError(flown), 1e-9);
+    }
+
+    /** The reaction is told of impacts at walls too: here it takes the speed away. */
+    @Test
+    void aReactionIsToldOfImpactsAtWalls() {
+        PhysicsParts stopping = new PhysicsParts(ImpactLaw.PHYSICS, Arithmetic.DOUBLE,
+            new Contacts(1).setWall(0, Contacts.Meaning.ASK), List.of(new HalfPlane(0, 0, 0, 1, 1)), new Reaction() {
+
+                @Override
+                public Verdict on(double time, int a, int b, Bodies bodies, TurnSink sink) {
+                    return Verdict.BOUNCE;
+                }
+
+                @Override
+                public boolean after(double time, int a, int b, Bodies bodies, TurnSink sink) {
+                    bodies.setVelocity(a, 0, 0);
+                    return false;
+                }
+            }, false);
+        Bodies falling = new Bodies(1);
+        falling.add(0, 10, 5, 1);
+        falling.setVelocity(0, 0, -20);
+        Bodies ended = copy(falling);
+        new EventAdvance(stopping).turn(ended, new TurnLog());
+
+        assertEquals(5, ended.y[0], 1e-9);
+        assertEquals(0, TurnTruth.of(falling, stopping).positionError(ended), 1e-9);
     }
 
     @Test

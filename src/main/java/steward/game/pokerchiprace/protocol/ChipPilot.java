@@ -1,0 +1,64 @@
+package steward.game.pokerchiprace.protocol;
+
+import java.util.StringJoiner;
+import steward.game.Game;
+import steward.game.Pilot;
+import steward.game.pokerchiprace.ChipTable;
+import steward.game.pokerchiprace.PokerChipRace;
+import steward.numerics.SplitMix64;
+import steward.physics.Bodies;
+
+/**
+ * Chips by rule: now and then each is pushed toward the nearest smaller chip. Those that gather head for the centre;
+ * those that mingle for anywhere on the table.
+ */
+final class ChipPilot implements Pilot {
+
+    /** One of this many commands is a push. */
+    private static final int PUSHES = 4;
+    /** The most by which a pilot misses its target along each axis, in u. */
+    private static final int AIM = 10;
+
+    private final Aim aim;
+
+    ChipPilot(Aim aim) {
+        this.aim = aim;
+    }
+
+    @Override
+    public String answer(Game game, int player, SplitMix64 random) {
+        ChipTable table = ((PokerChipRace) game).table();
+        StringJoiner all = new StringJoiner(",", "{\"chips\":[", "]}");
+        for (int k = 0; k < table.owned(player); k++) {
+            double[] goal = goal(table, table.ownChip(player, k), random);
+            long x = Math.round(goal[0]) + random.nextInt(-AIM, AIM);
+            long y = Math.round(goal[1]) + random.nextInt(-AIM, AIM);
+            boolean waits = random.nextInt(PUSHES) != 0;
+            all.add(waits ? "{\"wait\":true}" : "{\"x\":" + x + ",\"y\":" + y + "}");
+        }
+        return all.toString();
+    }
+
+    private double[] goal(ChipTable table, int self, SplitMix64 random) {
+        if (aim == Aim.MINGLE) {
+            int farX = (int) ChipTable.HALF_WIDTH;
+            int farY = (int) ChipTable.HALF_HEIGHT;
+            return new double[] {random.nextInt(-farX, farX), random.nextInt(-farY, farY)};
+        }
+        Bodies bodies = table.bodies();
+        int nearest = -1;
+        for (int chip = 0; chip < bodies.size() && aim != Aim.GATHER; chip++) {
+            if (bodies.radius[chip] < bodies.radius[self]
+                && (nearest < 0 || squared(bodies, self, chip) < squared(bodies, self, nearest))) {
+                nearest = chip;
+            }
+        }
+        return nearest < 0 ? new double[2] : new double[] {bodies.x[nearest], bodies.y[nearest]};
+    }
+
+    private static double squared(Bodies bodies, int a, int b) {
+        double dx = bodies.x[a] - bodies.x[b];
+        double dy = bodies.y[a] - bodies.y[b];
+        return dx * dx + dy * dy;
+    }
+}
