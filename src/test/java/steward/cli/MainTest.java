@@ -110,8 +110,9 @@ class MainTest {
     @CsvSource(delimiter = '|', value = {
         "steward expl | explain", "steward help ma | match", "steward key n | new", "steward new p | python",
         "steward match --protocol c | codingame", "steward match --accuracy c | compensated",
-        "steward match --accuracy = off | official", "steward match --bot bui | builtin:contender builtin:driver "
-        + "builtin:gatherer builtin:marauder builtin:planner builtin:racer builtin:regular builtin:veteran",
+        "steward match --accuracy = off | official", "steward match --bot bui | builtin:captain builtin:chaser "
+        + "builtin:contender builtin:driver builtin:gatherer builtin:glutton builtin:marauder builtin:nibbler "
+        + "builtin:planner builtin:racer builtin:regular builtin:veteran",
         "steward match --bot builtin : ve | veteran",
         "steward match --bot me = builtin : ra | racer", "steward match --scene w | walled-race",
         "steward match --keep f | failed", "steward match --threads a | auto", "steward stability --rung e | exact",
