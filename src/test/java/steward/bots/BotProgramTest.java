@@ -110,7 +110,8 @@ class BotProgramTest {
         try (InputStream in = Racer.class.getResourceAsStream("builtin.properties")) {
             list.load(in);
         }
-        assertEquals(Set.of("racer", "regular", "contender", "veteran", "driver", "planner", "gatherer", "marauder"),
+        assertEquals(Set.of("racer", "regular", "contender", "veteran", "driver", "planner", "gatherer", "marauder",
+            "chaser", "captain", "nibbler", "glutton"),
             list.stringPropertyNames());
         for (String name : list.stringPropertyNames()) {
             Class.forName(list.getProperty(name)).getMethod("main", String[].class);

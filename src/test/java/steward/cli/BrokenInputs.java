@@ -270,7 +270,7 @@ final class BrokenInputs {
         try {
             command = BotCommand.parse(text);
         } catch (IllegalArgumentException refusal) {
-            assertTrue(refusal.getMessage().startsWith("bot '"), refusal.getMessage());
+            assertTrue(refusal.getMessage().startsWith("bot "), refusal.getMessage());
             return true;
         }
         BotCommand again = BotCommand.parse(command.toString());
@@ -280,7 +280,7 @@ final class BrokenInputs {
             assertFalse(command.displayName() == null || command.resolve().isEmpty(), text);
             return false;
         } catch (IllegalArgumentException refusal) {
-            assertTrue(refusal.getMessage().startsWith("bot '"), refusal.getMessage());
+            assertTrue(refusal.getMessage().startsWith("bot "), refusal.getMessage());
             return true;
         }
     }

@@ -127,7 +127,7 @@ class DocsCommandsTest {
     @Test
     void aBotOfTheSitePlaysAlsoAsCgBrutaltesterCallsIt() throws IOException, InterruptedException {
         textBot("a.out");
-        String said = run(0, "README.md", "steward match --bot codingame:./a.out --bot builtin:racer");
+        String said = run(0, "docs/compatibility.md", "steward match --bot codingame:./a.out --bot builtin:racer");
         assertContains("finished after 3 laps", said);
 
         textBot("mine");

@@ -20,7 +20,7 @@ import steward.numerics.SplitMix64;
 class GameAllocationTest {
 
     private static final int COUNTS = 5;
-    private static final int LEAST_TURNS = 40;
+    private static final int LEAST_TURNS = 20;
     private static final int MOST_TURNS = 400;
     /** Of so many turns in the second half of a game, one may be the first with so many impacts, events or things. */
     private static final int TURNS_PER_GROWTH = 20;
