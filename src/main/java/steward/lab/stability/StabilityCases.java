@@ -9,7 +9,9 @@ import steward.lab.stability.crowds.LatticeCase;
 import steward.lab.stability.crowds.LongRunCase;
 import steward.lab.stability.crowds.MirrorCase;
 import steward.lab.stability.crowds.NewtonsCradleCase;
+import steward.lab.stability.crowds.RandomCradlesCase;
 import steward.lab.stability.crowds.OfficialHeapsCase;
+import steward.lab.stability.crowds.TiesCase;
 import steward.lab.stability.crowds.TimeReversalCase;
 import steward.lab.stability.pairs.ContactCase;
 import steward.lab.stability.pairs.CornerCase;
@@ -50,9 +52,11 @@ public final class StabilityCases {
             new LateTimesCase(),
             new CornerCase(),
             new NewtonsCradleCase(),
+            new RandomCradlesCase(),
             new MirrorCase(),
             new InelasticCollapseCase(),
             new LatticeCase(),
+            new TiesCase(),
             new OfficialHeapsCase(),
             new OfficialEdgesCase(),
             new DensePackingCase(),
