@@ -92,7 +92,9 @@ public final class Plan {
      */
     public Advance advance(Reaction reaction) {
         PhysicsParts physics = physics(reaction);
-        return scene.observer().observe(physics, scene.accuracy().advance(physics, bodies));
+        Advance advance = scene.angles() == Angles.FDLIBM ? scene.accuracy().formerAdvance(physics, bodies)
+            : scene.accuracy().advance(physics, bodies);
+        return scene.observer().observe(physics, advance);
     }
 
     /** The rung that the scene is computed on, and why that one. */

@@ -25,6 +25,7 @@ import steward.lab.stability.pairs.PiBlocksCase;
 import steward.lab.stability.pairs.RadiusRatioCase;
 import steward.lab.stability.pairs.RandomPairsCase;
 import steward.lab.stability.pairs.RoundingCase;
+import steward.lab.stability.pairs.SlidingCase;
 import steward.lab.trial.StabilityCase;
 
 /** The rows of the stability table, in order; the only place that lists them. */
@@ -51,6 +52,7 @@ public final class StabilityCases {
             new RadiusRatioCase(),
             new LateTimesCase(),
             new CornerCase(),
+            new SlidingCase(),
             new NewtonsCradleCase(),
             new RandomCradlesCase(),
             new MirrorCase(),

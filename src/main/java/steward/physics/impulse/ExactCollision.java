@@ -125,7 +125,8 @@ public sealed class ExactCollision extends CompensatedCollision permits ExactMin
 
     /**
      * Applies the impulse. Without a minimum impulse the velocities follow from q alone, or where nearly all of the
-     * relative velocity changes, from what does not ({@link CentralImpact}); impulse and energy are only for the record.
+     * relative velocity changes, from what does not ({@link CentralImpact}); impulse and energy are only for the
+     * record.
      */
     void exchangeImpulse(Bodies bodies, int a, int b, double restitution) {
         double massA = bodies.mass[a];
@@ -156,6 +157,10 @@ public sealed class ExactCollision extends CompensatedCollision permits ExactMin
     @Override
     public void reactWall(Bodies bodies, int a, int w, double time, TurnSink sink) {
         Wall wall = walls[w];
+        if (slides && RimSliding.slide(bodies, a, w, wall, time, sink)) {
+            lows.clear(a);
+            return;
+        }
         double ax = bodies.x[a];
         double ay = bodies.y[a];
         wallTimes.normal(w, work.setSum(ax, lows.x[a]), other.setSum(ay, lows.y[a]), normalX, normalY);

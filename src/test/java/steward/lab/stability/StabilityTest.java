@@ -146,7 +146,8 @@ class StabilityTest {
             }
         }));
         assertEquals(List.of("pi-blocks", "degenerate contacts", "masses", "extreme speeds", "corners and ends",
-            "Newton's cradle", "inelastic collapse", "official edges", "dense packing", "long run of 10",
+            "sliding", "Newton's cradle", "random cradles", "inelastic collapse", "official edges", "dense packing",
+            "long run of 10",
             "long run of 100"), noticed);
     }
 

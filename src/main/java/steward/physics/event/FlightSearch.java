@@ -1,0 +1,283 @@
+package steward.physics.event;
+
+import steward.numerics.DoubleDouble;
+import steward.physics.Bodies;
+import steward.physics.PhysicsParts;
+import steward.physics.Wall;
+import steward.physics.time.CircleTime;
+import steward.physics.time.ExactPairs;
+import steward.physics.time.ExactWalls;
+import steward.physics.time.PreciseFlight;
+import steward.physics.time.TimeOfImpact;
+
+/**
+ * The next impact of each body with a body of a higher index, or with a wall: a row of the table of all pairs. A time
+ * of impact is computed from the positions at the later start of the two flights, so that it is the same whenever it is
+ * searched for; after an impact only the rows are searched again in which something has changed. Ties go to the lowest
+ * pair, bodies before walls.
+ */
+sealed class FlightSearch permits FlightSearch.Precise {
+
+    static final double NEVER = Double.POSITIVE_INFINITY;
+
+    /** The time of the next impact of each row; infinite for none in this turn. */
+    double[] time = new double[0];
+    /** Its partner: a body of a higher index, or {@code ~wall}. */
+    int[] partner = new int[0];
+    final Wall[] walls;
+    private final Flights flights;
+    private final CircleTime circles;
+    private final boolean bodiesMeet;
+    private final PairSelection selection;
+    /** The earliest impact of the row in work. */
+    double best;
+    int bestPartner;
+
+    FlightSearch(PhysicsParts parts, Flights flights, Wall[] walls) {
+        this.flights = flights;
+        this.walls = walls;
+        circles = CircleTime.of(parts.arithmetic());
+        bodiesMeet = parts.contacts().bodiesMeet();
+        selection = parts.contacts().allBounce() && !parts.infiniteMasses()
+            ? null : new PairSelection(parts.contacts());
+    }
+
+    /** Searches all rows. */
+    void searchAll(Bodies bodies, double now) {
+        if (time.length < bodies.size()) {
+            grow(bodies.capacity());
+        }
+        for (int i = 0; i < bodies.size(); i++) {
+            searchRow(bodies, i, now);
+        }
+    }
+
+    void grow(int capacity) {
+        time = new double[capacity];
+        partner = new int[capacity];
+    }
+
+    /** Searches the rows in which something has changed. @param b a body, or negative */
+    void searchAfter(Bodies bodies, int a, int b, double now) {
+        for (int i = 0; i < bodies.size(); i++) {
+            if (i == a || i == b || time[i] < NEVER && partner[i] >= 0 && (partner[i] == a || partner[i] == b)) {
+                searchRow(bodies, i, now);
+            } else if (bodiesMeet && (i < a || i < b)) {
+                load(i);
+                offerIfHigher(bodies, i, a, now);
+                offerIfHigher(bodies, i, b, now);
+                keep(i);
+            }
+        }
+    }
+
+    private void offerIfHigher(Bodies bodies, int i, int j, double now) {
+        if (j > i && (selection == null || selection.canReact(bodies, i, j))) {
+            offer(bodies, i, j, now);
+        }
+    }
+
+    private void searchRow(Bodies bodies, int i, double now) {
+        clear();
+        for (int j = i + 1; bodiesMeet && j < bodies.size(); j++) {
+            if (selection == null || selection.canReact(bodies, i, j)) {
+                offer(bodies, i, j, now);
+            }
+        }
+        if (walls.length > 0
+            && (selection == null ? bodies.inverseMass[i] > 0 : selection.canReactWithWalls(bodies, i))) {
+            for (int w = 0; w < walls.length; w++) {
+                if (selection == null || selection.canReactWithWall(bodies, i, w)) {
+                    offerWall(bodies, i, w, now);
+                }
+            }
+        }
+        keep(i);
+    }
+
+    void clear() {
+        best = NEVER;
+    }
+
+    void load(int i) {
+        best = time[i];
+        bestPartner = partner[i];
+    }
+
+    void keep(int i) {
+        time[i] = best;
+        partner[i] = bestPartner;
+    }
+
+    /** The row with the earliest impact, or -1. */
+    int earliest(int rows) {
+        int first = -1;
+        double earliest = NEVER;
+        for (int i = 0; i < rows; i++) {
+            if (time[i] < earliest) {
+                earliest = time[i];
+                first = i;
+            }
+        }
+        return first;
+    }
+
+    /** Keeps the impact of a pair, i below j, if it is earlier than the best of the row. */
+    void offer(Bodies bodies, int i, int j, double now) {
+        double start = Math.max(flights.since[i], flights.since[j]);
+        double flownI = start - flights.since[i];
+        double flownJ = start - flights.since[j];
+        double dvx = bodies.vx[i] - bodies.vx[j];
+        double dvy = bodies.vy[i] - bodies.vy[j];
+        double dx = bodies.x[i] + bodies.vx[i] * flownI - (bodies.x[j] + bodies.vx[j] * flownJ);
+        double dy = bodies.y[i] + bodies.vy[i] * flownI - (bodies.y[j] + bodies.vy[j] * flownJ);
+        if (!(dx * dvx + dy * dvy < 0)) {
+            return;
+        }
+        double touch = bodies.radius[i] + bodies.radius[j];
+        double until = Math.sqrt(dx * dx + dy * dy) <= touch ? 0
+            : circles.untilApproachingMeet(dx, dy, dvx, dvy, touch);
+        if (until <= 1 - start) {
+            double at = Math.max(now, start + until);
+            if (at < best || at == best && isLower(j)) {
+                best = at;
+                bestPartner = j;
+            }
+        }
+    }
+
+    /** For equal times: whether a body comes before the best partner so far. */
+    final boolean isLower(int j) {
+        return bestPartner < 0 || j < bestPartner;
+    }
+
+    void offerWall(Bodies bodies, int i, int w, double now) {
+        double since = flights.since[i];
+        double until = TimeOfImpact.wall(walls[w], bodies.x[i], bodies.y[i], bodies.vx[i], bodies.vy[i],
+            bodies.radius[i]);
+        if (until <= 1 - since && Math.max(now, since + until) < best) {
+            best = Math.max(now, since + until);
+            bestPartner = ~w;
+        }
+    }
+
+    /** With exact decisions and times in double-double. */
+    static final class Precise extends FlightSearch {
+
+        private double[] timeLow = new double[0];
+        private final Flights.Precise flights;
+        private final ExactPairs pairs;
+        private final ExactWalls exactWalls;
+        private final PreciseFlight flight = new PreciseFlight();
+        private final DoubleDouble until = new DoubleDouble();
+        private final DoubleDouble at = new DoubleDouble();
+        private double bestLow;
+
+        Precise(PhysicsParts parts, Flights.Precise flights, Wall[] walls, ExactPairs pairs, ExactWalls exactWalls) {
+            super(parts, flights, walls);
+            this.flights = flights;
+            this.pairs = pairs;
+            this.exactWalls = exactWalls;
+        }
+
+        @Override
+        void grow(int capacity) {
+            super.grow(capacity);
+            timeLow = new double[capacity];
+        }
+
+        @Override
+        void clear() {
+            super.clear();
+            bestLow = 0;
+        }
+
+        @Override
+        void load(int i) {
+            super.load(i);
+            bestLow = timeLow[i];
+        }
+
+        @Override
+        void keep(int i) {
+            super.keep(i);
+            timeLow[i] = bestLow;
+        }
+
+        @Override
+        int earliest(int rows) {
+            int first = super.earliest(rows);
+            for (int i = first + 1; first >= 0 && i < rows; i++) {
+                if (time[i] == time[first] && timeLow[i] < timeLow[first]) {
+                    first = i;
+                }
+            }
+            flights.setNowLow(first < 0 ? 0 : timeLow[first]);
+            return first;
+        }
+
+        @Override
+        void offer(Bodies bodies, int i, int j, double now) {
+            double xi = bodies.x[i];
+            double yi = bodies.y[i];
+            double xj = bodies.x[j];
+            double yj = bodies.y[j];
+            double vxi = bodies.vx[i];
+            double vyi = bodies.vy[i];
+            double vxj = bodies.vx[j];
+            double vyj = bodies.vy[j];
+            double start = flights.since[i];
+            double startLow = flights.sinceLow[i];
+            double ahead = flights.clockDifference(i, j);
+            if (ahead > 0) {
+                double flown = flight.elapsed(flights.since[j], flights.sinceLow[j], start, startLow);
+                xj = flight.coordinate(xj, vxj, flown);
+                yj = flight.coordinate(yj, vyj, flown);
+            } else if (ahead < 0) {
+                start = flights.since[j];
+                startLow = flights.sinceLow[j];
+                double flown = flight.elapsed(flights.since[i], flights.sinceLow[i], start, startLow);
+                xi = flight.coordinate(xi, vxi, flown);
+                yi = flight.coordinate(yi, vyi, flown);
+            }
+            double ri = bodies.radius[i];
+            double rj = bodies.radius[j];
+            if (start + pairs.lowerBound(xi, xj, yi, yj, vxi, vxj, vyi, vyj, ri, rj) <= Math.min(best, 1)
+                && pairs.exactTime(xi, xj, yi, yj, vxi, vxj, vyi, vyj, ri, rj, until)) {
+                keepIfEarlier(j, start, startLow, now);
+            }
+        }
+
+        @Override
+        void offerWall(Bodies bodies, int i, int w, double now) {
+            double x = bodies.x[i];
+            double y = bodies.y[i];
+            double vx = bodies.vx[i];
+            double vy = bodies.vy[i];
+            double radius = bodies.radius[i];
+            double since = flights.since[i];
+            if (since + exactWalls.until(w, x, y, vx, vy, radius) <= Math.min(best, 1)
+                && exactWalls.exactTime(w, x, y, vx, vy, radius, until)) {
+                keepIfEarlier(~w, since, flights.sinceLow[i], now);
+            }
+        }
+
+        private void keepIfEarlier(int other, double start, double startLow, double now) {
+            at.setSum(start, startLow).add(until);
+            double high = at.high();
+            double low = at.low();
+            if (high < now) {
+                high = now;                            // only by rounding
+                low = 0;
+            }
+            if (high > 1 || high == 1 && low > 0 || high > best || high == best && low > bestLow) {
+                return;
+            }
+            if (high < best || low < bestLow || other >= 0 && isLower(other)) {
+                best = high;
+                bestLow = low;
+                bestPartner = other;
+            }
+        }
+    }
+}
