@@ -235,8 +235,7 @@ final class Crowd {
         if (!exact) {
             bodies.x[to] = state[at + X] + vx * time;
             bodies.y[to] = state[at + Y] + vy * time;
-        } else if (time == 1 && flight.elapsedLow == 0) {    // no impact in this turn: one rounding,
-            and no -0.0 as below
+        } else if (time == 1 && flight.elapsedLow == 0) { // no impact in this turn: one rounding, no -0.0 as below
             bodies.x[to] = state[at + X] + vx + 0.0;
             bodies.y[to] = state[at + Y] + vy + 0.0;
         } else {

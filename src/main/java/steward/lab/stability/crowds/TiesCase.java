@@ -32,8 +32,8 @@ public final class TiesCase implements StabilityCase {
 
     @Override
     public String demand() {
-        return "worlds of 24 to 53 bodies on a lattice, with impacts of one body at one instant: as many impacts and in "
-            + "the same order, one by one and as a crowd, and the same bits, on every event rung";
+        return "worlds of 24 to 53 bodies on a lattice, with impacts of one body at one instant: as many impacts and "
+            + "in the same order, one by one and as a crowd, and the same bits, on every event rung";
     }
 
     @Override
