@@ -11,6 +11,7 @@ import steward.lab.stability.crowds.MirrorCase;
 import steward.lab.stability.crowds.NewtonsCradleCase;
 import steward.lab.stability.crowds.RandomCradlesCase;
 import steward.lab.stability.crowds.OfficialHeapsCase;
+import steward.lab.stability.crowds.RestCase;
 import steward.lab.stability.crowds.TiesCase;
 import steward.lab.stability.crowds.TimeReversalCase;
 import steward.lab.stability.pairs.ContactCase;
@@ -56,6 +57,7 @@ public final class StabilityCases {
             new NewtonsCradleCase(),
             new RandomCradlesCase(),
             new MirrorCase(),
+            new RestCase(),
             new InelasticCollapseCase(),
             new LatticeCase(),
             new TiesCase(),

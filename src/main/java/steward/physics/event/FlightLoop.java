@@ -10,6 +10,7 @@ import steward.physics.Wall;
 import steward.physics.impulse.Collision;
 import steward.physics.impulse.ContactResponse;
 import steward.physics.impulse.ExactCollision;
+import steward.physics.impulse.Rest;
 import steward.physics.time.ExactPairs;
 import steward.physics.time.ExactWalls;
 import steward.physics.time.LowParts;
@@ -27,6 +28,7 @@ final class FlightLoop {
     private final FlightSearch search;
     private final ContactResponse response;
     private final Contacts asking;
+    private final Rest rest;
     private final Standstill standstill;
     /** Starts of flights while all bodies are where they are now, for a reaction of the scene. */
     private double[] startX = new double[0];
@@ -50,6 +52,7 @@ final class FlightLoop {
             search = new FlightSearch(parts, flights, walls);
             response = ContactResponse.of(parts, Collision.of(law, parts.arithmetic(), walls), walls);
         }
+        rest = Rest.of(parts, walls);
         standstill = new Standstill(parts);
     }
 
@@ -59,6 +62,9 @@ final class FlightLoop {
         double lastLow = 0;
         flights.setNowLow(0);
         flights.startAll(bodies, 0);
+        if (rest != null) {
+            rest.begin(bodies);
+        }
         search.searchAll(bodies, 0);
         for (int row = search.earliest(bodies.size()); row >= 0; row = search.earliest(bodies.size())) {
             if (left-- <= 0) {
@@ -71,6 +77,9 @@ final class FlightLoop {
             last = search.time[row];
             lastLow = flights.nowLow();
             react(bodies, row, search.partner[row], last, sink);
+            if (rest != null && rest.isSqueezed()) {
+                left = 0;
+            }
         }
         flights.setNowLow(0);
         storeAll(bodies, 1);
@@ -91,6 +100,10 @@ final class FlightLoop {
             flights.flyTo(bodies, a, now);
         } else {
             flights.flyToContact(bodies, a, b, now);
+        }
+        if (rest != null && rest.isAbout(bodies, a, b) && rest.mayRest(bodies, a, b) && settle(bodies, a, b, now,
+            sink)) {
+            return;
         }
         if (asking == null) {
             response.react(bodies, a, b, now, sink);
@@ -115,29 +128,50 @@ final class FlightLoop {
         if (meaning != Contacts.Meaning.ASK && passing == 0) {
             return response.react(bodies, a, b, now, sink);
         }
-        int size = bodies.size();
-        if (startX.length < size) {
+        moveAll(bodies, a, b, now);
+        response.releaseSeparatedPairs(bodies);
+        boolean alone = bodies.passing().size() == passing;
+        if (!response.react(bodies, a, b, now, sink) || !alone) {
+            return false;
+        }
+        moveBack(bodies, a, b);
+        return true;
+    }
+
+    /** Lets a heap rest: then all flights begin anew. @return false if it is an ordinary impact */
+    private boolean settle(Bodies bodies, int a, int b, double now, TurnSink sink) {
+        moveAll(bodies, a, b, now);
+        if (!rest.settle(bodies, a, b, now, sink)) {
+            moveBack(bodies, a, b);
+            return false;
+        }
+        flights.startAll(bodies, now);
+        search.searchAll(bodies, now);
+        return true;
+    }
+
+    /** Moves all bodies but these two to the present time. */
+    private void moveAll(Bodies bodies, int a, int b, double now) {
+        if (startX.length < bodies.size()) {
             startX = new double[bodies.capacity()];
             startY = new double[bodies.capacity()];
         }
-        for (int i = 0; i < size; i++) {
+        for (int i = 0; i < bodies.size(); i++) {
             startX[i] = bodies.x[i];
             startY[i] = bodies.y[i];
             if (i != a && i != b) {
                 flights.store(bodies, i, now);
             }
         }
-        response.releaseSeparatedPairs(bodies);
-        boolean alone = bodies.passing().size() == passing;
-        if (!response.react(bodies, a, b, now, sink) || !alone) {
-            return false;
-        }
-        for (int i = 0; i < size; i++) {
+    }
+
+    /** Moves them back to the starts of their flights. */
+    private void moveBack(Bodies bodies, int a, int b) {
+        for (int i = 0; i < bodies.size(); i++) {
             if (i != a && i != b) {
                 bodies.x[i] = startX[i];
                 bodies.y[i] = startY[i];
             }
         }
-        return true;
     }
 }

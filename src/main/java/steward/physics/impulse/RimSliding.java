@@ -57,8 +57,8 @@ final class RimSliding {
         return arena && !(law.minimumImpulseAtWalls() && law.minimumImpulse() > 0);
     }
 
-    /** Starts the next chord of a body that touches a wall. @return false if it bounces instead, or has no room */
-    static boolean slide(Bodies bodies, int a, int w, Wall wall, double time, TurnSink sink) {
+    /** Whether a body touches an arena so flatly that it slides. */
+    static boolean grazes(Bodies bodies, int a, Wall wall) {
         if (!(wall instanceof Arena arena)) {
             return false;
         }
@@ -69,16 +69,32 @@ final class RimSliding {
         double dy = bodies.y[a] - arena.y();
         double distance = Math.sqrt(dx * dx + dy * dy);
         double room = arena.radius() - bodies.radius[a];
-        if (!(room > 0 && speed > 0 && Math.abs(distance - room) <= OFF_RIM * room)) {
+        return room > 0 && speed > 0 && Math.abs(distance - room) <= OFF_RIM * room
+            && Math.abs((dx * vx + dy * vy) / distance) <= STEEPER * chord(speed, room) * speed;
+    }
+
+    /** The angle of a chord, sin theta. */
+    private static double chord(double speed, double room) {
+        return Math.min(STEEPEST, Math.max(FLATTEST, speed / (2 * CHORDS * room)));
+    }
+
+    /** Starts the next chord of a body that touches a wall. @return false if it bounces instead, or has no room */
+    static boolean slide(Bodies bodies, int a, int w, Wall wall, double time, TurnSink sink) {
+        if (!grazes(bodies, a, wall)) {
             return false;
         }
+        Arena arena = (Arena) wall;
+        double vx = bodies.vx[a];
+        double vy = bodies.vy[a];
+        double speed = Math.sqrt(vx * vx + vy * vy);
+        double dx = bodies.x[a] - arena.x();
+        double dy = bodies.y[a] - arena.y();
+        double distance = Math.sqrt(dx * dx + dy * dy);
+        double room = arena.radius() - bodies.radius[a];
         double nx = dx / distance;
         double ny = dy / distance;
         double rise = (nx * vx + ny * vy) / speed;
-        double chord = Math.min(STEEPEST, Math.max(FLATTEST, speed / (2 * CHORDS * room)));
-        if (!(Math.abs(rise) <= STEEPER * chord)) {
-            return false;
-        }
+        double chord = chord(speed, room);
         double turn = nx * vy - ny * vx > 0 ? 1 : -1;
         if (Math.abs(rise - chord) <= SAME * chord) {
             double ahead = chord * chord * chord * (1.0 / 3 + 3.0 / 20 * chord * chord);

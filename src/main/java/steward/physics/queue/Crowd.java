@@ -65,13 +65,17 @@ final class Crowd {
     int[] outside = new int[0];
     int outsideCount;
     int size;
-    final Cells cells = new Cells();
+    final Cells cells;
     private final boolean exact;
     private final PreciseFlight flight = new PreciseFlight();
 
-    /** @param exact whether times are double-doubles, and positions are rounded once, when they are stored */
-    Crowd(boolean exact) {
+    /**
+     * @param exact whether times are double-doubles, and positions are rounded once, when they are stored
+     * @param slack see {@link Cells}
+     */
+    Crowd(boolean exact, double slack) {
         this.exact = exact;
+        cells = new Cells(slack);
     }
 
     /** Loads the bodies at the time {@code now} of the turn. */

@@ -167,6 +167,35 @@ sealed class QueueSearch permits ExactQueueSearch {
         enqueue(body, now);
     }
 
+    /**
+     * Whether a body is within a small gap of another one or a wall besides its partner: a superset, for a quick
+     * look.
+     */
+    boolean hasNear(int body, int of, double gapShare, double now) {
+        double[] state = crowd.state;
+        int at = 8 * body;
+        double x = state[at + X];
+        double y = state[at + Y];
+        double radius = state[at + RADIUS];
+        int count = crowd.isOutside(body) ? allBodies() : neighbours(at);
+        for (int k = 0; k < count; k++) {
+            int other = 8 * near[k];
+            double time = now - state[other + SINCE];
+            double dx = state[other + X] + state[other + VX] * time - x;
+            double dy = state[other + Y] + state[other + VY] * time - y;
+            double reach = (radius + state[other + RADIUS]) * (1 + gapShare);
+            if (near[k] != body && near[k] != of && dx * dx + dy * dy <= reach * reach) {
+                return true;
+            }
+        }
+        for (int w = 0; w < walls.length; w++) {
+            if (of != ~w && walls[w].gap(x, y, radius) <= gapShare * radius) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     private void testWalls(int body, double now) {
         if (pairs != null && !pairs.canReactWithWalls(body)) {
             return;
