@@ -42,7 +42,8 @@ final class BatchLoop {
             flight = new ExactFlight(refining, lows);
             collision = ExactCollision.of(law, walls, pairs, wallTimes, lows);
         } else {
-            scans = Scan.of(parts, PairTime.of(law, parts.arithmetic()));
+            scans = Scan.of(parts, former ? PairTime.ofFormerReplays(law, parts.arithmetic())
+                : PairTime.of(law, parts.arithmetic()));
             queue = ImpactQueue.of(law);
             flight = new Flight.Plain();
             collision = Collision.of(law, parts.arithmetic(), walls);

@@ -127,16 +127,13 @@ sealed class FlightSearch permits FlightSearch.Precise {
         double start = Math.max(flights.since[i], flights.since[j]);
         double flownI = start - flights.since[i];
         double flownJ = start - flights.since[j];
-        double dvx = bodies.vx[i] - bodies.vx[j];
-        double dvy = bodies.vy[i] - bodies.vy[j];
-        double dx = bodies.x[i] + bodies.vx[i] * flownI - (bodies.x[j] + bodies.vx[j] * flownJ);
-        double dy = bodies.y[i] + bodies.vy[i] * flownI - (bodies.y[j] + bodies.vy[j] * flownJ);
-        if (!(dx * dvx + dy * dvy < 0)) {
-            return;
-        }
-        double touch = bodies.radius[i] + bodies.radius[j];
-        double until = Math.sqrt(dx * dx + dy * dy) <= touch ? 0
-            : circles.untilApproachingMeet(dx, dy, dvx, dvy, touch);
+        double vxi = bodies.vx[i];
+        double vyi = bodies.vy[i];
+        double vxj = bodies.vx[j];
+        double vyj = bodies.vy[j];
+        double until = circles.until(bodies.x[i] + vxi * flownI, bodies.x[j] + vxj * flownJ,
+            bodies.y[i] + vyi * flownI, bodies.y[j] + vyj * flownJ, vxi, vxj, vyi, vyj, bodies.radius[i],
+            bodies.radius[j], false);
         if (until <= 1 - start) {
             double at = Math.max(now, start + until);
             if (at < best || at == best && isLower(j)) {

@@ -288,16 +288,13 @@ sealed class QueueSearch permits ExactQueueSearch {
         double since = Math.max(state[i + SINCE], state[j + SINCE]);
         double flownI = since - state[i + SINCE];
         double flownJ = since - state[j + SINCE];
-        double dx = state[i + X] + state[i + VX] * flownI - (state[j + X] + state[j + VX] * flownJ);
-        double dy = state[i + Y] + state[i + VY] * flownI - (state[j + Y] + state[j + VY] * flownJ);
-        double dvx = state[i + VX] - state[j + VX];
-        double dvy = state[i + VY] - state[j + VY];
-        if (!(dx * dvx + dy * dvy < 0)) {
-            return;
-        }
-        double touch = state[i + RADIUS] + state[j + RADIUS];
-        double until = Math.sqrt(dx * dx + dy * dy) <= touch ? 0
-            : circles.untilApproachingMeet(dx, dy, dvx, dvy, touch);
+        double vxi = state[i + VX];
+        double vyi = state[i + VY];
+        double vxj = state[j + VX];
+        double vyj = state[j + VY];
+        double until = circles.until(state[i + X] + vxi * flownI, state[j + X] + vxj * flownJ,
+            state[i + Y] + vyi * flownI, state[j + Y] + vyj * flownJ, vxi, vxj, vyi, vyj, state[i + RADIUS],
+            state[j + RADIUS], false);
         double time = Math.max(now, since + until);
         if (until <= 1 - since && time <= best && !(time > state[j + IMPACT])
             && (time < best || isLower(body, other))) {

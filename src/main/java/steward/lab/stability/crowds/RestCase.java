@@ -37,10 +37,10 @@ public final class RestCase implements StabilityCase {
 
     @Override
     public String demand() {
-        return "piles of 1 to 30 bodies of random radii and masses, with gaps of 0 to 1e-3 radii and jitter, thrown at a "
-            + "wall or into a corner, e = 0..0.9: no turn has more than 500 impacts or its limit, energy never grows (but for 1e-15 of it, rounding), "
-            + "momentum is booked, one by one and as a crowd are the same to the bit; columns without restitution are "
-            + "then at rest; on every event rung";
+        return "piles of 1 to 30 bodies of random radii and masses, with gaps of 0 to 1e-3 radii and jitter, thrown "
+            + "at a wall or into a corner, e = 0..0.9: no turn has more than 500 impacts or its limit, energy never "
+            + "grows (but for 1e-15 of it, by rounding), momentum is booked, one by one and as a crowd are the same to "
+            + "the bit; columns without restitution are then at rest; on every event rung";
     }
 
     @Override
