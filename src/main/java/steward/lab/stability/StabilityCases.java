@@ -14,6 +14,7 @@ import steward.lab.stability.crowds.OfficialHeapsCase;
 import steward.lab.stability.crowds.RestCase;
 import steward.lab.stability.crowds.TiesCase;
 import steward.lab.stability.crowds.TimeReversalCase;
+import steward.lab.stability.crowds.TruePathCase;
 import steward.lab.stability.pairs.ContactCase;
 import steward.lab.stability.pairs.CornerCase;
 import steward.lab.stability.pairs.ExtremeSpeedsCase;
@@ -72,6 +73,7 @@ public final class StabilityCases {
             new CrowdCase(1000, 0.1, 1_000_000_000, crowdImpacts),
             new CrowdCase(10_000, 0.1, 100_000_000, crowdImpacts),
             new CrowdCase(1000, 0.8, 100_000_000, crowdImpacts),
+            new TruePathCase(),
             new RoundingCase(),
             new RandomPairsCase(200),
             new RandomPairsCase(900));
