@@ -41,9 +41,9 @@ import steward.physics.time.Magnitudes;
  * <p>A turn with numbers whose squares leave the range of doubles is left to {@code EventAdvance} in the exact
  * arithmetic, which scales them.
  *
- * <p>Caveats: the impacts are those of {@code EventAdvance} except for rounding: that class moves every body at every
- * impact, this one moves a body only at its own, and where the motion is chaotic the last digits grow into differences
- * after some dozens of impacts per body. Laws in which impacts react in batches are refused, see {@link #refusal}.
+ * <p>The impacts are those of {@code EventAdvance}, in the same order and bit for bit: both move a body only at its own
+ * impacts. Only in turns that reach the bound on impacts the rest of the turn can differ in the last bits. Laws in
+ * which impacts react in batches are refused, see {@link #refusal}.
  */
 public final class QueueAdvance implements Advance {
 
