@@ -18,6 +18,9 @@ import steward.physics.time.TimeOfImpact;
  */
 sealed class FlightSearch permits FlightSearch.Precise {
 
+    /** Sums of products are off by less than this share of their terms. */
+    private static final double ROUNDING = 0x1p-46;
+
     static final double NEVER = Double.POSITIVE_INFINITY;
 
     /** The time of the next impact of each row; infinite for none in this turn. */
@@ -124,16 +127,30 @@ sealed class FlightSearch permits FlightSearch.Precise {
 
     /** Keeps the impact of a pair, i below j, if it is earlier than the best of the row. */
     void offer(Bodies bodies, int i, int j, double now) {
-        double start = Math.max(flights.since[i], flights.since[j]);
-        double flownI = start - flights.since[i];
-        double flownJ = start - flights.since[j];
+        double xi = bodies.x[i];
+        double yi = bodies.y[i];
+        double xj = bodies.x[j];
+        double yj = bodies.y[j];
         double vxi = bodies.vx[i];
         double vyi = bodies.vy[i];
         double vxj = bodies.vx[j];
         double vyj = bodies.vy[j];
-        double until = circles.until(bodies.x[i] + vxi * flownI, bodies.x[j] + vxj * flownJ,
-            bodies.y[i] + vyi * flownI, bodies.y[j] + vyj * flownJ, vxi, vxj, vyi, vyj, bodies.radius[i],
-            bodies.radius[j], false);
+        double start = flights.since[i];
+        double other = flights.since[j];
+        if (start > other) {
+            xj += vxj * (start - other);
+            yj += vyj * (start - other);
+        } else if (start < other) {
+            xi += vxi * (other - start);
+            yi += vyi * (other - start);
+            start = other;
+        }
+        double ri = bodies.radius[i];
+        double rj = bodies.radius[j];
+        if (isLate(xi - xj, yi - yj, vxi - vxj, vyi - vyj, ri + rj, Math.min(best, 1) - start)) {
+            return;
+        }
+        double until = circles.until(xi, xj, yi, yj, vxi, vxj, vyi, vyj, ri, rj, false);
         if (until <= 1 - start) {
             double at = Math.max(now, start + until);
             if (at < best || at == best && isLower(j)) {
@@ -141,6 +158,23 @@ sealed class FlightSearch permits FlightSearch.Precise {
                 bestPartner = j;
             }
         }
+    }
+
+    /**
+     * Whether a pair surely separates, or surely does not touch within a time: the squared distance less s^2 is at least
+     * c + 2 b t. Without a root or a division, for most pairs.
+     */
+    static boolean isLate(double dx, double dy, double dvx, double dvy, double touch, double left) {
+        double xvx = dx * dvx;
+        double yvy = dy * dvy;
+        double b = xvx + yvy;
+        double doubt = ROUNDING * (Math.abs(xvx) + Math.abs(yvy));
+        if (b > doubt) {
+            return true;
+        }
+        double squared = dx * dx + dy * dy;
+        double ss = touch * touch;
+        return squared - ss - ROUNDING * (squared + ss) + 2 * (b - doubt) * left > 0;
     }
 
     /** For equal times: whether a body comes before the best partner so far. */
@@ -239,7 +273,8 @@ sealed class FlightSearch permits FlightSearch.Precise {
             }
             double ri = bodies.radius[i];
             double rj = bodies.radius[j];
-            if (start + pairs.lowerBound(xi, xj, yi, yj, vxi, vxj, vyi, vyj, ri, rj) <= Math.min(best, 1)
+            if (!isLate(xi - xj, yi - yj, vxi - vxj, vyi - vyj, ri + rj, Math.min(best, 1) - start)
+                && start + pairs.lowerBound(xi, xj, yi, yj, vxi, vxj, vyi, vyj, ri, rj) <= Math.min(best, 1)
                 && pairs.exactTime(xi, xj, yi, yj, vxi, vxj, vyi, vyj, ri, rj, until)) {
                 keepIfEarlier(j, start, startLow, now);
             }
