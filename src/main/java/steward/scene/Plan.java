@@ -128,7 +128,10 @@ public final class Plan {
     private Part restitution() {
         boolean in = lowestRestitution < 1;
         return new Part(Part.RESTITUTION, in,
-            in ? "restitution as low as " + Wording.number(lowestRestitution) : "everything has restitution 1");
+            in ? "restitution as low as " + Wording.number(lowestRestitution)
+                + (Double.isNaN(scene.law().restSpeed()) ? "" : ", restSpeed "
+                + Wording.number(scene.law().restSpeed()))
+                : "everything has restitution 1");
     }
 
     private Part minimumImpulse() {

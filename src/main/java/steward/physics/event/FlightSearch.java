@@ -161,8 +161,8 @@ sealed class FlightSearch permits FlightSearch.Precise {
     }
 
     /**
-     * Whether a pair surely separates, or surely does not touch within a time: the squared distance less s^2 is at least
-     * c + 2 b t. Without a root or a division, for most pairs.
+     * Whether a pair surely separates, or surely does not touch within a time: the squared distance less s^2 is at
+     * least c + 2 b t. Without a root or a division, for most pairs.
      */
     static boolean isLate(double dx, double dy, double dvx, double dvy, double touch, double left) {
         double xvx = dx * dvx;

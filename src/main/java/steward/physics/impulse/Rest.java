@@ -20,7 +20,8 @@ import steward.physics.Wall;
  * this turn of that body of the two that had more. So a first bounce is a bounce, and the larger the heap and the more
  * often it has bounced, the more is rest. In a heap that nothing immovable has stopped in this turn, directly or
  * through others, it is 2^(c - {@value #FREE_PATIENCE}): a collapse in free space ends by rounding. Without restitution
- * every impact in a heap is rest. Nothing depends on bodies elsewhere.
+ * every impact in a heap is rest. Nothing depends on bodies elsewhere. A law may set the speed itself
+ * ({@link ImpactLaw#restSpeed}).
  *
  * <p>Afterwards the contacts of the system part at 2^-42 of its speeds, so that rounding leaves no approach: no contact
  * of a heap at rest is met again. Where they cannot part, in a gap that is just filled or too narrow, velocities below
@@ -44,6 +45,8 @@ public final class Rest {
     private final Wall[] walls;
     private final Contacts contacts;
     private final CollisionParts.RestitutionRule restitutionRule;
+    /** Of the law; NaN for the default. */
+    private final double restSpeed;
     private final InelasticSystem system = new InelasticSystem();
     private int[] impacts = new int[0];
     private double[] speedAtStart = new double[0];
@@ -63,6 +66,7 @@ public final class Rest {
     private Rest(PhysicsParts parts, Wall[] walls) {
         this.walls = walls;
         contacts = parts.contacts();
+        restSpeed = parts.law().restSpeed();
         restitutionRule = CollisionParts.of(parts.law()).restitutionRule();
     }
 
@@ -115,7 +119,7 @@ public final class Rest {
             wasHeld[b] |= held;
         }
         int count = Math.max(impacts[a]++, b >= 0 ? impacts[b]++ : 0);
-        return count > 0 && reboundSpeed(bodies, a, b) <= highest;
+        return count > 0 && reboundSpeed(bodies, a, b) <= (Double.isNaN(restSpeed) ? highest : restSpeed);
     }
 
     private boolean isHeld(Bodies bodies, int i) {
@@ -154,7 +158,9 @@ public final class Rest {
             speed = Math.max(speed, speedAtStart[heap[k]]);
         }
         int count = Math.max(impacts[a], b >= 0 ? impacts[b] : 0) - 1;
-        if (touching == 1 || rebound > speed * share(heapSize, count, anchored ? PATIENCE : FREE_PATIENCE)) {
+        double limit = Double.isNaN(restSpeed)
+            ? speed * share(heapSize, count, anchored ? PATIENCE : FREE_PATIENCE) : anchored ? restSpeed : 0;
+        if (touching == 1 || rebound > limit) {
             return false;
         }
         gather(bodies, a, b, CLOSED, true);

@@ -195,4 +195,26 @@ class RestTest {
             assertTrue(log.impacts() >= 6, log.impacts() + " impacts");
         }
     }
+
+    /** A law's own rest speed: with 0 the heap bounces on, with one above all speeds it rests after its first impacts. */
+    @ParameterizedTest
+    @MethodSource("rungs")
+    void aLawMayNameTheRestSpeed(Arithmetic arithmetic) {
+        int[] impacts = new int[2];
+        for (int k = 0; k < 2; k++) {
+            PhysicsParts parts = new PhysicsParts(Scenes.WITH_RESTITUTION.withRestSpeed(k == 0 ? 0 : 100), arithmetic,
+                new Contacts(1), List.of(floor(0.5)), null, true);
+            Bodies bodies = new Bodies(3);
+            for (int body = 0; body < 3; body++) {
+                Scenes.add(bodies, 0, 10 + 20 * body, 0, -20, 1);
+                bodies.setRestitution(body, 0.5);
+            }
+            TurnLog log = new TurnLog();
+            new EventAdvance(parts).turn(bodies, log);
+            impacts[k] = log.impacts();
+            double after = Math.abs(bodies.vy[0]) + Math.abs(bodies.vy[1]) + Math.abs(bodies.vy[2]);
+            assertTrue(k == 0 ? after > 1 : after < 1e-9, "speeds " + after);
+        }
+        assertTrue(impacts[1] <= 6 && impacts[0] > impacts[1], impacts[0] + " and " + impacts[1] + " impacts");
+    }
 }
