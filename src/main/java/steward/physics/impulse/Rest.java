@@ -30,7 +30,7 @@ import steward.physics.Wall;
 public final class Rest {
 
     /** Gaps up to 1 / NEAR of the sum of the radii belong to a heap. */
-    public static final int NEAR = 256;
+    public static final int NEAR = 2048;
     /** After this many impacts of a body in a turn its heap rests, however fast it is; large heaps earlier. */
     static final int PATIENCE = 5;
     /** The same for a heap that nothing immovable holds. */

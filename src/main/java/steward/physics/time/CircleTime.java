@@ -88,13 +88,17 @@ public abstract sealed class CircleTime {
         }
     }
 
-    /** {@link CompensatedTime}, of the differences with their rounding errors. */
+    /**
+     * {@link CompensatedTime}, of the differences with their rounding errors; but where separating pairs react, of the
+     * rounded differences, as the push-out sees them: otherwise a pair could react again and again.
+     */
     private static final class Compensated extends CircleTime {
 
         @Override
         public double until(double x1, double x2, double y1, double y2, double vx1, double vx2, double vy1,
                             double vy2, double r1, double r2, boolean separatingReact) {
-            return CompensatedTime.circles(x1, x2, y1, y2, vx1, vx2, vy1, vy2, r1, r2, separatingReact);
+            return separatingReact ? super.until(x1, x2, y1, y2, vx1, vx2, vy1, vy2, r1, r2, true)
+                : CompensatedTime.circles(x1, x2, y1, y2, vx1, vx2, vy1, vy2, r1, r2);
         }
 
         @Override

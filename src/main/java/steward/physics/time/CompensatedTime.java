@@ -51,11 +51,10 @@ final class CompensatedTime {
      * The same for two circles, of which the differences are taken with their rounding errors: so a path is judged as
      * given, also where it grazes by some units in the last place of the coordinates.
      *
-     * @param separatingReact whether they react when they touch even if they do not approach
      * @return 0 for an impact now
      */
     static double circles(double x1, double x2, double y1, double y2, double vx1, double vx2, double vy1, double vy2,
-                          double r1, double r2, boolean separatingReact) {
+                          double r1, double r2) {
         double dx = x1 - x2;
         double dxLow = ErrorFree.sumError(x1, -x2, dx);
         double dy = y1 - y2;
@@ -67,15 +66,12 @@ final class CompensatedTime {
         double touch = r1 + r2;
         double touchLow = ErrorFree.sumError(r1, r2, touch);
         double b = dot(dx, vx, dy, vy, dx * vxLow + dxLow * vx + (dy * vyLow + dyLow * vy));
-        if (!(b < 0) && !separatingReact) {
+        if (!(b < 0)) {
             return NEVER;
         }
         double c = excess(dx, dy, touch, 2 * (dx * dxLow + dy * dyLow - touch * touchLow));
         if (c <= 0) {
             return 0;
-        }
-        if (!(b < 0)) {
-            return NEVER;
         }
         double discriminant = discriminant(dx, dxLow, dy, dyLow, vx, vxLow, vy, vyLow, touch, touchLow);
         return discriminant > 0 ? c / (Math.sqrt(discriminant) - b) : NEVER;

@@ -149,7 +149,7 @@ class StabilityTest {
             "sliding", "Newton's cradle", "random cradles", "rest", "inelastic collapse", "official edges",
             "dense packing",
             "long run of 10",
-            "long run of 100", "true path"), noticed);
+            "long run of 100"), noticed);
     }
 
     /** What hangs on the numbering or on left and right. */

@@ -196,7 +196,9 @@ class RestTest {
         }
     }
 
-    /** A law's own rest speed: with 0 the heap bounces on, with one above all speeds it rests after its first impacts. */
+    /**
+     * A law's own rest speed: with 0 the heap bounces on, with one above all speeds it rests after its first impacts.
+     */
     @ParameterizedTest
     @MethodSource("rungs")
     void aLawMayNameTheRestSpeed(Arithmetic arithmetic) {
