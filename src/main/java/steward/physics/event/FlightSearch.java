@@ -20,6 +20,10 @@ sealed class FlightSearch permits FlightSearch.Precise {
 
     /** Sums of products are off by less than this share of their terms. */
     private static final double ROUNDING = 0x1p-46;
+    /** What underflows in a sum of products is less. */
+    private static final double TINY = 0x1p-1000;
+    /** Sums of two times of a turn are off by at most this. */
+    private static final double TIME_ROUNDING = 0x1p-52;
 
     static final double NEVER = Double.POSITIVE_INFINITY;
 
@@ -162,19 +166,19 @@ sealed class FlightSearch permits FlightSearch.Precise {
 
     /**
      * Whether a pair surely separates, or surely does not touch within a time: the squared distance less s^2 is at
-     * least c + 2 b t. Without a root or a division, for most pairs.
+     * least c + 2 b t. Without a root or a division, for most pairs. What overflows or underflows is not sure.
      */
     static boolean isLate(double dx, double dy, double dvx, double dvy, double touch, double left) {
         double xvx = dx * dvx;
         double yvy = dy * dvy;
         double b = xvx + yvy;
-        double doubt = ROUNDING * (Math.abs(xvx) + Math.abs(yvy));
+        double doubt = ROUNDING * (Math.abs(xvx) + Math.abs(yvy)) + TINY;
         if (b > doubt) {
             return true;
         }
         double squared = dx * dx + dy * dy;
         double ss = touch * touch;
-        return squared - ss - ROUNDING * (squared + ss) + 2 * (b - doubt) * left > 0;
+        return squared - ss - (ROUNDING * (squared + ss) + TINY) + 2 * (b - doubt) * (left + TIME_ROUNDING) > 0;
     }
 
     /** For equal times: whether a body comes before the best partner so far. */
