@@ -22,6 +22,8 @@ sealed class FlightSearch permits FlightSearch.Precise {
     private static final double ROUNDING = 0x1p-46;
     /** What underflows in a sum of products is less. */
     private static final double TINY = 0x1p-1000;
+    /** Coordinates in flight for at most a turn are off by less than this share of place and velocity. */
+    private static final double PLACE = 0x1p-48;
     /** Sums of two times of a turn are off by at most this. */
     private static final double TIME_ROUNDING = 0x1p-52;
 
@@ -49,13 +51,21 @@ sealed class FlightSearch permits FlightSearch.Precise {
             ? null : new PairSelection(parts.contacts());
     }
 
-    /** Searches all rows. */
+    /** Searches all rows; all flights start now. */
     void searchAll(Bodies bodies, double now) {
-        if (time.length < bodies.size()) {
+        int size = bodies.size();
+        if (time.length < size) {
             grow(bodies.capacity());
         }
-        for (int i = 0; i < bodies.size(); i++) {
-            searchRow(bodies, i, now);
+        for (int i = 0; i < size; i++) {
+            clear();
+            for (int j = i + 1; bodiesMeet && j < size; j++) {
+                if (selection == null || selection.canReact(bodies, i, j)) {
+                    offerAtStart(bodies, i, j, now);
+                }
+            }
+            offerWalls(bodies, i, now);
+            keep(i);
         }
     }
 
@@ -91,6 +101,11 @@ sealed class FlightSearch permits FlightSearch.Precise {
                 offer(bodies, i, j, now);
             }
         }
+        offerWalls(bodies, i, now);
+        keep(i);
+    }
+
+    private void offerWalls(Bodies bodies, int i, double now) {
         if (walls.length > 0
             && (selection == null ? bodies.inverseMass[i] > 0 : selection.canReactWithWalls(bodies, i))) {
             for (int w = 0; w < walls.length; w++) {
@@ -99,7 +114,6 @@ sealed class FlightSearch permits FlightSearch.Precise {
                 }
             }
         }
-        keep(i);
     }
 
     void clear() {
@@ -129,7 +143,13 @@ sealed class FlightSearch permits FlightSearch.Precise {
         return first;
     }
 
-    /** Keeps the impact of a pair, i below j, if it is earlier than the best of the row. */
+    /** Keeps the impact of a pair, i below j, both flights of which start now, if it is earlier than the row's best. */
+    void offerAtStart(Bodies bodies, int i, int j, double now) {
+        offer(j, bodies.x[i], bodies.x[j], bodies.y[i], bodies.y[j], bodies.vx[i], bodies.vx[j], bodies.vy[i],
+            bodies.vy[j], bodies.radius[i], bodies.radius[j], now, now);
+    }
+
+    /** The same whenever their flights have started. */
     void offer(Bodies bodies, int i, int j, double now) {
         double xi = bodies.x[i];
         double yi = bodies.y[i];
@@ -149,8 +169,11 @@ sealed class FlightSearch permits FlightSearch.Precise {
             yi += vyi * (other - start);
             start = other;
         }
-        double ri = bodies.radius[i];
-        double rj = bodies.radius[j];
+        offer(j, xi, xj, yi, yj, vxi, vxj, vyi, vyj, bodies.radius[i], bodies.radius[j], start, now);
+    }
+
+    private void offer(int j, double xi, double xj, double yi, double yj, double vxi, double vxj, double vyi,
+                       double vyj, double ri, double rj, double start, double now) {
         if (isLate(xi - xj, yi - yj, vxi - vxj, vyi - vyj, ri + rj, Math.min(best, 1) - start)) {
             return;
         }
@@ -171,8 +194,18 @@ sealed class FlightSearch permits FlightSearch.Precise {
     static boolean isLate(double dx, double dy, double dvx, double dvy, double touch, double left) {
         double xvx = dx * dvx;
         double yvy = dy * dvy;
-        double b = xvx + yvy;
-        double doubt = ROUNDING * (Math.abs(xvx) + Math.abs(yvy)) + TINY;
+        return isFar(dx, dy, xvx + yvy, ROUNDING * (Math.abs(xvx) + Math.abs(yvy)) + TINY, touch, left);
+    }
+
+    /** The same where dx and dy are off by {@code rounding}, which is in {@code touch} already. */
+    static boolean isLate(double dx, double dy, double dvx, double dvy, double touch, double left, double rounding) {
+        double xvx = dx * dvx;
+        double yvy = dy * dvy;
+        return isFar(dx, dy, xvx + yvy,
+            ROUNDING * (Math.abs(xvx) + Math.abs(yvy)) + rounding * (Math.abs(dvx) + Math.abs(dvy)) + TINY, touch, left);
+    }
+
+    private static boolean isFar(double dx, double dy, double b, double doubt, double touch, double left) {
         if (b > doubt) {
             return true;
         }
@@ -252,6 +285,12 @@ sealed class FlightSearch permits FlightSearch.Precise {
         }
 
         @Override
+        void offerAtStart(Bodies bodies, int i, int j, double now) {
+            offer(j, bodies.x[i], bodies.x[j], bodies.y[i], bodies.y[j], bodies.vx[i], bodies.vx[j], bodies.vy[i],
+                bodies.vy[j], bodies.radius[i], bodies.radius[j], now, flights.sinceLow[i], now);
+        }
+
+        @Override
         void offer(Bodies bodies, int i, int j, double now) {
             double xi = bodies.x[i];
             double yi = bodies.y[i];
@@ -261,22 +300,44 @@ sealed class FlightSearch permits FlightSearch.Precise {
             double vyi = bodies.vy[i];
             double vxj = bodies.vx[j];
             double vyj = bodies.vy[j];
+            double ri = bodies.radius[i];
+            double rj = bodies.radius[j];
             double start = flights.since[i];
             double startLow = flights.sinceLow[i];
             double ahead = flights.clockDifference(i, j);
             if (ahead > 0) {
+                if (isSurelyLate(xj, yj, vxj, vyj, start - flights.since[j], xi, yi, vxi, vyi, ri + rj, start)) {
+                    return;
+                }
                 double flown = flight.elapsed(flights.since[j], flights.sinceLow[j], start, startLow);
                 xj = flight.coordinate(xj, vxj, flown);
                 yj = flight.coordinate(yj, vyj, flown);
             } else if (ahead < 0) {
                 start = flights.since[j];
                 startLow = flights.sinceLow[j];
+                if (isSurelyLate(xi, yi, vxi, vyi, start - flights.since[i], xj, yj, vxj, vyj, ri + rj, start)) {
+                    return;
+                }
                 double flown = flight.elapsed(flights.since[i], flights.sinceLow[i], start, startLow);
                 xi = flight.coordinate(xi, vxi, flown);
                 yi = flight.coordinate(yi, vyi, flown);
             }
-            double ri = bodies.radius[i];
-            double rj = bodies.radius[j];
+            offer(j, xi, xj, yi, yj, vxi, vxj, vyi, vyj, ri, rj, start, startLow, now);
+        }
+
+        /**
+         * {@link #isLate} for a body that has flown for some time and another whose flight starts now: in plain doubles,
+         * with room for their rounding, before the flight is computed in double-double.
+         */
+        private boolean isSurelyLate(double x, double y, double vx, double vy, double flown, double x2, double y2,
+                                     double vx2, double vy2, double touch, double start) {
+            double rounding = PLACE * (Math.abs(x) + Math.abs(y) + Math.abs(vx) + Math.abs(vy)) + Double.MIN_NORMAL;
+            return isLate(x + vx * flown - x2, y + vy * flown - y2, vx - vx2, vy - vy2, touch + rounding,
+                Math.min(best, 1) - start, rounding);
+        }
+
+        private void offer(int j, double xi, double xj, double yi, double yj, double vxi, double vxj, double vyi,
+                           double vyj, double ri, double rj, double start, double startLow, double now) {
             if (!isLate(xi - xj, yi - yj, vxi - vxj, vyi - vyj, ri + rj, Math.min(best, 1) - start)
                 && start + pairs.lowerBound(xi, xj, yi, yj, vxi, vxj, vyi, vyj, ri, rj) <= Math.min(best, 1)
                 && pairs.exactTime(xi, xj, yi, yj, vxi, vxj, vyi, vyj, ri, rj, until)) {

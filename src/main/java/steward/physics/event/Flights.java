@@ -91,11 +91,11 @@ sealed class Flights permits Flights.Precise {
 
         @Override
         void store(Bodies bodies, int i, double now) {
-            double time = flight.elapsed(since[i], sinceLow[i], now, nowLow);
-            if (time == 1 && flight.elapsedLow == 0) { // no impact in this turn: one rounding, and no -0.0 as below
+            if (now - since[i] == 1 && nowLow - sinceLow[i] == 0) { // no impact in this turn: one rounding, and no -0.0
                 bodies.x[i] = bodies.x[i] + bodies.vx[i] + 0.0;
                 bodies.y[i] = bodies.y[i] + bodies.vy[i] + 0.0;
             } else {
+                double time = flight.elapsed(since[i], sinceLow[i], now, nowLow);
                 bodies.x[i] = flight.coordinate(bodies.x[i], bodies.vx[i], time);
                 bodies.y[i] = flight.coordinate(bodies.y[i], bodies.vy[i], time);
             }

@@ -35,6 +35,8 @@ final class InelasticSystem {
     final double[] normalX = new double[MOST];
     final double[] normalY = new double[MOST];
     final double[] impulse = new double[MOST];
+    /** The approach speed that a contact may keep, because it has a gap. */
+    final double[] allowed = new double[MOST];
     private final double[] approach = new double[MOST];
     private final double[] trial = new double[MOST];
     private final boolean[] blocked = new boolean[MOST];
@@ -43,6 +45,7 @@ final class InelasticSystem {
     private int active;
 
     void add(int body, int other, double nx, double ny) {
+        allowed[size] = 0;
         a[size] = body;
         b[size] = other;
         normalX[size] = nx;
@@ -56,6 +59,9 @@ final class InelasticSystem {
         int other = b[k];
         double nx = normalX[k];
         double ny = normalY[k];
+        double kept = allowed[k];
+        allowed[k] = allowed[l];
+        allowed[l] = kept;
         a[k] = a[l];
         b[k] = b[l];
         normalX[k] = normalX[l];
@@ -78,7 +84,8 @@ final class InelasticSystem {
     }
 
     /**
-     * Computes the impulses after which every contact separates at least at a speed.
+     * Computes the impulses after which every contact separates at least at a speed, or has no more approach than it is
+     * allowed.
      *
      * @param parting   the speed, at least 0
      * @param tolerance an approach up to this speed remains
@@ -88,7 +95,7 @@ final class InelasticSystem {
         active = 0;
         boolean parts = true;
         for (int k = 0; k < size; k++) {
-            approach[k] = approach(bodies, k) + parting;
+            approach[k] = approach(bodies, k) + (allowed[k] > 0 ? -allowed[k] : parting);
             impulse[k] = 0;
             blocked[k] = false;
         }

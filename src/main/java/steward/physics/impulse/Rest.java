@@ -15,7 +15,10 @@ import steward.physics.Wall;
  * one time.
  *
  * <p>A heap is what hangs on an impact by gaps of at most 1/{@value #NEAR} of the sum of the radii: two contacts or
- * more. Its rest speed is the highest speed that one of its bodies had at the start of the turn, times the number of
+ * more. These gaps are four times as wide each time it has come to rest in this turn, up to 1/{@value #WIDEST}; those
+ * that count as closed, at first 2^-16, grow 16-fold. A contact with such a gap may keep the approach that uses up half
+ * of it until the end of the turn; so the last gaps of a heap are closed over several turns, and not one by one within
+ * a turn. Its rest speed is the highest speed that one of its bodies had at the start of the turn, times the number of
  * its bodies, times 2^(c - {@value #PATIENCE}), and at most that highest speed; c is the number of earlier impacts in
  * this turn of that body of the two that had more. So a first bounce is a bounce, and the larger the heap and the more
  * often it has bounced, the more is rest. In a heap that nothing immovable has stopped in this turn, directly or
@@ -35,12 +38,25 @@ public final class Rest {
     static final int PATIENCE = 5;
     /** The same for a heap that nothing immovable holds. */
     static final int FREE_PATIENCE = 40;
+    /** Gaps of a heap are never wider than 1 / WIDEST of the sum of the radii. */
+    public static final int WIDEST = 32;
     /** Gaps up to this share of the radii are closed: what slow bodies close again within a small part of a turn. */
     private static final double CLOSED = 0x1p-16;
+    /** Each time a heap comes to rest in a turn, its gaps grow by 2^WIDENING. */
+    private static final int WIDENING = 2;
+    /** The same for the gaps that count as closed. */
+    private static final int WIDENING_OF_CLOSED = 4;
+    /** The share of its gap that a closed contact may use up in the rest of the turn. */
+    private static final double USED = 0.5;
+    /** The shortest rest of a turn that is divided by. */
+    private static final double LEAST_LEFT = 0x1p-20;
     /** Contacts of a system part at this share of its speeds, above the rounding of velocities and normals. */
     private static final double PARTING = 0x1p-42;
     /** Where contacts cannot part, velocities below this share of the speeds are 0. */
     private static final double STILL = 0x1p-40;
+
+    /** More than enough for the widest gaps. */
+    private static final int LARGE = 16;
 
     private final Wall[] walls;
     private final Contacts contacts;
@@ -48,6 +64,8 @@ public final class Rest {
     /** Of the law; NaN for the default. */
     private final double restSpeed;
     private final InelasticSystem system = new InelasticSystem();
+    /** How often the heap of a body has come to rest in this turn. */
+    private int[] settled = new int[0];
     private int[] impacts = new int[0];
     private double[] speedAtStart = new double[0];
     private double highest;
@@ -84,6 +102,7 @@ public final class Rest {
         if (impacts.length < size) {
             int capacity = bodies.capacity();
             impacts = new int[capacity];
+            settled = new int[capacity];
             speedAtStart = new double[capacity];
             heap = new int[capacity];
             inHeap = new boolean[capacity];
@@ -93,6 +112,7 @@ public final class Rest {
         squeezed = false;
         for (int i = 0; i < size; i++) {
             impacts[i] = 0;
+            settled[i] = 0;
             wasHeld[i] = false;
             speedAtStart[i] = bodies.inverseMass[i] > 0
                 ? Math.sqrt(bodies.vx[i] * bodies.vx[i] + bodies.vy[i] * bodies.vy[i]) : 0;
@@ -152,10 +172,13 @@ public final class Rest {
      */
     public boolean settle(Bodies bodies, int a, int b, double time, TurnSink sink) {
         double rebound = reboundSpeed(bodies, a, b);
-        gather(bodies, a, b, 1.0 / NEAR, false);
+        double near = near(a, b);
+        gather(bodies, a, b, near, false);
         double speed = 0;
+        int before = 0;
         for (int k = 0; k < heapSize; k++) {
             speed = Math.max(speed, speedAtStart[heap[k]]);
+            before = Math.max(before, settled[heap[k]]);
         }
         int count = Math.max(impacts[a], b >= 0 ? impacts[b] : 0) - 1;
         double limit = Double.isNaN(restSpeed)
@@ -163,11 +186,38 @@ public final class Rest {
         if (touching == 1 || rebound > limit) {
             return false;
         }
-        gather(bodies, a, b, CLOSED, true);
+        gather(bodies, a, b, Math.min(near, Math.scalb(CLOSED, WIDENING_OF_CLOSED * Math.min(LARGE, before))), true);
+        for (int k = 0; k < heapSize; k++) {
+            settled[heap[k]]++;
+        }
+        for (int k = 0; k < system.size; k++) {
+            allow(bodies, k, 1 - time);
+        }
         sort(bodies);
         solve(bodies);
         record(bodies, time, sink);
         return true;
+    }
+
+    /**
+     * The gaps, as a share of the sum of the radii, of the heap of an impact: wider, the more often it has come to rest
+     * in this turn.
+     */
+    public double near(int a, int b) {
+        return Math.min(1.0 / WIDEST, Math.scalb(1.0 / NEAR, WIDENING * settledBefore(a, b)));
+    }
+
+    private int settledBefore(int a, int b) {
+        return Math.min(LARGE, Math.max(settled[a], b >= 0 ? settled[b] : 0));
+    }
+
+    /** Lets a contact with a gap keep the approach that uses up a part of the gap in the rest of the turn. */
+    private void allow(Bodies bodies, int k, double left) {
+        int a = system.a[k];
+        int b = system.b[k];
+        double gap = b < 0 ? walls[~b].gap(bodies.x[a], bodies.y[a], bodies.radius[a]) : gap(bodies, a, b);
+        double size = bodies.radius[a] + (b < 0 ? 0 : bodies.radius[b]);
+        system.allowed[k] = gap > CLOSED * size ? USED * gap / Math.max(left, LEAST_LEFT) : 0;
     }
 
     /** Whether the last heap had nothing to exchange although it approaches: there is no room, and no way out. */

@@ -47,8 +47,8 @@ import steward.physics.time.Magnitudes;
  */
 public final class QueueAdvance implements Advance {
 
-    /** Gaps of a heap, with room for rounding. */
-    private static final double NEAR = 1.01 / Rest.NEAR;
+    /** Room for rounding where gaps of a heap are looked for. */
+    private static final double ROOM = 1.01;
 
     private final PhysicsParts parts;
     private final ImpactLaw law;
@@ -73,7 +73,7 @@ public final class QueueAdvance implements Advance {
         descending = law.scanOrder() == ImpactLaw.ScanOrder.DESCENDING;
         boolean exact = parts.arithmetic() == Arithmetic.EXACT;
         rest = Rest.of(parts, walls);
-        crowd = new Crowd(exact, rest == null ? Cells.SLACK : 1 + 2 * NEAR);
+        crowd = new Crowd(exact, rest == null ? Cells.SLACK : 1 + 2 * ROOM / Rest.WIDEST);
         events = new EventBuckets(new EventOrder(crowd));
         pairs = QueuePairs.of(crowd, parts);
         Collision collision;
@@ -201,8 +201,11 @@ public final class QueueAdvance implements Advance {
         if (b >= 0) {
             crowd.store(b, bodies, now);
         }
-        if (!rest.isAbout(bodies, i, j) || !rest.mayRest(bodies, i, j)
-            || !search.hasNear(a, b, NEAR, now) && (b < 0 || !search.hasNear(b, a, NEAR, now))) {
+        if (!rest.isAbout(bodies, i, j) || !rest.mayRest(bodies, i, j)) {
+            return false;
+        }
+        double near = ROOM * rest.near(i, j);
+        if (!search.hasNear(a, b, near, now) && (b < 0 || !search.hasNear(b, a, near, now))) {
             return false;
         }
         crowd.store(bodies, now);

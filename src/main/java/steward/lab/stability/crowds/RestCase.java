@@ -19,13 +19,15 @@ import steward.physics.ImpactLaw;
 import steward.physics.TurnLog;
 import steward.physics.Wall;
 
-/** Piles that fall on a wall or into a corner, without and with some restitution, and come to rest. */
+/** Piles that fall or are pressed on a wall or into a corner, without and with restitution, and come to rest. */
 public final class RestCase implements StabilityCase {
 
     private static final long SEED = 18;
     private static final int TURNS = 40;
     private static final int MOST_IMPACTS = 500;
     private static final double STILL = 1e-9;
+    /** Of rows that lie in the gaps of the rows below: half of the root of 3. */
+    private static final double HEIGHT = 0.8660254037844387;
     /** So that the growth of nothing is a number. */
     private static final BigDecimal TINY = new BigDecimal(1e-30);
     private static final ImpactLaw SOFT = ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM);
@@ -37,10 +39,12 @@ public final class RestCase implements StabilityCase {
 
     @Override
     public String demand() {
-        return "piles of 1 to 30 bodies of random radii and masses, with gaps of 0 to 1e-3 radii and jitter, thrown "
-            + "at a wall or into a corner, e = 0..0.9: no turn has more than 500 impacts or its limit, energy never "
+        return "columns, grids and staggered rows of 1 to 30 bodies of random radii and masses, with gaps of 0 to 1e-1 "
+            + "radii and jitter, thrown once or pressed anew each turn against a wall or into a corner, e = 0..0.9: no "
+            + "turn has more than 500 impacts or its limit, energy never "
             + "grows (but for 1e-15 of it, by rounding), momentum is booked, one by one and as a crowd are the same to "
-            + "the bit; columns without restitution are then at rest; on every event rung";
+            + "the bit; columns without restitution are then at rest; "
+            + "on every event rung";
     }
 
     @Override
@@ -73,11 +77,12 @@ public final class RestCase implements StabilityCase {
 
     private static void pile(Rung rung, SplitMix64 random, Tally tally) {
         int count = 1 + random.nextInt(30);
-        boolean column = random.nextInt(2) == 0;
+        Shape shape = Shape.values()[random.nextInt(3)];
         boolean corner = random.nextInt(2) == 0;
+        boolean pressed = random.nextInt(2) == 0;
         double restitution = random.nextInt(3) == 0 ? 0 : 0.9 * random.nextDouble();
-        double gaps = random.nextInt(3) == 0 ? 0 : StrictMath.pow(10, -3 - 12 * random.nextDouble());
-        Bodies bodies = bodies(random, count, column, gaps, restitution);
+        double gaps = random.nextInt(3) == 0 ? 0 : StrictMath.pow(10, -1 - 14 * random.nextDouble());
+        Bodies bodies = bodies(random, count, shape, gaps, restitution);
         List<Wall> walls = new ArrayList<>();
         walls.add(new HalfPlane(0, 0, 0, 1, restitution));
         if (corner) {
@@ -89,24 +94,42 @@ public final class RestCase implements StabilityCase {
         Bodies copy = new Bodies(count);
         double speed = speed(bodies);
         for (int turn = 0; turn < TURNS; turn++) {
+            if (pressed && turn > 0) {
+                press(bodies, speed, corner);
+            }
             play(alone, crowd, bodies, copy, tally);
         }
-        if (column && restitution == 0) {
+        if (shape == Shape.COLUMN && !(pressed && corner) && restitution == 0) {
             tally.fastest = Math.max(tally.fastest, speed(bodies) / speed);
         }
     }
 
+    /** Gives each body a speed toward the wall, or into the corner. */
+    private static void press(Bodies bodies, double speed, boolean corner) {
+        for (int k = 0; k < bodies.size(); k++) {
+            bodies.setVelocity(k, bodies.vx[k] - (corner ? speed : 0), bodies.vy[k] - speed);
+        }
+    }
+
+    /** How a pile is built. */
+    private enum Shape { COLUMN, GRID, STAGGERED }
+
     /** A column that falls straight, or rows with jitter that fall anyhow. */
-    private static Bodies bodies(SplitMix64 random, int count, boolean column, double gaps, double restitution) {
+    private static Bodies bodies(SplitMix64 random, int count, Shape shape, double gaps, double restitution) {
         Bodies bodies = new Bodies(count);
+        boolean column = shape == Shape.COLUMN;
         double radius = 1 + 30 * random.nextDouble();
         double speed = radius * (0.1 + 3 * random.nextDouble());
         int perRow = column ? 1 : 1 + random.nextInt(6);
         double step = 2 * radius * (1 + gaps);
         for (int k = 0; k < count; k++) {
             double jitter = gaps * radius;
-            bodies.add(radius + step * (k % perRow) + (column ? 0 : jitter * random.nextDouble()),
-                radius + step * (k / perRow) + jitter * random.nextDouble(), radius, 1 + 2 * random.nextDouble());
+            int row = k / perRow;
+            boolean moved = shape == Shape.STAGGERED && row % 2 == 1;
+            bodies.add(radius + step * (k % perRow) + (moved ? step / 2 : 0)
+                + (column ? 0 : jitter * random.nextDouble()),
+                radius + (shape == Shape.STAGGERED ? HEIGHT : 1) * step * row + jitter * random.nextDouble(), radius,
+                1 + 2 * random.nextDouble());
             bodies.setVelocity(k, column ? 0 : -speed * random.nextDouble(),
                 column ? -speed : -speed * (0.5 + random.nextDouble()));
             bodies.setRestitution(k, restitution);
