@@ -46,7 +46,8 @@ final class BatchLoop {
                 : PairTime.of(law, parts.arithmetic()));
             queue = ImpactQueue.of(law);
             flight = new Flight.Plain();
-            collision = Collision.of(law, parts.arithmetic(), walls);
+            collision = Collision.of(law, former && parts.arithmetic() == Arithmetic.COMPENSATED ? Arithmetic.DOUBLE
+                : parts.arithmetic(), walls);
         }
         response = ContactResponse.of(parts, former ? collision.withoutSliding() : collision, walls);
         standstill = new Standstill(parts);

@@ -45,8 +45,11 @@ public sealed class Collision permits CompensatedCollision, OfficialCollision {
         if (arithmetic == Arithmetic.OFFICIAL) {
             return new OfficialCollision(law, walls);
         }
-        return arithmetic == Arithmetic.FORMER_OFFICIAL || law.minimumImpulse() > 0
-            ? new Collision(law, walls) : new CompensatedCollision(law, walls);
+        if (arithmetic == Arithmetic.FORMER_OFFICIAL || law.minimumImpulse() > 0) {
+            return new Collision(law, walls);
+        }
+        return arithmetic == Arithmetic.COMPENSATED
+            ? new CompensatedCollision.Judging(law, walls) : new CompensatedCollision(law, walls);
     }
 
     /** Makes every contact with an arena a bounce, as in replays of formats 1 and 2. */

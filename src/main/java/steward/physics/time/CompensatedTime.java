@@ -1,6 +1,7 @@
 package steward.physics.time;
 
 import steward.numerics.ErrorFree;
+import steward.physics.Bodies;
 
 /*
  * With u = 2^-53, d from centre to centre, v the relative velocity and s the touching distance as given (their own
@@ -26,7 +27,7 @@ import steward.numerics.ErrorFree;
  * closely; there the decision can still be wrong. Products of the inputs, up to the fourth power, have to be in the
  * range of {@link ErrorFree}: lengths and speeds from 1e-60 to 1e60.
  */
-final class CompensatedTime {
+public final class CompensatedTime {
 
     private static final double NEVER = Double.POSITIVE_INFINITY;
 
@@ -75,6 +76,19 @@ final class CompensatedTime {
         }
         double discriminant = discriminant(dx, dxLow, dy, dyLow, vx, vxLow, vy, vyLow, touch, touchLow);
         return discriminant > 0 ? c / (Math.sqrt(discriminant) - b) : NEVER;
+    }
+
+    /** Whether two bodies approach, as {@link #circles} judges it. */
+    public static boolean areApproaching(Bodies bodies, int i, int j) {
+        double dx = bodies.x[i] - bodies.x[j];
+        double dy = bodies.y[i] - bodies.y[j];
+        double vx = bodies.vx[i] - bodies.vx[j];
+        double vy = bodies.vy[i] - bodies.vy[j];
+        double dxLow = ErrorFree.sumError(bodies.x[i], -bodies.x[j], dx);
+        double dyLow = ErrorFree.sumError(bodies.y[i], -bodies.y[j], dy);
+        double vxLow = ErrorFree.sumError(bodies.vx[i], -bodies.vx[j], vx);
+        double vyLow = ErrorFree.sumError(bodies.vy[i], -bodies.vy[j], vy);
+        return dot(dx, vx, dy, vy, dx * vxLow + dxLow * vx + (dy * vyLow + dyLow * vy)) < 0;
     }
 
     /** p q + r s, and what the low parts of these add. */
