@@ -202,7 +202,8 @@ sealed class FlightSearch permits FlightSearch.Precise {
         double xvx = dx * dvx;
         double yvy = dy * dvy;
         return isFar(dx, dy, xvx + yvy,
-            ROUNDING * (Math.abs(xvx) + Math.abs(yvy)) + rounding * (Math.abs(dvx) + Math.abs(dvy)) + TINY, touch, left);
+            ROUNDING * (Math.abs(xvx) + Math.abs(yvy)) + rounding * (Math.abs(dvx) + Math.abs(dvy)) + TINY,
+            touch, left);
     }
 
     private static boolean isFar(double dx, double dy, double b, double doubt, double touch, double left) {
@@ -326,8 +327,8 @@ sealed class FlightSearch permits FlightSearch.Precise {
         }
 
         /**
-         * {@link #isLate} for a body that has flown for some time and another whose flight starts now: in plain doubles,
-         * with room for their rounding, before the flight is computed in double-double.
+         * {@link #isLate} for a body that has flown for some time and another whose flight starts now: in plain
+         * doubles, with room for their rounding, before the flight is computed in double-double.
          */
         private boolean isSurelyLate(double x, double y, double vx, double vy, double flown, double x2, double y2,
                                      double vx2, double vy2, double touch, double start) {
