@@ -40,7 +40,8 @@ public final class TruePathCase implements StabilityCase {
     public String demand() {
         return "3, 10 and 30 discs in a box: impacts "
             + "until one is not the true one (another pair, or off by 1e-4 turns), "
-            + "the mean of several gases; at least 15 for each disc on every event rung, more no arithmetic can promise";
+            + "the mean of several gases; at least 15 for each disc on every event rung, more no "
+            + "arithmetic can promise";
     }
 
     @Override
