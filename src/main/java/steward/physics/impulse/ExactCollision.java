@@ -33,6 +33,7 @@ public sealed class ExactCollision extends CompensatedCollision permits ExactMin
     private final ExactPairs pairs;
     private final ExactWalls wallTimes;
     private final LowParts lows;
+    private final CentralImpact central = new CentralImpact();
     private final DoubleDouble normalX = new DoubleDouble();
     private final DoubleDouble normalY = new DoubleDouble();
     final DoubleDouble work = new DoubleDouble();
@@ -123,22 +124,29 @@ public sealed class ExactCollision extends CompensatedCollision permits ExactMin
     }
 
     /**
-     * Applies the impulse. Without a minimum impulse the velocities follow from q alone; impulse and energy are only
-     * for the record.
+     * Applies the impulse. Without a minimum impulse the velocities follow from q alone, or where nearly all of the
+     * relative velocity changes, from what does not ({@link CentralImpact}); impulse and energy are only for the
+     * record.
      */
     void exchangeImpulse(Bodies bodies, int a, int b, double restitution) {
         double massA = bodies.mass[a];
         double massB = bodies.mass[b];
         double speed = high * length;
+        boolean isCentral = central.direction(dx, dxLow, dy, dyLow).squared(squared, squaredLow)
+            .isCentral(bodies.vx[a], bodies.vx[b], bodies.vy[a], bodies.vy[b], high * squared);
         multiplyByOnePlus(restitution);
         double size = high;
         double sizeLow = low;
         multiplyByMassShare(massA, massB, size, sizeLow);
-        addVelocity(bodies, b, high, low, dx, dxLow, dy, dyLow);
         double sizeOfB = high;
         double sizeLowOfB = low;
         multiplyByMassShare(massB, massA, size, sizeLow);
-        addVelocity(bodies, a, -high, -low, dx, dxLow, dy, dyLow);
+        if (isCentral) {
+            central.apply(bodies, a, b, restitution);
+        } else {
+            addVelocity(bodies, b, sizeOfB, sizeLowOfB, dx, dxLow, dy, dyLow);
+            addVelocity(bodies, a, -high, -low, dx, dxLow, dy, dyLow);
+        }
         boolean light = massA <= massB;               // the heavier body's change can be too small for all its digits
         multiply(light ? high : sizeOfB, light ? low : sizeLowOfB, length, lengthLow);
         multiply(high, low, light ? massA : massB, 0);
@@ -149,6 +157,10 @@ public sealed class ExactCollision extends CompensatedCollision permits ExactMin
     @Override
     public void reactWall(Bodies bodies, int a, int w, double time, TurnSink sink) {
         Wall wall = walls[w];
+        if (slides && RimSliding.slide(bodies, a, w, wall, time, sink)) {
+            lows.clear(a);
+            return;
+        }
         double ax = bodies.x[a];
         double ay = bodies.y[a];
         wallTimes.normal(w, work.setSum(ax, lows.x[a]), other.setSum(ay, lows.y[a]), normalX, normalY);
