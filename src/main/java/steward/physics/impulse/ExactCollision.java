@@ -18,8 +18,9 @@ import steward.physics.time.LowParts;
  *
  * <p>Under a law in which only approach reacts, the rounding of positions can make a pair approach again right after
  * its impact. This happens when the cosine between normal and velocity is below the rounding of the positions relative
- * to the touching distance. Then, and after an impact without restitution, the residual approach is removed as in
- * {@link Collision}; exact signs decide whether there is any.
+ * to the touching distance; where the positions are as stored, the rounding of the velocities can do so. Then, and
+ * after an impact without restitution, the residual approach is removed: first by a unit in the last place of each
+ * velocity, and where that is not enough, as in {@link Collision}; exact signs decide whether there is any.
  */
 public sealed class ExactCollision extends CompensatedCollision permits ExactMinimumImpulse {
 
@@ -219,6 +220,8 @@ public sealed class ExactCollision extends CompensatedCollision permits ExactMin
         }
         double x = bodies.x[b] - bodies.x[a];
         double y = bodies.y[b] - bodies.y[a];
+        roundApart(bodies, a, -x, -y);
+        roundApart(bodies, b, x, y);
         double size = Math.max(Math.abs(x), Math.abs(y));
         boolean ofA = bodies.inverseMass[a] >= bodies.inverseMass[b];
         int body = ofA ? a : b;
@@ -228,6 +231,21 @@ public sealed class ExactCollision extends CompensatedCollision permits ExactMin
             bodies.vy[body] += y / size * step;
             step *= 2;
         }
+    }
+
+    /**
+     * Moves a velocity to the next double of each component in a direction: where the positions are as stored, that
+     * outweighs the rounding of the velocities, so nothing else is left to do.
+     */
+    private static void roundApart(Bodies bodies, int body, double x, double y) {
+        if (bodies.inverseMass[body] > 0) {
+            bodies.vx[body] = next(bodies.vx[body], x);
+            bodies.vy[body] = next(bodies.vy[body], y);
+        }
+    }
+
+    private static double next(double v, double direction) {
+        return Math.abs(v) < Double.MIN_NORMAL || direction == 0 ? v : direction > 0 ? Math.nextUp(v) : Math.nextDown(v);
     }
 
     private void removeResidualApproachToWall(Bodies bodies, int a, int w) {
