@@ -108,6 +108,9 @@ final class FlightLoop {
         if (asking == null) {
             response.react(bodies, a, b, now, sink);
         } else if (!ask(bodies, a, b, now, sink)) {
+            if (rest != null) {
+                rest.follow(bodies);
+            }
             flights.startAll(bodies, now);
             search.searchAll(bodies, now);
             return;

@@ -198,6 +198,9 @@ public final class QueueAdvance implements Advance {
         crowd.nowLow = nowLow;
         crowd.load(bodies, now);
         predict(bodies.capacity(), now);
+        if (rest != null) {
+            rest.follow(bodies);
+        }
     }
 
     /** Lets the heap of an impact rest; then all flights begin anew. @return false if it is an ordinary impact */

@@ -15,6 +15,7 @@ import steward.physics.Contacts;
 import steward.physics.HalfPlane;
 import steward.physics.Impact;
 import steward.physics.PhysicsParts;
+import steward.physics.Reaction;
 import steward.physics.TurnLog;
 import steward.physics.Wall;
 import steward.physics.queue.QueueAdvance;
@@ -71,6 +72,46 @@ class RestTest {
             advance.turn(bodies, log);
             assertEquals(0, log.impacts(), "they rest");
             assertEquals(460, bodies.y[2], 1e-12);
+        }
+    }
+
+    /**
+     * Body 3 stood on two others, and is removed together with 2 a moment before they meet the floor: it is no part of
+     * their heap.
+     * <pre>
+     *      3 &lt;-2
+     *      1
+     *      0
+     *    -----
+     * </pre>
+     */
+    @ParameterizedTest
+    @MethodSource("rungs")
+    void aBodyThatAReactionHasRemovedIsNoPartOfAHeap(Arithmetic arithmetic) {
+        Contacts contacts = new Contacts(2).set(1, 1, Contacts.Meaning.ASK);
+        PhysicsParts parts = new PhysicsParts(Scenes.WITH_RESTITUTION, arithmetic, contacts, List.of(floor(0)),
+            (time, a, b, bodies, sink) -> {
+                bodies.remove(3);
+                bodies.remove(2);
+                return Reaction.Verdict.CHANGED;
+            }, true);
+        for (Advance advance : List.of(new EventAdvance(parts), new QueueAdvance(parts))) {
+            Bodies bodies = new Bodies(4);
+            Scenes.add(bodies, 0, 12.000002, 0, -20, 1);
+            Scenes.add(bodies, 0, 32.000003, 0, -20, 1);
+            Scenes.add(bodies, 40, 52.000004, -200, -20, 1);
+            Scenes.add(bodies, 0, 52.000004, 0, -20, 1);
+            for (int k = 0; k < 4; k++) {
+                bodies.setRestitution(k, 0);
+                bodies.setKind(k, k / 2);
+            }
+            TurnLog log = new TurnLog();
+            advance.turn(bodies, log);
+            assertEquals(2, bodies.size());
+            assertTrue(log.impacts() >= 2 && log.impacts() <= 5, log.impacts() + " impacts");
+            for (int k = 0; k < log.impacts(); k++) {
+                assertTrue(log.impact(k).a() < 2 && log.impact(k).b() < 2, log.impact(k)::toString);
+            }
         }
     }
 
