@@ -45,7 +45,7 @@ final class FlightLoop {
             LowParts lows = new LowParts();
             Flights.Precise precise = new Flights.Precise(lows);
             flights = precise;
-            search = new FlightSearch.Precise(parts, precise, walls, pairs, wallTimes);
+            search = new PreciseFlightSearch(parts, precise, walls, pairs, wallTimes);
             response = ContactResponse.of(parts, ExactCollision.of(law, walls, pairs, wallTimes, lows), walls);
         } else {
             flights = new Flights();
