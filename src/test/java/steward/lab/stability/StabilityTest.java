@@ -173,11 +173,11 @@ class StabilityTest {
             "long run of 100"), noticed);
     }
 
-    /** What hangs on the numbering or on left and right. */
+    /** What hangs on the numbering or on left and right; and columns that are pressed buckle. */
     @Test
     @Tag("slow")
     void aRungThatPrefersTheFirstBodyFails() {
-        assertEquals(List.of("corners and ends", "mirror images", "lattice of pairs"),
+        assertEquals(List.of("corners and ends", "mirror images", "rest", "lattice of pairs"),
             noticed(spoiled(bodies -> bodies.x[0] = Math.nextUp(bodies.x[0]))));
     }
 
