@@ -49,7 +49,7 @@ final class BatchLoop {
             collision = Collision.of(law, former && parts.arithmetic() == Arithmetic.COMPENSATED ? Arithmetic.DOUBLE
                 : parts.arithmetic(), walls);
         }
-        response = ContactResponse.of(parts, former ? collision.withoutSliding() : collision, walls);
+        response = ContactResponse.of(parts, former ? collision.ofFormerReplays() : collision, walls);
         standstill = new Standstill(parts);
     }
 

@@ -52,8 +52,8 @@ public sealed class Collision permits CompensatedCollision, OfficialCollision {
             ? new CompensatedCollision.Judging(law, walls) : new CompensatedCollision(law, walls);
     }
 
-    /** Makes every contact with an arena a bounce, as in replays of formats 1 and 2. */
-    public Collision withoutSliding() {
+    /** Reacts as in replays of formats 1 and 2: every contact with an arena is a bounce. */
+    public Collision ofFormerReplays() {
         slides = false;
         return this;
     }

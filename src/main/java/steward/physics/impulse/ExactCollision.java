@@ -35,6 +35,7 @@ public sealed class ExactCollision extends CompensatedCollision permits ExactMin
     private final ExactWalls wallTimes;
     private final LowParts lows;
     private final CentralImpact central = new CentralImpact();
+    private boolean former;
     private final DoubleDouble normalX = new DoubleDouble();
     private final DoubleDouble normalY = new DoubleDouble();
     final DoubleDouble work = new DoubleDouble();
@@ -66,6 +67,13 @@ public sealed class ExactCollision extends CompensatedCollision permits ExactMin
         this.pairs = pairs;
         this.wallTimes = wallTimes;
         this.lows = lows;
+    }
+
+    /** Reacts so, without {@link CentralImpact}, and removes a residual approach along the normal only. */
+    @Override
+    public Collision ofFormerReplays() {
+        former = true;
+        return super.ofFormerReplays();
     }
 
     @Override
@@ -133,7 +141,7 @@ public sealed class ExactCollision extends CompensatedCollision permits ExactMin
         double massA = bodies.mass[a];
         double massB = bodies.mass[b];
         double speed = high * length;
-        boolean isCentral = central.direction(dx, dxLow, dy, dyLow).squared(squared, squaredLow)
+        boolean isCentral = !former && central.direction(dx, dxLow, dy, dyLow).squared(squared, squaredLow)
             .isCentral(bodies.vx[a], bodies.vx[b], bodies.vy[a], bodies.vy[b], high * squared);
         multiplyByOnePlus(restitution);
         double size = high;
@@ -220,8 +228,10 @@ public sealed class ExactCollision extends CompensatedCollision permits ExactMin
         }
         double x = bodies.x[b] - bodies.x[a];
         double y = bodies.y[b] - bodies.y[a];
-        roundApart(bodies, a, -x, -y);
-        roundApart(bodies, b, x, y);
+        if (!former) {
+            roundApart(bodies, a, -x, -y);
+            roundApart(bodies, b, x, y);
+        }
         double size = Math.max(Math.abs(x), Math.abs(y));
         boolean ofA = bodies.inverseMass[a] >= bodies.inverseMass[b];
         int body = ofA ? a : b;
