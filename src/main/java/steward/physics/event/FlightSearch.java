@@ -161,8 +161,16 @@ sealed class FlightSearch permits PreciseFlightSearch {
 
     /** Keeps the impact of a pair, i below j, both flights of which start now, if it is earlier than the row's best. */
     void offerAtStart(Bodies bodies, int i, int j, double now) {
-        offer(j, bodies.x[i], bodies.x[j], bodies.y[i], bodies.y[j], bodies.vx[i], bodies.vx[j], bodies.vy[i],
-            bodies.vy[j], bodies.radius[i], bodies.radius[j], now, now);
+        if (!areLateAtStart(bodies, i, j, now)) {
+            offer(j, bodies.x[i], bodies.x[j], bodies.y[i], bodies.y[j], bodies.vx[i], bodies.vx[j], bodies.vy[i],
+                bodies.vy[j], bodies.radius[i], bodies.radius[j], now, now);
+        }
+    }
+
+    /** {@link #isLate} of a pair, both flights of which start now: most pairs need no more. */
+    final boolean areLateAtStart(Bodies bodies, int i, int j, double now) {
+        return isLate(bodies.x[i] - bodies.x[j], bodies.y[i] - bodies.y[j], bodies.vx[i] - bodies.vx[j],
+            bodies.vy[i] - bodies.vy[j], bodies.radius[i] + bodies.radius[j], Math.min(best, 1) - now);
     }
 
     /** The same whenever their flights have started. */
@@ -185,14 +193,14 @@ sealed class FlightSearch permits PreciseFlightSearch {
             yi += vyi * (other - start);
             start = other;
         }
-        offer(j, xi, xj, yi, yj, vxi, vxj, vyi, vyj, bodies.radius[i], bodies.radius[j], start, now);
+        double touch = bodies.radius[i] + bodies.radius[j];
+        if (!isLate(xi - xj, yi - yj, vxi - vxj, vyi - vyj, touch, Math.min(best, 1) - start)) {
+            offer(j, xi, xj, yi, yj, vxi, vxj, vyi, vyj, bodies.radius[i], bodies.radius[j], start, now);
+        }
     }
 
     private void offer(int j, double xi, double xj, double yi, double yj, double vxi, double vxj, double vyi,
                        double vyj, double ri, double rj, double start, double now) {
-        if (isLate(xi - xj, yi - yj, vxi - vxj, vyi - vyj, ri + rj, Math.min(best, 1) - start)) {
-            return;
-        }
         double until = circles.until(xi, xj, yi, yj, vxi, vxj, vyi, vyj, ri, rj, false);
         if (until <= 1 - start) {
             double at = Math.max(now, start + until);

@@ -68,8 +68,10 @@ final class PreciseFlightSearch extends FlightSearch {
 
     @Override
     void offerAtStart(Bodies bodies, int i, int j, double now) {
-        offer(j, bodies.x[i], bodies.x[j], bodies.y[i], bodies.y[j], bodies.vx[i], bodies.vx[j], bodies.vy[i],
-            bodies.vy[j], bodies.radius[i], bodies.radius[j], now, flights.sinceLow[i], now);
+        if (!areLateAtStart(bodies, i, j, now)) {
+            offer(j, bodies.x[i], bodies.x[j], bodies.y[i], bodies.y[j], bodies.vx[i], bodies.vx[j], bodies.vy[i],
+                bodies.vy[j], bodies.radius[i], bodies.radius[j], now, flights.sinceLow[i], now);
+        }
     }
 
     @Override
@@ -104,7 +106,9 @@ final class PreciseFlightSearch extends FlightSearch {
             xi = flight.coordinate(xi, vxi, flown);
             yi = flight.coordinate(yi, vyi, flown);
         }
-        offer(j, xi, xj, yi, yj, vxi, vxj, vyi, vyj, ri, rj, start, startLow, now);
+        if (!isLate(xi - xj, yi - yj, vxi - vxj, vyi - vyj, ri + rj, Math.min(best, 1) - start)) {
+            offer(j, xi, xj, yi, yj, vxi, vxj, vyi, vyj, ri, rj, start, startLow, now);
+        }
     }
 
     /**
@@ -120,8 +124,7 @@ final class PreciseFlightSearch extends FlightSearch {
 
     private void offer(int j, double xi, double xj, double yi, double yj, double vxi, double vxj, double vyi,
                        double vyj, double ri, double rj, double start, double startLow, double now) {
-        if (!isLate(xi - xj, yi - yj, vxi - vxj, vyi - vyj, ri + rj, Math.min(best, 1) - start)
-            && start + pairs.lowerBound(xi, xj, yi, yj, vxi, vxj, vyi, vyj, ri, rj) <= Math.min(best, 1)
+        if (start + pairs.lowerBound(xi, xj, yi, yj, vxi, vxj, vyi, vyj, ri, rj) <= Math.min(best, 1)
             && pairs.exactTime(xi, xj, yi, yj, vxi, vxj, vyi, vyj, ri, rj, until)) {
             keepIfEarlier(j, start, startLow, now);
         }
