@@ -68,14 +68,52 @@ final class PreciseFlightSearch extends FlightSearch {
 
     @Override
     void offerAtStart(Bodies bodies, int i, int j, double now) {
-        if (!areLateAtStart(bodies, i, j, now)) {
+        offerTogether(bodies, i, j, now, now);
+    }
+
+    /** For flights that start at the same time. */
+    private void offerTogether(Bodies bodies, int i, int j, double start, double now) {
+        if (!areLateAtStart(bodies, i, j, start)) {
             offer(j, bodies.x[i], bodies.x[j], bodies.y[i], bodies.y[j], bodies.vx[i], bodies.vx[j], bodies.vy[i],
-                bodies.vy[j], bodies.radius[i], bodies.radius[j], now, flights.sinceLow[i], now);
+                bodies.vy[j], bodies.radius[i], bodies.radius[j], start, flights.sinceLow[i], now);
         }
     }
 
     @Override
     void offer(Bodies bodies, int i, int j, double now) {
+        double ahead = flights.clockDifference(i, j);
+        if (ahead > 0) {
+            if (!areSurelyLate(bodies, j, i)) {
+                offerFlown(bodies, i, j, ahead, now);
+            }
+        } else if (ahead < 0) {
+            if (!areSurelyLate(bodies, i, j)) {
+                offerFlown(bodies, i, j, ahead, now);
+            }
+        } else {
+            offerTogether(bodies, i, j, flights.since[i], now);
+        }
+    }
+
+    /**
+     * {@link #isLate} for a body that has flown for some time and another whose flight starts later: in plain
+     * doubles, with room for their rounding, before the flight is computed in double-double.
+     */
+    private boolean areSurelyLate(Bodies bodies, int flying, int starting) {
+        double x = bodies.x[flying];
+        double y = bodies.y[flying];
+        double vx = bodies.vx[flying];
+        double vy = bodies.vy[flying];
+        double start = flights.since[starting];
+        double flown = start - flights.since[flying];
+        double rounding = PLACE * (Math.abs(x) + Math.abs(y) + Math.abs(vx) + Math.abs(vy)) + Double.MIN_NORMAL;
+        return isLate(x + vx * flown - bodies.x[starting], y + vy * flown - bodies.y[starting],
+            vx - bodies.vx[starting], vy - bodies.vy[starting],
+            bodies.radius[flying] + bodies.radius[starting] + rounding, Math.min(best, 1) - start, rounding);
+    }
+
+    /** Moves the one whose flight has started earlier to the start of the other's. */
+    private void offerFlown(Bodies bodies, int i, int j, double ahead, double now) {
         double xi = bodies.x[i];
         double yi = bodies.y[i];
         double xj = bodies.x[j];
@@ -84,42 +122,22 @@ final class PreciseFlightSearch extends FlightSearch {
         double vyi = bodies.vy[i];
         double vxj = bodies.vx[j];
         double vyj = bodies.vy[j];
-        double ri = bodies.radius[i];
-        double rj = bodies.radius[j];
-        double start = flights.since[i];
-        double startLow = flights.sinceLow[i];
-        double ahead = flights.clockDifference(i, j);
+        int later = ahead > 0 ? i : j;
+        int earlier = ahead > 0 ? j : i;
+        double start = flights.since[later];
+        double startLow = flights.sinceLow[later];
+        double flown = flight.elapsed(flights.since[earlier], flights.sinceLow[earlier], start, startLow);
         if (ahead > 0) {
-            if (isSurelyLate(xj, yj, vxj, vyj, start - flights.since[j], xi, yi, vxi, vyi, ri + rj, start)) {
-                return;
-            }
-            double flown = flight.elapsed(flights.since[j], flights.sinceLow[j], start, startLow);
             xj = flight.coordinate(xj, vxj, flown);
             yj = flight.coordinate(yj, vyj, flown);
-        } else if (ahead < 0) {
-            start = flights.since[j];
-            startLow = flights.sinceLow[j];
-            if (isSurelyLate(xi, yi, vxi, vyi, start - flights.since[i], xj, yj, vxj, vyj, ri + rj, start)) {
-                return;
-            }
-            double flown = flight.elapsed(flights.since[i], flights.sinceLow[i], start, startLow);
+        } else {
             xi = flight.coordinate(xi, vxi, flown);
             yi = flight.coordinate(yi, vyi, flown);
         }
-        if (!isLate(xi - xj, yi - yj, vxi - vxj, vyi - vyj, ri + rj, Math.min(best, 1) - start)) {
-            offer(j, xi, xj, yi, yj, vxi, vxj, vyi, vyj, ri, rj, start, startLow, now);
+        double touch = bodies.radius[i] + bodies.radius[j];
+        if (!isLate(xi - xj, yi - yj, vxi - vxj, vyi - vyj, touch, Math.min(best, 1) - start)) {
+            offer(j, xi, xj, yi, yj, vxi, vxj, vyi, vyj, bodies.radius[i], bodies.radius[j], start, startLow, now);
         }
-    }
-
-    /**
-     * {@link #isLate} for a body that has flown for some time and another whose flight starts now: in plain
-     * doubles, with room for their rounding, before the flight is computed in double-double.
-     */
-    private boolean isSurelyLate(double x, double y, double vx, double vy, double flown, double x2, double y2,
-                                 double vx2, double vy2, double touch, double start) {
-        double rounding = PLACE * (Math.abs(x) + Math.abs(y) + Math.abs(vx) + Math.abs(vy)) + Double.MIN_NORMAL;
-        return isLate(x + vx * flown - x2, y + vy * flown - y2, vx - vx2, vy - vy2, touch + rounding,
-            Math.min(best, 1) - start, rounding);
     }
 
     private void offer(int j, double xi, double xj, double yi, double yj, double vxi, double vxj, double vyi,
