@@ -23,7 +23,8 @@ final class PreciseFlightSearch extends FlightSearch {
     private final DoubleDouble at = new DoubleDouble();
     private double bestLow;
 
-    PreciseFlightSearch(PhysicsParts parts, Flights.Precise flights, Wall[] walls, ExactPairs pairs, ExactWalls exactWalls) {
+    PreciseFlightSearch(PhysicsParts parts, Flights.Precise flights, Wall[] walls, ExactPairs pairs,
+                        ExactWalls exactWalls) {
         super(parts, flights, walls);
         this.flights = flights;
         this.pairs = pairs;

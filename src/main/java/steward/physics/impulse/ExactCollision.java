@@ -255,7 +255,8 @@ public sealed class ExactCollision extends CompensatedCollision permits ExactMin
     }
 
     private static double next(double v, double direction) {
-        return Math.abs(v) < Double.MIN_NORMAL || direction == 0 ? v : direction > 0 ? Math.nextUp(v) : Math.nextDown(v);
+        return Math.abs(v) < Double.MIN_NORMAL || direction == 0 ? v
+            : direction > 0 ? Math.nextUp(v) : Math.nextDown(v);
     }
 
     private void removeResidualApproachToWall(Bodies bodies, int a, int w) {
