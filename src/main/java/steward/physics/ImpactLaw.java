@@ -20,10 +20,14 @@ package steward.physics;
  *                              movable one by both halves). Caveat: a body far behind a wall is moved by the whole
  *                              depth at once, even into another body
  * @param maximumImpacts        the bound on impacts in a turn; 0 for the default, 10,000 + 1,000 per body
+ * @param restSpeed             in u per turn: an impact in a heap that presses against a wall or an infinite mass, with
+ *                              restitution below 1 and without a minimum impulse, ends the approach and no more if it
+ *                              would rebound at up to this speed. {@code NaN} for the default, which follows from the
+ *                              speeds of the heap, its size and its earlier impacts in the turn
  */
 public record ImpactLaw(Restitution restitution, double minimumImpulse, boolean minimumImpulseAtWalls, double deadZone,
                         boolean separatingPairsReact, double batchWindow, ScanOrder scanOrder, double pushOut,
-                        int maximumImpacts) {
+                        int maximumImpacts, double restSpeed) {
 
     /** How the restitution of an impact follows from the two partners'. */
     public enum Restitution {
@@ -58,16 +62,28 @@ public record ImpactLaw(Restitution restitution, double minimumImpulse, boolean 
         require(Double.isNaN(pushOut) || pushOut >= 0 && pushOut < Double.POSITIVE_INFINITY, "pushOut", pushOut,
             "finite and at least 0");
         require(maximumImpacts >= 0, "maximumImpacts", maximumImpacts, "at least 0");
+        require(Double.isNaN(restSpeed) || restSpeed >= 0 && restSpeed < Double.POSITIVE_INFINITY, "restSpeed",
+            restSpeed, "finite and at least 0");
+        require(Double.isNaN(restSpeed) || minimumImpulse == 0, "minimumImpulse", minimumImpulse,
+            "0, because there is a rest speed");
         require(!separatingPairsReact || minimumImpulse > 0, "minimumImpulse", minimumImpulse,
             "above 0, because separating pairs react");
         require(separatingPairsReact || batchWindow == 0, "batchWindow", batchWindow,
             "0, because only approaching pairs react");
     }
 
+    /** A law with the default rest speed. */
+    public ImpactLaw(Restitution restitution, double minimumImpulse, boolean minimumImpulseAtWalls, double deadZone,
+                     boolean separatingPairsReact, double batchWindow, ScanOrder scanOrder, double pushOut,
+                     int maximumImpacts) {
+        this(restitution, minimumImpulse, minimumImpulseAtWalls, deadZone, separatingPairsReact, batchWindow, scanOrder,
+            pushOut, maximumImpacts, Double.NaN);
+    }
+
     /** The same law with another rule of restitution. */
     public ImpactLaw withRestitution(Restitution value) {
         return new ImpactLaw(value, minimumImpulse, minimumImpulseAtWalls, deadZone, separatingPairsReact, batchWindow,
-            scanOrder, pushOut, maximumImpacts);
+            scanOrder, pushOut, maximumImpacts, restSpeed);
     }
 
     /**
@@ -77,25 +93,31 @@ public record ImpactLaw(Restitution restitution, double minimumImpulse, boolean 
      */
     public ImpactLaw withMinimumImpulse(double value, boolean atWalls) {
         return new ImpactLaw(restitution, value, atWalls, deadZone, separatingPairsReact, batchWindow, scanOrder,
-            pushOut, maximumImpacts);
+            pushOut, maximumImpacts, restSpeed);
     }
 
     /** The same law with another dead zone; NaN for none. */
     public ImpactLaw withDeadZone(double value) {
         return new ImpactLaw(restitution, minimumImpulse, minimumImpulseAtWalls, value, separatingPairsReact,
-            batchWindow, scanOrder, pushOut, maximumImpacts);
+            batchWindow, scanOrder, pushOut, maximumImpacts, restSpeed);
     }
 
     /** The same law with another push-out, in u; NaN for none. */
     public ImpactLaw withPushOut(double value) {
         return new ImpactLaw(restitution, minimumImpulse, minimumImpulseAtWalls, deadZone, separatingPairsReact,
-            batchWindow, scanOrder, value, maximumImpacts);
+            batchWindow, scanOrder, value, maximumImpacts, restSpeed);
     }
 
     /** The same law with another bound on the impacts in a turn; 0 for the default. */
     public ImpactLaw withMaximumImpacts(int value) {
         return new ImpactLaw(restitution, minimumImpulse, minimumImpulseAtWalls, deadZone, separatingPairsReact,
             batchWindow, scanOrder, pushOut, value);
+    }
+
+    /** The same law with another rest speed, in u per turn; NaN for the default. */
+    public ImpactLaw withRestSpeed(double value) {
+        return new ImpactLaw(restitution, minimumImpulse, minimumImpulseAtWalls, deadZone, separatingPairsReact,
+            batchWindow, scanOrder, pushOut, maximumImpacts, value);
     }
 
     /** The bound on impacts in a turn with this many bodies. */

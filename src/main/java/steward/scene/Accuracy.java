@@ -168,6 +168,12 @@ public record Accuracy(Way way, int steps, Arithmetic arithmetic) {
             : usesOfficialLoop(parts, bodies) ? new OfficialAdvance(parts) : advance(parts);
     }
 
+    /** The advance that played replays of formats 1 and 2 on this rung. */
+    Advance formerAdvance(PhysicsParts parts, int bodies) {
+        Advance present = advance(parts, bodies);
+        return present instanceof EventAdvance ? EventAdvance.ofFormerReplays(parts) : present;
+    }
+
     /** Whether that is {@link QueueAdvance}: cells and an event queue instead of a scan of all pairs. */
     boolean usesCells(ImpactLaw law, Contacts contacts, int bodies) {
         return way == Way.EVENT && bodies >= FEWEST_FOR_CELLS && QueueAdvance.refusal(law, contacts) == null;

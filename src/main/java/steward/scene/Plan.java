@@ -104,7 +104,9 @@ public final class Plan {
      */
     public Advance advance(Reaction reaction) {
         PhysicsParts physics = physics(reaction);
-        return scene.observer().observe(physics, scene.accuracy().advance(physics, bodies));
+        Advance advance = scene.angles() == Angles.FDLIBM ? scene.accuracy().formerAdvance(physics, bodies)
+            : scene.accuracy().advance(physics, bodies);
+        return scene.observer().observe(physics, advance);
     }
 
     /** The rung that the scene is computed on, and why that one. */
@@ -138,7 +140,10 @@ public final class Plan {
     private Part restitution() {
         boolean in = lowestRestitution < 1;
         return new Part(Part.RESTITUTION, in,
-            in ? "restitution as low as " + Wording.number(lowestRestitution) : "everything has restitution 1");
+            in ? "restitution as low as " + Wording.number(lowestRestitution)
+                + (Double.isNaN(scene.law().restSpeed()) ? "" : ", restSpeed "
+                + Wording.number(scene.law().restSpeed()))
+                : "everything has restitution 1");
     }
 
     private Part minimumImpulse() {

@@ -115,13 +115,14 @@ public final class SceneReader {
             Map.of("ascending", ScanOrder.ASCENDING, "descending", ScanOrder.DESCENDING), ScanOrder.ASCENDING);
         double pushOut = block.number("pushOut", 0, Block.MAXIMUM, Double.NaN);
         int maximumImpacts = block.integer("maximumImpactsPerTurn", 1, MOST_IMPACTS, 0);
+        double restSpeed = block.number("restSpeed", 0, Block.MAXIMUM, Double.NaN);
         if (minimumImpulse == 0 && !react && (atWalls || !Double.isNaN(deadZone))) {
             throw block.error(atWalls ? "minimumImpulseAtWalls" : "deadZone", "no minimumImpulse to go with it",
                 "a minimumImpulse above 0");
         }
         try {
             return new ImpactLaw(Restitution.ELASTIC, minimumImpulse, atWalls, deadZone, react, batchWindow, order,
-                pushOut, maximumImpacts);
+                pushOut, maximumImpacts, restSpeed);
         } catch (IllegalArgumentException refusal) {
             throw block.error(refusal);
         }

@@ -16,6 +16,8 @@ import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Json;
 import steward.cli.shared.Streams;
 import steward.game.GameSetup;
+import steward.physics.Arithmetic;
+import steward.scene.Accuracy;
 import steward.scene.AccuracyChoice;
 import steward.scene.PlanTable;
 import steward.scene.Scene;
@@ -74,6 +76,10 @@ public final class ExplainCommand implements Callable<Integer> {
         }
         AccuracyChoice choice = setup.plan().accuracy();
         out.println(TextFormat.wrap("Accuracy: " + choice.rung() + ", " + choice.why(), " ", WIDTH, "  "));
+        if (choice.rung().equals(Accuracy.event(Arithmetic.EXACT))) {
+            out.println("  its decisions are right within a turn, but the state is rounded at its end as on every rung:");
+            out.println("  steward stability --case 'true path' counts the impacts until each has left the true path");
+        }
         out.println();
         settings(out, setup.scene());
         return ExitStatus.DONE;

@@ -179,6 +179,7 @@ public final class PartByPartPhysics {
 
     private ImpactLaw with(boolean separatingPairsReact, double batchWindow, ScanOrder order) {
         return new ImpactLaw(law.restitution(), law.minimumImpulse(), law.minimumImpulseAtWalls(), law.deadZone(),
-            separatingPairsReact, batchWindow, order, law.pushOut(), full.law().maximumImpacts());
+            separatingPairsReact, batchWindow, order, law.pushOut(), full.law().maximumImpacts(),
+            law.restSpeed());
     }
 }

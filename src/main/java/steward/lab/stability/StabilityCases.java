@@ -10,7 +10,11 @@ import steward.lab.stability.crowds.LongRunCase;
 import steward.lab.stability.crowds.MirrorCase;
 import steward.lab.stability.crowds.NewtonsCradleCase;
 import steward.lab.stability.crowds.OfficialHeapsCase;
+import steward.lab.stability.crowds.RandomCradlesCase;
+import steward.lab.stability.crowds.RestCase;
+import steward.lab.stability.crowds.TiesCase;
 import steward.lab.stability.crowds.TimeReversalCase;
+import steward.lab.stability.crowds.TruePathCase;
 import steward.lab.stability.pairs.ContactCase;
 import steward.lab.stability.pairs.CornerCase;
 import steward.lab.stability.pairs.ExtremeSpeedsCase;
@@ -23,6 +27,7 @@ import steward.lab.stability.pairs.PiBlocksCase;
 import steward.lab.stability.pairs.RadiusRatioCase;
 import steward.lab.stability.pairs.RandomPairsCase;
 import steward.lab.stability.pairs.RoundingCase;
+import steward.lab.stability.pairs.SlidingCase;
 import steward.lab.trial.StabilityCase;
 
 /** The rows of the stability table, in order; the only place that lists them. */
@@ -49,10 +54,14 @@ public final class StabilityCases {
             new RadiusRatioCase(),
             new LateTimesCase(),
             new CornerCase(),
+            new SlidingCase(),
             new NewtonsCradleCase(),
+            new RandomCradlesCase(),
             new MirrorCase(),
+            new RestCase(),
             new InelasticCollapseCase(),
             new LatticeCase(),
+            new TiesCase(),
             new OfficialHeapsCase(),
             new OfficialEdgesCase(),
             new DensePackingCase(),
@@ -64,6 +73,7 @@ public final class StabilityCases {
             new CrowdCase(1000, 0.1, 1_000_000_000, crowdImpacts),
             new CrowdCase(10_000, 0.1, 100_000_000, crowdImpacts),
             new CrowdCase(1000, 0.8, 100_000_000, crowdImpacts),
+            new TruePathCase(),
             new RoundingCase(),
             new RandomPairsCase(200),
             new RandomPairsCase(900));

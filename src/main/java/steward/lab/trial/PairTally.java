@@ -105,6 +105,16 @@ public final class PairTally {
         return timeUlps;
     }
 
+    /** The worst error of a velocity, of the pairs that were compared as a whole. */
+    public double velocityUlps() {
+        return velocityUlps;
+    }
+
+    /** The worst error of a position, of the pairs that were compared as a whole. */
+    public double positionUlps() {
+        return positionUlps;
+    }
+
     public String text() {
         String whole = positionUlps + impulseUlps + velocityUlps == 0 ? "" : String.format(Locale.ROOT,
             ", position %.3g, impulse %.3g, velocity %.3g", positionUlps, impulseUlps, velocityUlps);

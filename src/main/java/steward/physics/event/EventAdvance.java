@@ -6,19 +6,12 @@ import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.TurnSink;
-import steward.physics.Wall;
-import steward.physics.impulse.Collision;
-import steward.physics.impulse.ContactResponse;
-import steward.physics.impulse.ExactCollision;
-import steward.physics.time.ExactPairs;
-import steward.physics.time.ExactWalls;
-import steward.physics.time.LowParts;
 import steward.physics.time.Magnitudes;
-import steward.physics.time.PairTime;
 
 /**
- * The exact event loop: find the earliest impact, fly to it, apply it, search anew. Every search covers all pairs and
- * all walls, so a turn costs O(n^2) per impact: suited to the few bodies of a game. Allocates nothing in a turn once
+ * The exact event loop: find the earliest impact, fly to it, apply it, search anew. Every turn begins with a search of
+ * all pairs and all walls, O(n^2), and each impact costs O(n), or O(n^2) where impacts react in batches: suited to the
+ * few bodies of a game. Allocates nothing in a turn once
  * its buffers have grown, except in the rare turns that reach the bound on impacts or need the exact arithmetic for
  * their numbers.
  *
@@ -35,34 +28,27 @@ import steward.physics.time.PairTime;
 public final class EventAdvance implements Advance {
 
     private final PhysicsParts parts;
-    private final ImpactLaw law;
-    private final Scan[] scans;
-    private final ImpactQueue queue;
-    private final Flight flight;
-    private final ContactResponse response;
-    private final Standstill standstill;
+    private final BatchLoop batches;
+    private final FlightLoop flights;
 
     /** @param parts of the scene; what they lack is not searched for */
     public EventAdvance(PhysicsParts parts) {
-        Wall[] walls = parts.walls().toArray(new Wall[0]);
+        this(parts, false);
+    }
+
+    private EventAdvance(PhysicsParts parts, boolean former) {
+        boolean together = parts.law().batchWindow() > 0 || parts.law().separatingPairsReact();
         this.parts = parts;
-        law = parts.law();
-        if (parts.arithmetic() == Arithmetic.EXACT) {
-            ExactPairs pairs = new ExactPairs(law);
-            ExactWalls wallTimes = new ExactWalls(walls);
-            RefiningQueue refining = new RefiningQueue(law, pairs, wallTimes, parts.contacts());
-            LowParts lows = new LowParts();
-            scans = Scan.of(parts, pairs, wallTimes);
-            queue = refining;
-            flight = new ExactFlight(refining, lows);
-            response = ContactResponse.of(parts, ExactCollision.of(law, walls, pairs, wallTimes, lows), walls);
-        } else {
-            scans = Scan.of(parts, PairTime.of(law, parts.arithmetic()));
-            queue = ImpactQueue.of(law);
-            flight = new Flight.Plain();
-            response = ContactResponse.of(parts, Collision.of(law, parts.arithmetic(), walls), walls);
-        }
-        standstill = new Standstill(parts);
+        batches = former || together ? new BatchLoop(parts, former) : null;
+        flights = former || together ? null : new FlightLoop(parts);
+    }
+
+    /**
+     * The loop that replays of formats 1 and 2 were made with: it moves all bodies at every impact under any law, which
+     * rounds every time, and knows neither sliding nor rest.
+     */
+    public static EventAdvance ofFormerReplays(PhysicsParts parts) {
+        return new EventAdvance(parts, true);
     }
 
     @Override
@@ -74,31 +60,10 @@ public final class EventAdvance implements Advance {
             }
             Magnitudes.requireComputable(bodies, parts.walls());
         }
-        int left = law.impactLimit(bodies.size());
-        double now = flight.begin(bodies);
-        for (;;) {
-            queue.clear();
-            for (Scan scan : scans) {
-                scan.find(bodies, now, queue);
-            }
-            int together = queue.nextBatch();
-            if (together == 0) {
-                flight.toEnd(bodies, now);
-                response.releaseSeparatedPairs(bodies);
-                return;
-            }
-            if (left <= 0) {
-                standstill.finish(bodies, now, sink);
-                response.releaseSeparatedPairs(bodies);
-                return;
-            }
-            now = flight.toImpact(bodies, now, queue);
-            response.releaseSeparatedPairs(bodies);
-            left -= together;
-            boolean unaltered = true;
-            for (int k = 0; k < together && unaltered; k++) {
-                unaltered = response.react(bodies, queue.a(k), queue.b(k), queue.time(k), sink);
-            }
+        if (flights != null) {
+            flights.turn(bodies, sink);
+        } else {
+            batches.turn(bodies, sink);
         }
     }
 

@@ -3,7 +3,6 @@ package steward.physics.event;
 import java.util.ArrayList;
 import java.util.List;
 import steward.physics.Bodies;
-import steward.physics.Contacts;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.Wall;
@@ -28,12 +27,12 @@ abstract sealed class Scan {
         boolean descending = parts.law().scanOrder() == ImpactLaw.ScanOrder.DESCENDING;
         if (parts.contacts().bodiesMeet()) {
             PairTime within = parts.contacts().hasReaches() ? new PairTime.AtOwnDistance(time, parts.contacts()) : time;
-            scans.add(!plain ? new SelectedPairs(within, parts.contacts(), descending)
+            scans.add(!plain ? new SelectedPairs(within, new PairSelection(parts.contacts()), descending)
                 : descending ? new DescendingPairs(time) : new AscendingPairs(time));
         }
         if (!parts.walls().isEmpty()) {
             scans.add(new Walls(wallTime, parts.walls().size(),
-                parts.contacts().allBounce() ? null : parts.contacts()));
+                parts.contacts().allBounce() ? null : new PairSelection(parts.contacts())));
         }
         return scans.toArray(new Scan[0]);
     }
@@ -79,12 +78,12 @@ abstract sealed class Scan {
     static final class SelectedPairs extends Scan {
 
         private final PairTime time;
-        private final Contacts contacts;
+        private final PairSelection selection;
         private final boolean descending;
 
-        SelectedPairs(PairTime time, Contacts contacts, boolean descending) {
+        SelectedPairs(PairTime time, PairSelection selection, boolean descending) {
             this.time = time;
-            this.contacts = contacts;
+            this.selection = selection;
             this.descending = descending;
         }
 
@@ -96,19 +95,11 @@ abstract sealed class Scan {
                 int others = size - 1 - first;
                 for (int k = 1; k <= others; k++) {
                     int j = descending ? i - k : i + k;
-                    if (canReact(bodies, i, j)) {
+                    if (selection.canReact(bodies, i, j)) {
                         offer(bodies, i, j, time, now, queue);
                     }
                 }
             }
-        }
-
-        private boolean canReact(Bodies bodies, int i, int j) {
-            return switch (contacts.between(bodies.kind[i], bodies.kind[j])) {
-                case NONE -> false;
-                case BOUNCE -> bodies.inverseMass[i] + bodies.inverseMass[j] > 0;
-                case ASK -> bodies.passing().isEmpty() || !bodies.passing().contains(bodies.id(i), bodies.id(j));
-            };
         }
     }
 
@@ -117,41 +108,29 @@ abstract sealed class Scan {
 
         private final WallTime time;
         private final int count;
-        private final Contacts contacts;
+        private final PairSelection selection;
 
-        /** @param contacts {@code null} when every body bounces off walls */
-        Walls(WallTime time, int count, Contacts contacts) {
+        /** @param selection {@code null} when every body bounces off walls */
+        Walls(WallTime time, int count, PairSelection selection) {
             this.time = time;
             this.count = count;
-            this.contacts = contacts;
+            this.selection = selection;
         }
 
         @Override
         void find(Bodies bodies, double now, ImpactQueue queue) {
             double left = 1 - now;
             for (int i = 0; i < bodies.size(); i++) {
-                if (contacts == null ? bodies.inverseMass[i] == 0 : !canReact(bodies, i)) {
+                if (selection == null ? bodies.inverseMass[i] == 0 : !selection.canReactWithWalls(bodies, i)) {
                     continue;
                 }
                 for (int w = 0; w < count; w++) {
                     double until = time.until(bodies, i, w);
-                    if (until <= left && !isPassing(bodies, i, w)) {
+                    if (until <= left && (selection == null || selection.canReactWithWall(bodies, i, w))) {
                         queue.offer(now + until, i, ~w);
                     }
                 }
             }
-        }
-
-        private boolean canReact(Bodies bodies, int i) {
-            return switch (contacts.withWall(bodies.kind[i])) {
-                case NONE -> false;
-                case BOUNCE -> bodies.inverseMass[i] > 0;
-                case ASK -> true;
-            };
-        }
-
-        private boolean isPassing(Bodies bodies, int i, int w) {
-            return contacts != null && !bodies.passing().isEmpty() && bodies.passing().contains(bodies.id(i), ~w);
         }
     }
 

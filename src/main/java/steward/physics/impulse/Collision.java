@@ -25,6 +25,8 @@ public sealed class Collision permits CompensatedCollision, OfficialCollision {
     final CollisionParts.PositionalCorrection correction;
     final double pushOut;
     final Wall[] walls;
+    /** Whether bodies can slide along an arena. */
+    boolean slides;
 
     public Collision(ImpactLaw law, Wall[] walls) {
         pairImpulse = Impulse.of(law, true);
@@ -35,6 +37,7 @@ public sealed class Collision permits CompensatedCollision, OfficialCollision {
         correction = parts.correction();
         pushOut = law.pushOut();
         this.walls = walls;
+        slides = RimSliding.isPossible(law, walls);
     }
 
     /** The reactions of an arithmetic other than {@code EXACT}, for which see {@link ExactCollision#of}. */
@@ -42,8 +45,17 @@ public sealed class Collision permits CompensatedCollision, OfficialCollision {
         if (arithmetic == Arithmetic.OFFICIAL) {
             return new OfficialCollision(law, walls);
         }
-        return arithmetic == Arithmetic.FORMER_OFFICIAL || law.minimumImpulse() > 0
-            ? new Collision(law, walls) : new CompensatedCollision(law, walls);
+        if (arithmetic == Arithmetic.FORMER_OFFICIAL || law.minimumImpulse() > 0) {
+            return new Collision(law, walls);
+        }
+        return arithmetic == Arithmetic.COMPENSATED
+            ? new CompensatedCollision.Judging(law, walls) : new CompensatedCollision(law, walls);
+    }
+
+    /** Reacts as in replays of formats 1 and 2: every contact with an arena is a bounce. */
+    public Collision ofFormerReplays() {
+        slides = false;
+        return this;
     }
 
     /** @param b an index, or {@code ~wall} */
@@ -106,6 +118,9 @@ public sealed class Collision permits CompensatedCollision, OfficialCollision {
 
     public void reactWall(Bodies bodies, int a, int w, double time, TurnSink sink) {
         Wall wall = walls[w];
+        if (slides && RimSliding.slide(bodies, a, w, wall, time, sink)) {
+            return;
+        }
         double ax = bodies.x[a];
         double ay = bodies.y[a];
         double nx = wall.normalX(ax, ay);

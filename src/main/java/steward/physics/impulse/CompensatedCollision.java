@@ -4,6 +4,7 @@ import steward.numerics.ErrorFree;
 import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 import steward.physics.Wall;
+import steward.physics.time.CompensatedTime;
 
 /*
  * Along a vector d from a to b, of any length, an impact with restitution e changes the velocities by
@@ -23,7 +24,7 @@ import steward.physics.Wall;
  * impulse: the energy of a gas of elastic discs is affected only by the rounding of stored velocities, which does not
  * drift; and an elastic bounce off a vertical or horizontal wall exactly negates a velocity component.
  */
-sealed class CompensatedCollision extends Collision permits ExactCollision {
+sealed class CompensatedCollision extends Collision permits ExactCollision, CompensatedCollision.Judging {
 
     /** Result of the last operation: the sum of both, accurate to some units of u^2. */
     double high;
@@ -125,5 +126,28 @@ sealed class CompensatedCollision extends Collision permits ExactCollision {
         double sum = velocity + change;
         return sum + (ErrorFree.sumError(velocity, change, sum)
             + (ErrorFree.productError(size, along, change) + (sizeLow * along + size * alongLow)));
+    }
+
+    /**
+     * For the arithmetic {@code COMPENSATED}: a residual approach is removed until {@link CompensatedTime} sees none.
+     */
+    static final class Judging extends CompensatedCollision {
+
+        Judging(ImpactLaw law, Wall[] walls) {
+            super(law, walls);
+        }
+
+        @Override
+        void removeResidualApproach(Bodies bodies, int a, int b, double nx, double ny, double speeds) {
+            super.removeResidualApproach(bodies, a, b, nx, ny, speeds);
+            boolean first = bodies.inverseMass[a] >= bodies.inverseMass[b];
+            int body = first ? a : b;
+            double step = first ? -Math.ulp(speeds) : Math.ulp(speeds);
+            while (CompensatedTime.areApproaching(bodies, a, b)) {
+                bodies.vx[body] += nx * step;
+                bodies.vy[body] += ny * step;
+                step *= 2;
+            }
+        }
     }
 }

@@ -18,8 +18,9 @@ import steward.physics.time.LowParts;
  *
  * <p>Under a law in which only approach reacts, the rounding of positions can make a pair approach again right after
  * its impact. This happens when the cosine between normal and velocity is below the rounding of the positions relative
- * to the touching distance. Then, and after an impact without restitution, the residual approach is removed as in
- * {@link Collision}; exact signs decide whether there is any.
+ * to the touching distance; where the positions are as stored, the rounding of the velocities can do so. Then, and
+ * after an impact without restitution, the residual approach is removed: first by a unit in the last place of each
+ * velocity, and where that is not enough, as in {@link Collision}; exact signs decide whether there is any.
  */
 public sealed class ExactCollision extends CompensatedCollision permits ExactMinimumImpulse {
 
@@ -33,6 +34,8 @@ public sealed class ExactCollision extends CompensatedCollision permits ExactMin
     private final ExactPairs pairs;
     private final ExactWalls wallTimes;
     private final LowParts lows;
+    private final CentralImpact central = new CentralImpact();
+    private boolean former;
     private final DoubleDouble normalX = new DoubleDouble();
     private final DoubleDouble normalY = new DoubleDouble();
     final DoubleDouble work = new DoubleDouble();
@@ -64,6 +67,13 @@ public sealed class ExactCollision extends CompensatedCollision permits ExactMin
         this.pairs = pairs;
         this.wallTimes = wallTimes;
         this.lows = lows;
+    }
+
+    /** Reacts so, without {@link CentralImpact}, and removes a residual approach along the normal only. */
+    @Override
+    public Collision ofFormerReplays() {
+        former = true;
+        return super.ofFormerReplays();
     }
 
     @Override
@@ -123,22 +133,29 @@ public sealed class ExactCollision extends CompensatedCollision permits ExactMin
     }
 
     /**
-     * Applies the impulse. Without a minimum impulse the velocities follow from q alone; impulse and energy are only
-     * for the record.
+     * Applies the impulse. Without a minimum impulse the velocities follow from q alone, or where nearly all of the
+     * relative velocity changes, from what does not ({@link CentralImpact}); impulse and energy are only for the
+     * record.
      */
     void exchangeImpulse(Bodies bodies, int a, int b, double restitution) {
         double massA = bodies.mass[a];
         double massB = bodies.mass[b];
         double speed = high * length;
+        boolean isCentral = !former && central.direction(dx, dxLow, dy, dyLow).squared(squared, squaredLow)
+            .isCentral(bodies.vx[a], bodies.vx[b], bodies.vy[a], bodies.vy[b], high * squared);
         multiplyByOnePlus(restitution);
         double size = high;
         double sizeLow = low;
         multiplyByMassShare(massA, massB, size, sizeLow);
-        addVelocity(bodies, b, high, low, dx, dxLow, dy, dyLow);
         double sizeOfB = high;
         double sizeLowOfB = low;
         multiplyByMassShare(massB, massA, size, sizeLow);
-        addVelocity(bodies, a, -high, -low, dx, dxLow, dy, dyLow);
+        if (isCentral) {
+            central.apply(bodies, a, b, restitution);
+        } else {
+            addVelocity(bodies, b, sizeOfB, sizeLowOfB, dx, dxLow, dy, dyLow);
+            addVelocity(bodies, a, -high, -low, dx, dxLow, dy, dyLow);
+        }
         boolean light = massA <= massB;               // the heavier body's change can be too small for all its digits
         multiply(light ? high : sizeOfB, light ? low : sizeLowOfB, length, lengthLow);
         multiply(high, low, light ? massA : massB, 0);
@@ -149,6 +166,10 @@ public sealed class ExactCollision extends CompensatedCollision permits ExactMin
     @Override
     public void reactWall(Bodies bodies, int a, int w, double time, TurnSink sink) {
         Wall wall = walls[w];
+        if (slides && RimSliding.slide(bodies, a, w, wall, time, sink)) {
+            lows.clear(a);
+            return;
+        }
         double ax = bodies.x[a];
         double ay = bodies.y[a];
         wallTimes.normal(w, work.setSum(ax, lows.x[a]), other.setSum(ay, lows.y[a]), normalX, normalY);
@@ -207,6 +228,10 @@ public sealed class ExactCollision extends CompensatedCollision permits ExactMin
         }
         double x = bodies.x[b] - bodies.x[a];
         double y = bodies.y[b] - bodies.y[a];
+        if (!former) {
+            roundApart(bodies, a, -x, -y);
+            roundApart(bodies, b, x, y);
+        }
         double size = Math.max(Math.abs(x), Math.abs(y));
         boolean ofA = bodies.inverseMass[a] >= bodies.inverseMass[b];
         int body = ofA ? a : b;
@@ -216,6 +241,22 @@ public sealed class ExactCollision extends CompensatedCollision permits ExactMin
             bodies.vy[body] += y / size * step;
             step *= 2;
         }
+    }
+
+    /**
+     * Moves a velocity to the next double of each component in a direction: where the positions are as stored, that
+     * outweighs the rounding of the velocities, so nothing else is left to do.
+     */
+    private static void roundApart(Bodies bodies, int body, double x, double y) {
+        if (bodies.inverseMass[body] > 0) {
+            bodies.vx[body] = next(bodies.vx[body], x);
+            bodies.vy[body] = next(bodies.vy[body], y);
+        }
+    }
+
+    private static double next(double v, double direction) {
+        return Math.abs(v) < Double.MIN_NORMAL || direction == 0 ? v
+            : direction > 0 ? Math.nextUp(v) : Math.nextDown(v);
     }
 
     private void removeResidualApproachToWall(Bodies bodies, int a, int w) {

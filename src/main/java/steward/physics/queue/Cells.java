@@ -30,7 +30,7 @@ final class Cells {
      */
     static final int FAR = 1 << 20;
     /** By how much a cell is larger than a diameter, relatively: far more than the rounding errors of positions. */
-    private static final double SLACK = 1 + 0x1p-20;
+    static final double SLACK = 1 + 0x1p-20;
     /** The share of the room h outside a cell that is used; the rest is slack. */
     private static final double USED_SHARE = 1 - 0x1p-10;
     /** Columns and rows that are empty at first on each side. */
@@ -41,6 +41,7 @@ final class Cells {
 
     private final double[] sample = new double[SAMPLE];
     private final double[] largest = new double[MOST_LARGE + 1];
+    private final double slack;
     private int columns;
     private int rows;
     private int[] heads = new int[0];
@@ -51,6 +52,11 @@ final class Cells {
     private double perSide;
     private double beyond;
     private double largestInside;
+
+    /** @param slack by how much a cell is larger than a diameter, at least {@link #SLACK} */
+    Cells(double slack) {
+        this.slack = slack;
+    }
 
     /** Chooses the size and number of cells for these bodies; {@link #sort} then empties them. */
     void begin(Bodies bodies) {
@@ -118,13 +124,13 @@ final class Cells {
         double rounding = 0x1p-48 * (Math.abs(originX) + Math.abs(originY));
         double cheapest = Double.POSITIVE_INFINITY;
         for (int out = 0; out <= MOST_LARGE && largest[out] > 0; out++) {
-            double needed = Math.max(wanted, 2 * largest[out] * SLACK + rounding);
+            double needed = Math.max(wanted, 2 * largest[out] * slack + rounding);
             double cost = out + 9 * needed * needed / areaOfOne;
             if (out == 0 || cost < cheapest) {
                 cheapest = cost;
                 side = needed;
                 largestInside = largest[out];
-                beyond = USED_SHARE / 2 * (needed - (2 * largest[out] * SLACK + rounding));
+                beyond = USED_SHARE / 2 * (needed - (2 * largest[out] * slack + rounding));
             }
         }
         perSide = 1 / side;

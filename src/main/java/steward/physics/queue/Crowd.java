@@ -1,9 +1,9 @@
 package steward.physics.queue;
 
 import java.util.Arrays;
-import steward.numerics.ErrorFree;
 import steward.physics.Bodies;
 import steward.physics.time.LowParts;
+import steward.physics.time.PreciseFlight;
 
 /**
  * The bodies of a turn as {@link QueueAdvance} keeps them, each with a local clock: the state of a body is that of the
@@ -65,15 +65,17 @@ final class Crowd {
     int[] outside = new int[0];
     int outsideCount;
     int size;
-    final Cells cells = new Cells();
+    final Cells cells;
     private final boolean exact;
-    /** The low parts of the last results of {@link #elapsed} and {@link #coordinateAfter}. */
-    private double elapsedLow;
-    private double placeLow;
+    private final PreciseFlight flight = new PreciseFlight();
 
-    /** @param exact whether times are double-doubles, and positions are rounded once, when they are stored */
-    Crowd(boolean exact) {
+    /**
+     * @param exact whether times are double-doubles, and positions are rounded once, when they are stored
+     * @param slack see {@link Cells}
+     */
+    Crowd(boolean exact, double slack) {
         this.exact = exact;
+        cells = new Cells(slack);
     }
 
     /** Loads the bodies at the time {@code now} of the turn. */
@@ -170,9 +172,9 @@ final class Crowd {
         int to = 4 * body;
         low[to + SINCE_LOW] = nowLow;
         state[at + X] = coordinateAfter(state[at + X], state[at + VX], time);
-        low[to + X_LOW] = placeLow;
+        low[to + X_LOW] = flight.placeLow;
         state[at + Y] = coordinateAfter(state[at + Y], state[at + VY], time);
-        low[to + Y_LOW] = placeLow;
+        low[to + Y_LOW] = flight.placeLow;
     }
 
     /**
@@ -209,35 +211,15 @@ final class Crowd {
     /** The time since the start of a body's flight; call before {@link #coordinateAfter}. */
     double elapsed(int body, double now) {
         double since = state[8 * body + SINCE];
-        double time = now - since;
         if (!exact) {
-            return time;
+            return now - since;
         }
-        double sinceLow = low[4 * body + SINCE_LOW];
-        double rest = ErrorFree.sumError(now, -since, time);
-        double sum = time + nowLow;
-        rest += ErrorFree.sumError(time, nowLow, sum);
-        time = sum + rest;
-        rest = ErrorFree.fastSumError(sum, rest, time);
-        sum = time - sinceLow;
-        rest += ErrorFree.sumError(time, -sinceLow, sum);
-        time = sum + rest;
-        elapsedLow = ErrorFree.fastSumError(sum, rest, time);
-        return time;
+        return flight.elapsed(since, low[4 * body + SINCE_LOW], now, nowLow);
     }
 
     /** A coordinate after the last result of {@link #elapsed}, rounded once; only where times are double-doubles. */
     double coordinateAfter(double from, double v, double time) {
-        double product = v * time;
-        double lowProduct = v * elapsedLow;
-        double path = product + lowProduct;
-        double rest = ErrorFree.fastSumError(product, lowProduct, path) + ErrorFree.productError(v, time, product);
-        double whole = path + rest;
-        double sum = whole + from;
-        rest = ErrorFree.fastSumError(path, rest, whole) + ErrorFree.sumError(whole, from, sum);
-        double place = sum + rest;
-        placeLow = ErrorFree.fastSumError(sum, rest, place);
-        return place;
+        return flight.coordinate(from, v, time);
     }
 
     /** Writes the positions at a time and the velocities of all bodies to {@code bodies}. */
@@ -257,7 +239,7 @@ final class Crowd {
         if (!exact) {
             bodies.x[to] = state[at + X] + vx * time;
             bodies.y[to] = state[at + Y] + vy * time;
-        } else if (time == 1 && elapsedLow == 0) {    // no impact in this turn: one rounding, and no -0.0 as below
+        } else if (time == 1 && flight.elapsedLow == 0) { // no impact in this turn: one rounding, no -0.0 as below
             bodies.x[to] = state[at + X] + vx + 0.0;
             bodies.y[to] = state[at + Y] + vy + 0.0;
         } else {

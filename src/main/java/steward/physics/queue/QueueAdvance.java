@@ -18,6 +18,7 @@ import steward.physics.event.Standstill;
 import steward.physics.impulse.Collision;
 import steward.physics.impulse.ContactResponse;
 import steward.physics.impulse.ExactCollision;
+import steward.physics.impulse.Rest;
 import steward.physics.time.ExactPairs;
 import steward.physics.time.ExactWalls;
 import steward.physics.time.LowParts;
@@ -41,11 +42,14 @@ import steward.physics.time.Magnitudes;
  * <p>A turn with numbers whose squares leave the range of doubles is left to {@code EventAdvance} in the exact
  * arithmetic, which scales them.
  *
- * <p>Caveats: the impacts are those of {@code EventAdvance} except for rounding: that class moves every body at every
- * impact, this one moves a body only at its own, and where the motion is chaotic the last digits grow into differences
- * after some dozens of impacts per body. Laws in which impacts react in batches are refused, see {@link #refusal}.
+ * <p>The impacts are those of {@code EventAdvance}, in the same order and bit for bit: both move a body only at its own
+ * impacts. Only in turns that reach the bound on impacts the rest of the turn can differ in the last bits. Laws in
+ * which impacts react in batches are refused, see {@link #refusal}.
  */
 public final class QueueAdvance implements Advance {
+
+    /** Room for rounding where gaps of a heap are looked for. */
+    private static final double ROOM = 1.01;
 
     private final PhysicsParts parts;
     private final ImpactLaw law;
@@ -56,6 +60,7 @@ public final class QueueAdvance implements Advance {
     private final QueueSearch search;
     private final QueueContactResponse response;
     private final ContactResponse passing;
+    private final Rest rest;
 
     /** @throws IllegalArgumentException if {@link #refusal} refuses the law */
     public QueueAdvance(PhysicsParts parts) {
@@ -68,7 +73,8 @@ public final class QueueAdvance implements Advance {
         law = parts.law();
         descending = law.scanOrder() == ImpactLaw.ScanOrder.DESCENDING;
         boolean exact = parts.arithmetic() == Arithmetic.EXACT;
-        crowd = new Crowd(exact);
+        rest = Rest.of(parts, walls);
+        crowd = new Crowd(exact, rest == null ? Cells.SLACK : 1 + 2 * ROOM / Rest.WIDEST);
         events = new EventBuckets(new EventOrder(crowd));
         pairs = QueuePairs.of(crowd, parts);
         Collision collision;
@@ -107,6 +113,9 @@ public final class QueueAdvance implements Advance {
         }
         if (bodies.size() > 0) {
             response.begin(bodies, sink);
+            if (rest != null) {
+                rest.begin(bodies);
+            }
             crowd.nowLow = 0;
             if (pairs != null) {
                 pairs.begin(bodies);
@@ -144,8 +153,11 @@ public final class QueueAdvance implements Advance {
             } else if (isStale(body)) {
                 search.predict(body, now);
             } else if (left-- > 0) {
-                react(bodies, body, link[at + PARTNER], now);
+                react(bodies, body, link[at + PARTNER], now, sink);
                 last = now;
+                if (rest != null && rest.isSqueezed()) {
+                    left = 0;
+                }
             } else {
                 new QueueStandstill(crowd, events, search).finish(bodies, last, sink);
                 return;
@@ -160,12 +172,12 @@ public final class QueueAdvance implements Advance {
         return partner >= 0 && crowd.link[8 * partner + CHANGES] != crowd.link[8 * body + PARTNER_CHANGES];
     }
 
-    private void react(Bodies bodies, int body, int partner, double now) {
+    private void react(Bodies bodies, int body, int partner, double now, TurnSink sink) {
         crowd.setNow(body);
         double nowLow = crowd.nowLow;
         if (partner < 0) {
             crowd.flyTo(body, now);
-            if (response.react(body, partner, now)) {
+            if (!(rest != null && rests(bodies, body, partner, now, sink)) && response.react(body, partner, now)) {
                 countChange(body);
                 search.predict(body, now);
                 return;
@@ -173,7 +185,9 @@ public final class QueueAdvance implements Advance {
         } else {
             crowd.flyToContact(body, partner, now);
             boolean isFirst = crowd.index[body] < crowd.index[partner] != descending;
-            if (response.react(isFirst ? body : partner, isFirst ? partner : body, now)) {
+            int a = isFirst ? body : partner;
+            int b = isFirst ? partner : body;
+            if (!(rest != null && rests(bodies, a, b, now, sink)) && response.react(a, b, now)) {
                 countChange(body);
                 countChange(partner);
                 search.predict(body, now);
@@ -184,6 +198,28 @@ public final class QueueAdvance implements Advance {
         crowd.nowLow = nowLow;
         crowd.load(bodies, now);
         predict(bodies.capacity(), now);
+        if (rest != null) {
+            rest.follow(bodies);
+        }
+    }
+
+    /** Lets the heap of an impact rest; then all flights begin anew. @return false if it is an ordinary impact */
+    private boolean rests(Bodies bodies, int a, int b, double now, TurnSink sink) {
+        int i = crowd.index[a];
+        int j = b < 0 ? b : crowd.index[b];
+        crowd.store(a, bodies, now);
+        if (b >= 0) {
+            crowd.store(b, bodies, now);
+        }
+        if (!rest.isAbout(bodies, i, j) || !rest.mayRest(bodies, i, j)) {
+            return false;
+        }
+        double near = ROOM * rest.near(i, j);
+        if (!search.hasNear(a, b, near, now) && (b < 0 || !search.hasNear(b, a, near, now))) {
+            return false;
+        }
+        crowd.store(bodies, now);
+        return rest.settle(bodies, i, j, now, sink);
     }
 
     private void countChange(int body) {

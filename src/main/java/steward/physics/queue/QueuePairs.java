@@ -3,6 +3,7 @@ package steward.physics.queue;
 import steward.physics.Bodies;
 import steward.physics.Contacts;
 import steward.physics.PhysicsParts;
+import steward.physics.event.PairSelection;
 
 /**
  * Selects the pairs that can react where not all can: kinds that ignore each other, passing pairs and two infinite
@@ -11,12 +12,12 @@ import steward.physics.PhysicsParts;
 final class QueuePairs {
 
     private final Crowd crowd;
-    private final Contacts contacts;
+    private final PairSelection selection;
     private Bodies bodies;
 
     private QueuePairs(Crowd crowd, Contacts contacts) {
         this.crowd = crowd;
-        this.contacts = contacts;
+        selection = new PairSelection(contacts);
     }
 
     /** @return {@code null} if all pairs can react */
@@ -31,27 +32,16 @@ final class QueuePairs {
     }
 
     boolean canReact(int a, int b) {
-        int i = crowd.index[a];
-        int j = crowd.index[b];
-        return switch (contacts.between(bodies.kind[i], bodies.kind[j])) {
-            case NONE -> false;
-            case BOUNCE -> bodies.inverseMass[i] + bodies.inverseMass[j] > 0;
-            case ASK -> !bodies.passing().contains(bodies.id(i), bodies.id(j));
-        };
+        return selection.canReact(bodies, crowd.index[a], crowd.index[b]);
     }
 
     /** Whether a body can react with any wall. */
     boolean canReactWithWalls(int body) {
-        int i = crowd.index[body];
-        return switch (contacts.withWall(bodies.kind[i])) {
-            case NONE -> false;
-            case BOUNCE -> bodies.inverseMass[i] > 0;
-            case ASK -> true;
-        };
+        return selection.canReactWithWalls(bodies, crowd.index[body]);
     }
 
     /** Whether a body that can react with walls does not pass through this one. */
     boolean canReactWithWall(int body, int wall) {
-        return !bodies.passing().contains(bodies.id(crowd.index[body]), ~wall);
+        return selection.canReactWithWall(bodies, crowd.index[body], wall);
     }
 }

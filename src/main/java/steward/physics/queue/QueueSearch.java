@@ -167,6 +167,35 @@ sealed class QueueSearch permits ExactQueueSearch {
         enqueue(body, now);
     }
 
+    /**
+     * Whether a body is within a small gap of another one or a wall besides its partner: a superset, for a quick
+     * look.
+     */
+    boolean hasNear(int body, int of, double gapShare, double now) {
+        double[] state = crowd.state;
+        int at = 8 * body;
+        double x = state[at + X];
+        double y = state[at + Y];
+        double radius = state[at + RADIUS];
+        int count = crowd.isOutside(body) ? allBodies() : neighbours(at);
+        for (int k = 0; k < count; k++) {
+            int other = 8 * near[k];
+            double time = now - state[other + SINCE];
+            double dx = state[other + X] + state[other + VX] * time - x;
+            double dy = state[other + Y] + state[other + VY] * time - y;
+            double reach = (radius + state[other + RADIUS]) * (1 + gapShare);
+            if (near[k] != body && near[k] != of && dx * dx + dy * dy <= reach * reach) {
+                return true;
+            }
+        }
+        for (int w = 0; w < walls.length; w++) {
+            if (of != ~w && walls[w].gap(x, y, radius) <= gapShare * radius) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     private void testWalls(int body, double now) {
         if (pairs != null && !pairs.canReactWithWalls(body)) {
             return;
@@ -259,16 +288,13 @@ sealed class QueueSearch permits ExactQueueSearch {
         double since = Math.max(state[i + SINCE], state[j + SINCE]);
         double flownI = since - state[i + SINCE];
         double flownJ = since - state[j + SINCE];
-        double dx = state[i + X] + state[i + VX] * flownI - (state[j + X] + state[j + VX] * flownJ);
-        double dy = state[i + Y] + state[i + VY] * flownI - (state[j + Y] + state[j + VY] * flownJ);
-        double dvx = state[i + VX] - state[j + VX];
-        double dvy = state[i + VY] - state[j + VY];
-        if (!(dx * dvx + dy * dvy < 0)) {
-            return;
-        }
-        double touch = state[i + RADIUS] + state[j + RADIUS];
-        double until = Math.sqrt(dx * dx + dy * dy) <= touch ? 0
-            : circles.untilApproachingMeet(dx, dy, dvx, dvy, touch);
+        double vxi = state[i + VX];
+        double vyi = state[i + VY];
+        double vxj = state[j + VX];
+        double vyj = state[j + VY];
+        double until = circles.until(state[i + X] + vxi * flownI, state[j + X] + vxj * flownJ,
+            state[i + Y] + vyi * flownI, state[j + Y] + vyj * flownJ, vxi, vxj, vyi, vyj, state[i + RADIUS],
+            state[j + RADIUS], false);
         double time = Math.max(now, since + until);
         if (until <= 1 - since && time <= best && !(time > state[j + IMPACT])
             && (time < best || isLower(body, other))) {

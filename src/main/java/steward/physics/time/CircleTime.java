@@ -22,6 +22,33 @@ public abstract sealed class CircleTime {
         };
     }
 
+    /** The same for replays of formats 1 and 2, in which the compensated arithmetic rounded differences first. */
+    static CircleTime ofFormerReplays(Arithmetic arithmetic) {
+        return arithmetic == Arithmetic.COMPENSATED ? new RoundedDifferences() : of(arithmetic);
+    }
+
+    /**
+     * Time until the impact of two circles.
+     *
+     * @param separatingReact whether they react when they touch even if they do not approach
+     * @return 0 for an impact now
+     */
+    public double until(double x1, double x2, double y1, double y2, double vx1, double vx2, double vy1, double vy2,
+                        double r1, double r2, boolean separatingReact) {
+        double dx = x1 - x2;
+        double dy = y1 - y2;
+        double dvx = vx1 - vx2;
+        double dvy = vy1 - vy2;
+        if (!separatingReact && !(dx * dvx + dy * dvy < 0)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double touch = r1 + r2;
+        if (Math.sqrt(dx * dx + dy * dy) <= touch) {
+            return 0;
+        }
+        return separatingReact ? until(dx, dy, dvx, dvy, touch) : untilApproachingMeet(dx, dy, dvx, dvy, touch);
+    }
+
     /** Time until two circles touch that do not touch now; see {@link TimeOfImpact}. */
     abstract double until(double dx, double dy, double dvx, double dvy, double touch);
 
@@ -61,8 +88,27 @@ public abstract sealed class CircleTime {
         }
     }
 
-    /** {@link CompensatedTime#circles}. */
+    /**
+     * {@link CompensatedTime}, of the differences with their rounding errors; but where separating pairs react, of the
+     * rounded differences, as the push-out sees them: otherwise a pair could react again and again.
+     */
     private static final class Compensated extends CircleTime {
+
+        @Override
+        public double until(double x1, double x2, double y1, double y2, double vx1, double vx2, double vy1,
+                            double vy2, double r1, double r2, boolean separatingReact) {
+            return separatingReact ? super.until(x1, x2, y1, y2, vx1, vx2, vy1, vy2, r1, r2, true)
+                : CompensatedTime.circles(x1, x2, y1, y2, vx1, vx2, vy1, vy2, r1, r2);
+        }
+
+        @Override
+        double until(double dx, double dy, double dvx, double dvy, double touch) {
+            return CompensatedTime.circles(dx, dy, dvx, dvy, touch);
+        }
+    }
+
+    /** {@link CompensatedTime#circles}. */
+    private static final class RoundedDifferences extends CircleTime {
 
         @Override
         double until(double dx, double dy, double dvx, double dvy, double touch) {

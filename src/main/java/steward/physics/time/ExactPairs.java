@@ -54,10 +54,17 @@ public final class ExactPairs extends PairTime {
      */
     @Override
     public double until(Bodies bodies, int i, int j) {
-        double dx = bodies.x[i] - bodies.x[j];
-        double dy = bodies.y[i] - bodies.y[j];
-        double dvx = bodies.vx[i] - bodies.vx[j];
-        double dvy = bodies.vy[i] - bodies.vy[j];
+        return lowerBound(bodies.x[i], bodies.x[j], bodies.y[i], bodies.y[j], bodies.vx[i], bodies.vx[j],
+            bodies.vy[i], bodies.vy[j], bodies.radius[i], bodies.radius[j]);
+    }
+
+    /** The same for two circles. */
+    public double lowerBound(double x1, double x2, double y1, double y2, double vx1, double vx2, double vy1,
+                             double vy2, double r1, double r2) {
+        double dx = x1 - x2;
+        double dy = y1 - y2;
+        double dvx = vx1 - vx2;
+        double dvy = vy1 - vy2;
         double xvx = dx * dvx;
         double yvy = dy * dvy;
         double b = xvx + yvy;
@@ -65,7 +72,7 @@ public final class ExactPairs extends PairTime {
         if (!separatingReact && b > bError) {
             return NEVER;
         }
-        double s = bodies.radius[i] + bodies.radius[j];
+        double s = r1 + r2;
         double squared = dx * dx + dy * dy;
         double ss = s * s;
         double c = squared - ss;
@@ -78,7 +85,7 @@ public final class ExactPairs extends PairTime {
         }
         double a = dvx * dvx + dvy * dvy;
         if (!(c > cError && Math.abs(b) > bError && a >= LEAST && ss >= LEAST)) {
-            return undecided(bodies, i, j);
+            return undecided(x1, x2, y1, y2, vx1, vx2, vy1, vy2, r1, r2);
         }
         if (b > 0) {
             return NEVER;
@@ -93,25 +100,25 @@ public final class ExactPairs extends PairTime {
         if (discriminant < -error) {
             return NEVER;
         }
-        return discriminant > error ? lowerBound(b, bError, c, cError, discriminant, error)
-            : undecided(bodies, i, j);
+        return discriminant > error ? boundOfMeeting(b, bError, c, cError, discriminant, error)
+            : undecided(x1, x2, y1, y2, vx1, vx2, vy1, vy2, r1, r2);
     }
 
-    private static double lowerBound(double b, double bError, double c, double cError, double discriminant,
-                                     double error) {
+    private static double boundOfMeeting(double b, double bError, double c, double cError, double discriminant,
+                                         double error) {
         double root = Math.sqrt(discriminant);
         double sum = root - b;
         double relative = (cError * root * sum + (2 * error + bError * root) * c) / (c * root * sum) + 4 * U;
         return relative < 1 ? Math.max(0, c / sum * (1 - relative) - ROUNDING) : 0;
     }
 
-    private double undecided(Bodies bodies, int i, int j) {
-        boolean sliding = (bodies.x[i] == bodies.x[j] || bodies.vx[i] == bodies.vx[j])
-            && (bodies.y[i] == bodies.y[j] || bodies.vy[i] == bodies.vy[j]);
+    private double undecided(double x1, double x2, double y1, double y2, double vx1, double vx2, double vy1,
+                             double vy2, double r1, double r2) {
+        boolean sliding = (x1 == x2 || vx1 == vx2) && (y1 == y2 || vy1 == vy2);
         if (sliding && !separatingReact) {
             return NEVER;                             // every term of b is exactly 0
         }
-        boolean meet = exactTime(bodies, i, j, FastCircles.COARSE, time);
+        boolean meet = exactTime(x1, x2, y1, y2, vx1, vx2, vy1, vy2, r1, r2, FastCircles.COARSE, time);
         return meet ? Math.max(0, time.high() * (1 - 4 * U) - ROUNDING) : NEVER;
     }
 
@@ -121,29 +128,28 @@ public final class ExactPairs extends PairTime {
      * @return false if there is none
      */
     public boolean exactTime(Bodies bodies, int i, int j, DoubleDouble until) {
-        return exactTime(bodies, i, j, FastCircles.FINE, until);
+        return exactTime(bodies.x[i], bodies.x[j], bodies.y[i], bodies.y[j], bodies.vx[i], bodies.vx[j],
+            bodies.vy[i], bodies.vy[j], bodies.radius[i], bodies.radius[j], FastCircles.FINE, until);
     }
 
-    private boolean exactTime(Bodies bodies, int i, int j, double grade, DoubleDouble until) {
-        int quick = FastCircles.firstTouch(bodies, i, j, separatingReact, grade, until);
+    /** The same for two circles. */
+    public boolean exactTime(double x1, double x2, double y1, double y2, double vx1, double vx2, double vy1, double vy2,
+                             double r1, double r2, DoubleDouble until) {
+        return exactTime(x1, x2, y1, y2, vx1, vx2, vy1, vy2, r1, r2, FastCircles.FINE, until);
+    }
+
+    private boolean exactTime(double x1, double x2, double y1, double y2, double vx1, double vx2, double vy1,
+                              double vy2, double r1, double r2, double grade, DoubleDouble until) {
+        int quick = FastCircles.firstTouch(x1, x2, y1, y2, vx1, vx2, vy1, vy2, r1, r2, separatingReact, grade, until);
         if (quick != FastCircles.UNDECIDED) {
             return quick == FastCircles.IMPACT;
         }
-        circles.load(bodies, i, j);
+        circles.load(x1, x2, y1, y2, vx1, vx2, vy1, vy2, r1, r2);
         if (separatingReact && circles.areTouching()) {
             until.set(0);
             return true;
         }
         return circles.firstTouch(until);
-    }
-
-    /** The same for two circles, under a law in which only approach reacts. */
-    public boolean exactTime(double x1, double x2, double y1, double y2, double vx1, double vx2, double vy1, double vy2,
-                  double r1, double r2, DoubleDouble until) {
-        int quick = FastCircles.firstTouch(x1, x2, y1, y2, vx1, vx2, vy1, vy2, r1, r2, false,
-            FastCircles.FINE, until);
-        return quick != FastCircles.UNDECIDED ? quick == FastCircles.IMPACT
-            : circles.load(x1, x2, y1, y2, vx1, vx2, vy1, vy2, r1, r2).firstTouch(until);
     }
 
     /** Whether two bodies approach, by the exact sign of b. */

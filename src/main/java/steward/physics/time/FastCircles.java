@@ -2,7 +2,6 @@ package steward.physics.time;
 
 import steward.numerics.DoubleDouble;
 import steward.numerics.ErrorFree;
-import steward.physics.Bodies;
 
 /*
  * The sums of ExactCircles, in the same order and with the same bounds, but with the high and low parts in local
@@ -49,12 +48,6 @@ final class FastCircles {
     static final int NONE = 2;
 
     private FastCircles() {
-    }
-
-    /** For two bodies by their indices. */
-    static int firstTouch(Bodies bodies, int i, int j, boolean separating, double grade, DoubleDouble time) {
-        return firstTouch(bodies.x[i], bodies.x[j], bodies.y[i], bodies.y[j], bodies.vx[i], bodies.vx[j],
-            bodies.vy[i], bodies.vy[j], bodies.radius[i], bodies.radius[j], separating, grade, time);
     }
 
     /**

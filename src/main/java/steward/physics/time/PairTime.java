@@ -18,7 +18,14 @@ public abstract sealed class PairTime permits PairTime.TouchIsImpact, PairTime.A
     public abstract double until(Bodies bodies, int i, int j);
 
     public static PairTime of(ImpactLaw law, Arithmetic arithmetic) {
-        return law.separatingPairsReact() ? new TouchIsImpact(arithmetic) : new ApproachIsImpact(arithmetic);
+        return law.separatingPairsReact() ? new TouchIsImpact(CircleTime.of(arithmetic))
+            : new ApproachIsImpact(arithmetic);
+    }
+
+    /** The same for replays of formats 1 and 2. */
+    public static PairTime ofFormerReplays(ImpactLaw law, Arithmetic arithmetic) {
+        CircleTime circles = CircleTime.ofFormerReplays(arithmetic);
+        return law.separatingPairsReact() ? new TouchIsImpact(circles) : new ApproachIsImpact(circles);
     }
 
     /** The official games: a touching pair reacts, even while separating. */
@@ -26,19 +33,14 @@ public abstract sealed class PairTime permits PairTime.TouchIsImpact, PairTime.A
 
         private final CircleTime circles;
 
-        TouchIsImpact(Arithmetic arithmetic) {
-            circles = CircleTime.of(arithmetic);
+        TouchIsImpact(CircleTime circles) {
+            this.circles = circles;
         }
 
         @Override
         public double until(Bodies bodies, int i, int j) {
-            double dx = bodies.x[i] - bodies.x[j];
-            double dy = bodies.y[i] - bodies.y[j];
-            double touch = bodies.radius[i] + bodies.radius[j];
-            if (Math.sqrt(dx * dx + dy * dy) <= touch) {
-                return 0;
-            }
-            return circles.until(dx, dy, bodies.vx[i] - bodies.vx[j], bodies.vy[i] - bodies.vy[j], touch);
+            return circles.until(bodies.x[i], bodies.x[j], bodies.y[i], bodies.y[j], bodies.vx[i], bodies.vx[j],
+                bodies.vy[i], bodies.vy[j], bodies.radius[i], bodies.radius[j], true);
         }
     }
 
@@ -48,23 +50,17 @@ public abstract sealed class PairTime permits PairTime.TouchIsImpact, PairTime.A
         private final CircleTime circles;
 
         public ApproachIsImpact(Arithmetic arithmetic) {
-            circles = CircleTime.of(arithmetic);
+            this(CircleTime.of(arithmetic));
+        }
+
+        ApproachIsImpact(CircleTime circles) {
+            this.circles = circles;
         }
 
         @Override
         public double until(Bodies bodies, int i, int j) {
-            double dx = bodies.x[i] - bodies.x[j];
-            double dy = bodies.y[i] - bodies.y[j];
-            double dvx = bodies.vx[i] - bodies.vx[j];
-            double dvy = bodies.vy[i] - bodies.vy[j];
-            if (!(dx * dvx + dy * dvy < 0)) {
-                return NEVER;
-            }
-            double touch = bodies.radius[i] + bodies.radius[j];
-            if (Math.sqrt(dx * dx + dy * dy) <= touch) {
-                return 0;
-            }
-            return circles.untilApproachingMeet(dx, dy, dvx, dvy, touch);
+            return circles.until(bodies.x[i], bodies.x[j], bodies.y[i], bodies.y[j], bodies.vx[i], bodies.vx[j],
+                bodies.vy[i], bodies.vy[j], bodies.radius[i], bodies.radius[j], false);
         }
     }
 

@@ -158,7 +158,8 @@ class CalibrateTest {
      * {@code steward tradeoff --calibrate config/scenes/NAME.json --overwrite}.
      */
     @ParameterizedTest
-    @ValueSource(strings = {"duel", "mad-pod-racing-silver", "mad-pod-racing", "search-race", "walled-race"})
+    @ValueSource(strings = {"duel", "mad-pod-racing-silver", "mad-pod-racing", "mean-max", "search-race",
+        "walled-race"})
     void theFiguresOfAShippedSceneHold(String name) throws Exception {
         GameSetup setup = Games.open(name, Calibration.PLAYED_ON);
         AccuracyFigures figures = shipped(name);
@@ -170,7 +171,8 @@ class CalibrateTest {
     /** The first states of them, played and measured again. */
     @ParameterizedTest
     @Tag("slow")
-    @ValueSource(strings = {"duel", "mad-pod-racing-silver", "mad-pod-racing", "search-race", "walled-race"})
+    @ValueSource(strings = {"duel", "mad-pod-racing-silver", "mad-pod-racing", "mean-max", "search-race",
+        "walled-race"})
     void aSampleOfTheFiguresIsMeasuredAnew(String name) throws Exception {
         GameSetup setup = Games.open(name, Calibration.PLAYED_ON);
         AccuracyFigures figures = shipped(name);

@@ -1,6 +1,7 @@
 package steward.cli.lab;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
@@ -54,6 +55,13 @@ class ExplainCommandTest {
             in   pair impacts       bodies meet, scanOrder descending
             out  walls              no field
             """), cli.out());
+    }
+
+    @Test
+    void onTheExactRungItSaysWhatExactMeans() {
+        String said = "  its decisions are right within a turn, but the state is rounded at its end as on every rung:";
+        assertTrue(Cli.run("explain", "walled-race", "--no-prices", "--accuracy", "exact").out().contains(said));
+        assertFalse(Cli.run("explain", "walled-race", "--no-prices").out().contains(said));
     }
 
     @Test

@@ -97,6 +97,22 @@ class StabilityTest {
         }
     }
 
+    /**
+     * The products of differences and velocities are below the least normal number, where nothing is sure: the search
+     * by all pairs took the pair for one that separates. Found by the campaign, on the exact rung.
+     */
+    @Test
+    void aPairOfWhichTheProductsUnderflowIsNotLeftOut() {
+        PairTally tally = new PairTally(Rung.all().get(Rung.all().size() - 1));
+        Bodies bodies = new Bodies(2);
+        bodies.add(4.6679506147395076E-157, -2.0558006174218732E-157, 6.066632711347895E-163, 6.577628254700179E13);
+        bodies.add(4.667967980301445E-157, -2.0558018088918603E-157, 4.2744116797419096E-163, 6.082608932915268E-18);
+        bodies.setVelocity(0, 1.6409020392563168E-162, -1.465573721024612E-162);
+        bodies.setVelocity(1, 4.700361288415916E-163, -4.700361288415916E-163);
+        tally.add(bodies, true);
+        assertEquals(Finding.Verdict.HOLDS, tally.seen().verdict(), tally::text);
+    }
+
     @Test
     void namesAreUniqueAndDemandsAreSaid() {
         List<StabilityCase> all = StabilityCases.all();
@@ -151,15 +167,17 @@ class StabilityTest {
             }
         }));
         assertEquals(List.of("pi-blocks", "degenerate contacts", "masses", "extreme speeds", "corners and ends",
-            "Newton's cradle", "inelastic collapse", "official edges", "dense packing", "long run of 10",
+            "sliding", "Newton's cradle", "random cradles", "rest", "inelastic collapse", "official edges",
+            "dense packing",
+            "long run of 10",
             "long run of 100"), noticed);
     }
 
-    /** What hangs on the numbering or on left and right. */
+    /** What hangs on the numbering or on left and right; and columns that are pressed buckle. */
     @Test
     @Tag("slow")
     void aRungThatPrefersTheFirstBodyFails() {
-        assertEquals(List.of("corners and ends", "mirror images", "lattice of pairs"),
+        assertEquals(List.of("corners and ends", "mirror images", "rest", "lattice of pairs"),
             noticed(spoiled(bodies -> bodies.x[0] = Math.nextUp(bodies.x[0]))));
     }
 

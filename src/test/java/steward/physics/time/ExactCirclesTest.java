@@ -249,7 +249,7 @@ class ExactCirclesTest {
             double x = (radius + 410) * (back * cos - across * sin);
             double y = (radius + 410) * (back * sin + across * cos);
             Bodies bodies = pair(x, y, 900 * cos, 900 * sin, radius, 410);
-            int found = FastCircles.firstTouch(bodies, 0, 1, false, grade, time);
+            int found = quickTouch(bodies, grade, time);
             if (found == FastCircles.UNDECIDED) {
                 continue;
             }
@@ -280,12 +280,17 @@ class ExactCirclesTest {
             Bodies bodies = pair(-far * t[0] - r * t[1], -far * t[1] + r * t[0], speed * t[0], speed * t[1],
                 r * t[2], 1);
             bodies.radius[1] = 0;
-            int found = FastCircles.firstTouch(bodies, 0, 1, false, FastCircles.COARSE, time);
+            int found = quickTouch(bodies, FastCircles.COARSE, time);
             assertTrue(found != FastCircles.IMPACT, "n " + n);
             bodies.radius[1] = Math.scalb(r * t[2], -107);
-            found = FastCircles.firstTouch(bodies, 0, 1, false, FastCircles.COARSE, time);
+            found = quickTouch(bodies, FastCircles.COARSE, time);
             assertTrue(found != FastCircles.NONE, "n " + n + ", a little larger");
             assertTrue(pairs.exactTime(bodies, 0, 1, time), "n " + n + ", a little larger, exactly");
         }
+    }
+
+    private static int quickTouch(Bodies bodies, double grade, DoubleDouble time) {
+        return FastCircles.firstTouch(bodies.x[0], bodies.x[1], bodies.y[0], bodies.y[1], bodies.vx[0], bodies.vx[1],
+            bodies.vy[0], bodies.vy[1], bodies.radius[0], bodies.radius[1], false, grade, time);
     }
 }

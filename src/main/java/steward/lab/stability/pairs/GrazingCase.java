@@ -8,6 +8,7 @@ import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
 import steward.lab.trial.StabilityCase;
 import steward.numerics.SplitMix64;
+import steward.physics.Arithmetic;
 import steward.physics.Bodies;
 
 /**
@@ -17,6 +18,8 @@ import steward.physics.Bodies;
 public final class GrazingCase implements StabilityCase {
 
     private static final long SEED = 2;
+    /** Of velocities: the rounding, and one unit in the last place where it leaves an approach. */
+    private static final double MOST_ULPS = 1.51;
 
     @Override
     public String name() {
@@ -25,7 +28,9 @@ public final class GrazingCase implements StabilityCase {
 
     @Override
     public String demand() {
-        return "R(1 +- 10^-k), k = 1..16, and tangent +- 1 ulp: 0 wrong decisions on exact, counted on the others";
+        return "R(1 +- 10^-k), k = 1..16, and tangent +- 1 ulp: 0 wrong decisions on exact and "
+            + "compensated, counted on the others; on exact, positions and velocities within 0.51 ulp, and in contact "
+            + "but for a rounding velocities within 1.51 ulp";
     }
 
     @Override
@@ -39,13 +44,42 @@ public final class GrazingCase implements StabilityCase {
                 double touch = PairSampler.around(random, random.nextInt(-3, 4));
                 tally.add(PairSampler.passing(random, touch, n % 2 == 0 ? 1 - off : 1 + off,
                     touch * 3 * random.nextDouble(),
-                    0.1 + 0.8 * random.nextDouble(), base(random, touch), base(random, touch)), false);
+                    0.1 + 0.8 * random.nextDouble(), base(random, touch), base(random, touch)),
+                    rung.isExact() && n % 10 == 0);
             }
         }
         for (int n = 0; n < size.pick(400, 10_000, 200_000); n++) {
             tangents(tally, random);
         }
-        return Finding.of(rung.isExact(), tally.isRight(), tally.text());
+        PairTally contacts = new PairTally(rung);
+        for (int n = 0; n < size.pick(2_000, 50_000, 1_000_000); n++) {
+            contacts.add(contact(random), rung.isExact());
+        }
+        return Finding.of(rung.isExact() || rung.arithmetic() == Arithmetic.COMPENSATED, tally.isRight()
+            && !(rung.isExact() && (contacts.wrong() > 0 || contacts.velocityUlps() > MOST_ULPS
+            || Math.max(tally.positionUlps(), tally.velocityUlps()) > Rung.EXACT_ULPS)),
+            tally.text() + "; at rounding distance " + contacts.text());
+    }
+
+    /**
+     * Two that touch but for a rounding, or overlap by one, at coordinates up to 1e12, and graze each other by a
+     * cosine of 1 to 1e-17.
+     */
+    private static Bodies contact(SplitMix64 random) {
+        double angle = 2 * Math.PI * random.nextDouble();
+        double cos = StrictMath.cos(angle);
+        double sin = StrictMath.sin(angle);
+        double base = random.nextInt(2) * 1e12 * random.nextDouble();
+        double radius = 1 + 400 * random.nextDouble();
+        double other = 1 + 400 * random.nextDouble();
+        double distance = (radius + other) * (1 + (random.nextInt(3) - 1) * 1e-14);
+        double speed = 100 * random.nextDouble();
+        double inward = speed * StrictMath.pow(10, -17 * random.nextDouble());
+        Bodies bodies = new Bodies(2);
+        bodies.add(base, base, radius, 1 + random.nextDouble());
+        bodies.add(base + distance * cos, base + distance * sin, other, 1 + random.nextDouble());
+        bodies.setVelocity(0, inward * cos - speed * sin, inward * sin + speed * cos);
+        return bodies;
     }
 
     private static double base(SplitMix64 random, double touch) {

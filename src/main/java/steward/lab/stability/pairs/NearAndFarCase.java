@@ -15,6 +15,9 @@ import steward.physics.Bodies;
 public final class NearAndFarCase implements StabilityCase {
 
     private static final long SEED = 3;
+    /** From this family on, positions and velocities are compared too. */
+    private static final int WHOLE = 3;
+    private static final double MOST_ULPS = 1.51;
 
     @Override
     public String name() {
@@ -24,23 +27,28 @@ public final class NearAndFarCase implements StabilityCase {
     @Override
     public String demand() {
         return "gap 1e-12 R closing at 1e-9; separation 1e7 R; coordinates near 1e9 with separation 1e3: "
-            + "time of impact within 0.51 ulp on exact, reported on the others";
+            + "time of impact within 0.51 ulp on exact, reported on the others; at distance, and at coordinates, "
+            + "of 1e12 no wrong decision, positions within 1 and velocities within 1.51 ulp";
     }
 
     @Override
     public Finding run(Rung rung, RunLength size, Progress progress) {
         StringBuilder text = new StringBuilder("ulp");
         boolean met = true;
-        String[] names = {"gap", "far", "1e9"};
+        String[] names = {"gap", "far", "1e9", "1e12 apart", "at 1e12"};
         for (int family = 0; family < names.length; family++) {
             PairTally tally = new PairTally(rung);
             SplitMix64 random = new SplitMix64(SEED + family);
-            for (int n = 0; n < size.pick(4000, 100_000, 2_000_000); n++) {
-                tally.add(pair(family, random), false);
+            int number = size.pick(4000, 100_000, 2_000_000) / (family >= WHOLE ? 4 : 1);
+            for (int n = 0; n < number; n++) {
+                tally.add(pair(family, random), family >= WHOLE && rung.isExact());
             }
-            met &= tally.isRight() && tally.timeUlps() <= Rung.EXACT_ULPS;
+            met &= tally.isRight() && tally.timeUlps() <= Rung.EXACT_ULPS
+                && tally.positionUlps() <= 1 && tally.velocityUlps() <= MOST_ULPS;
             progress.reached((family + 1.0) / names.length, text::toString);
             text.append(String.format(Locale.ROOT, "; %s %.3g", names[family], tally.timeUlps()))
+                .append(tally.positionUlps() == 0 ? "" : String.format(Locale.ROOT, " (position %.3g, velocity %.3g)",
+                    tally.positionUlps(), tally.velocityUlps()))
                 .append(tally.wrong() > 0 ? ", wrong " + tally.wrong() : "");
         }
         return Finding.of(rung.isExact(), met, text.toString().replaceFirst("ulp;", "ulp:"));
@@ -52,8 +60,11 @@ public final class NearAndFarCase implements StabilityCase {
         return switch (family) {
             case 0 -> hairApart(random);
             case 1 -> PairSampler.passing(random, 1, share, 1e7, time, 0, 0);
-            default -> PairSampler.passing(random, 2, share, 1e3, time, 1e9 * (0.5 + random.nextDouble()),
+            case 2 -> PairSampler.passing(random, 2, share, 1e3, time, 1e9 * (0.5 + random.nextDouble()),
                 1e9 * (0.5 + random.nextDouble()));
+            case 3 -> PairSampler.passing(random, 100, share, 1e12, time, 0, 0);
+            default -> PairSampler.passing(random, 800, share, 1e4, time, 1e12 * (0.5 + random.nextDouble()),
+                1e12 * (0.5 + random.nextDouble()));
         };
     }
 

@@ -1,0 +1,95 @@
+package steward.lab.stability.crowds;
+
+import java.util.Locale;
+import steward.lab.trial.Finding;
+import steward.lab.trial.Probe;
+import steward.lab.trial.Progress;
+import steward.lab.trial.RunLength;
+import steward.lab.trial.Rung;
+import steward.lab.trial.StabilityCase;
+import steward.numerics.SplitMix64;
+import steward.physics.Advance;
+import steward.physics.Bodies;
+import steward.physics.ImpactLaw;
+
+/**
+ * Newton's cradle with numbers that have no structure: equal bodies in a row along an axis, of any radius, at any
+ * place, with any gaps, hit by one of any speed. Whatever the rounding of positions makes of the gaps, all impacts are
+ * central, so in each one the two exchange their velocities, to the bit.
+ */
+public final class RandomCradlesCase implements StabilityCase {
+
+    private static final long SEED = 15;
+    private static final int[] LENGTHS = {5, 24, 100, 200};
+
+    @Override
+    public String name() {
+        return "random cradles";
+    }
+
+    @Override
+    public String demand() {
+        return "rows of 5, 24, 100 and 200 equal balls, random radii, gaps, places, speeds, to all four sides: as many "
+            + "impacts as gaps, the last ball flies off with the speed of the first, the others rest, exactly, on "
+            + "every event rung, one by one and as a crowd";
+    }
+
+    @Override
+    public Finding run(Rung rung, RunLength size, Progress progress) {
+        StringBuilder text = new StringBuilder();
+        boolean met = true;
+        SplitMix64 random = new SplitMix64(SEED);
+        Advance[] advances = {rung.advance(ImpactLaw.PHYSICS), rung.crowdAdvance(ImpactLaw.PHYSICS)};
+        for (int length : LENGTHS) {
+            int rows = size.pick(length < 100 ? 200 : 5, length < 100 ? 5_000 : 100, length < 100 ? 100_000 : 2_000);
+            int right = 0;
+            long most = 0;
+            for (int n = 0; n < rows; n++) {
+                Bodies bodies = row(random, length);
+                boolean fine = true;
+                for (Advance advance : advances) {
+                    Bodies copy = new Bodies(length);
+                    copy.copyFrom(bodies);
+                    Probe probe = new Probe();
+                    advance.turn(copy, probe);
+                    most = Math.max(most, probe.impacts);
+                    fine &= probe.impacts == length - 1 && hasPassedOn(bodies, copy);
+                }
+                right += fine ? 1 : 0;
+            }
+            met &= right == rows;
+            text.append(text.length() == 0 ? "" : "; ").append(String.format(Locale.ROOT,
+                "%d balls: %d of %d right, at most %d impacts", length, right, rows, most));
+        }
+        return Finding.of(rung.isEvent(), met, text.toString());
+    }
+
+    /** The first has crossed all gaps, and the last flies, before three quarters of the turn. */
+    private static Bodies row(SplitMix64 random, int length) {
+        double radius = StrictMath.pow(10, 6 * random.nextDouble() - 2);
+        double gaps = random.nextInt(3) == 0 ? 0 : radius * StrictMath.pow(10, -random.nextInt(17)) / length;
+        boolean alongX = random.nextInt(2) == 0;
+        int side = random.nextInt(2) == 0 ? 1 : -1;
+        double across = radius * 100 * (random.nextDouble() - 0.5);
+        double place = side * radius * 10 * random.nextDouble();
+        double start = radius * (0.1 + random.nextDouble());
+        Bodies bodies = new Bodies(length);
+        for (int k = 0; k < length; k++) {
+            bodies.add(alongX ? place : across, alongX ? across : place, radius, 1);
+            place += side * (2 * radius + (k == 0 ? start : gaps * random.nextDouble()));
+        }
+        double speed = side * (start + 2 * radius * length * 0x1p-40 + gaps * length) * (1.4 + random.nextDouble());
+        bodies.setVelocity(0, alongX ? speed : 0, alongX ? 0 : speed);
+        return bodies;
+    }
+
+    private static boolean hasPassedOn(Bodies before, Bodies after) {
+        int last = before.size() - 1;
+        for (int k = 0; k <= last; k++) {
+            if (after.vx[k] != (k == last ? before.vx[0] : 0) || after.vy[k] != (k == last ? before.vy[0] : 0)) {
+                return false;
+            }
+        }
+        return true;
+    }
+}

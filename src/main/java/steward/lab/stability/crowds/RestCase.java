@@ -1,0 +1,184 @@
+package steward.lab.stability.crowds;
+
+import java.math.BigDecimal;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import steward.lab.trial.Finding;
+import steward.lab.trial.Probe;
+import steward.lab.trial.Progress;
+import steward.lab.trial.RunLength;
+import steward.lab.trial.Rung;
+import steward.lab.trial.StabilityCase;
+import steward.numerics.SplitMix64;
+import steward.physics.Advance;
+import steward.physics.Bodies;
+import steward.physics.HalfPlane;
+import steward.physics.Impact;
+import steward.physics.ImpactLaw;
+import steward.physics.TurnLog;
+import steward.physics.Wall;
+
+/** Piles that fall or are pressed on a wall or into a corner, without and with restitution, and come to rest. */
+public final class RestCase implements StabilityCase {
+
+    private static final long SEED = 18;
+    private static final int TURNS = 40;
+    private static final int MOST_IMPACTS = 500;
+    private static final double STILL = 1e-9;
+    /** Of rows that lie in the gaps of the rows below: half of the root of 3. */
+    private static final double HEIGHT = 0.8660254037844387;
+    /** So that the growth of nothing is a number. */
+    private static final BigDecimal TINY = new BigDecimal(1e-30);
+    private static final ImpactLaw SOFT = ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM);
+
+    @Override
+    public String name() {
+        return "rest";
+    }
+
+    @Override
+    public String demand() {
+        return "columns, grids and staggered rows of 1 to 30 bodies of random radii and masses, with gaps of 0 to 1e-1 "
+            + "radii and jitter, thrown once or pressed anew each turn against a wall or into a corner, e = 0..0.9: no "
+            + "turn has more than 500 impacts or its limit, energy never "
+            + "grows (but for 1e-15 of it, by rounding), momentum is booked, one by one and as a crowd are the same to "
+            + "the bit; columns without restitution are then at rest; "
+            + "on every event rung";
+    }
+
+    @Override
+    public Finding run(Rung rung, RunLength size, Progress progress) {
+        SplitMix64 random = new SplitMix64(SEED);
+        Tally tally = new Tally();
+        int piles = size.pick(40, 400, 4_000);
+        for (int n = 0; n < piles; n++) {
+            pile(rung, random, tally);
+        }
+        boolean met = tally.most <= MOST_IMPACTS && tally.limited == 0 && tally.growth <= 1e-15
+            && tally.unbooked <= 1e-12
+            && tally.different == 0 && tally.fastest <= STILL;
+        return Finding.of(rung.isEvent(), met, String.format(Locale.ROOT, "%d piles: at most %d impacts in a turn, %d "
+            + "limited, energy grew by %.1e, momentum off by %.1e, %d turns differ as a crowd, columns keep %.1e of "
+            + "their speed", piles, tally.most, tally.limited, tally.growth, tally.unbooked, tally.different,
+            tally.fastest));
+    }
+
+    /** What the piles of a rung have shown. */
+    private static final class Tally {
+
+        private long most;
+        private int limited;
+        private double growth;
+        private double unbooked;
+        private int different;
+        private double fastest;
+    }
+
+    private static void pile(Rung rung, SplitMix64 random, Tally tally) {
+        int count = 1 + random.nextInt(30);
+        Shape shape = Shape.values()[random.nextInt(3)];
+        boolean corner = random.nextInt(2) == 0;
+        boolean pressed = random.nextInt(2) == 0;
+        double restitution = random.nextInt(3) == 0 ? 0 : 0.9 * random.nextDouble();
+        double gaps = random.nextInt(3) == 0 ? 0 : StrictMath.pow(10, -1 - 14 * random.nextDouble());
+        Bodies bodies = bodies(random, count, shape, gaps, restitution);
+        List<Wall> walls = new ArrayList<>();
+        walls.add(new HalfPlane(0, 0, 0, 1, restitution));
+        if (corner) {
+            walls.add(new HalfPlane(0, 0, 1, 0, restitution));
+        }
+        Wall[] around = walls.toArray(new Wall[0]);
+        Advance alone = rung.advance(SOFT, around);
+        Advance crowd = rung.crowdAdvance(SOFT, around);
+        Bodies copy = new Bodies(count);
+        double speed = speed(bodies);
+        for (int turn = 0; turn < TURNS; turn++) {
+            if (pressed && turn > 0) {
+                press(bodies, speed, corner);
+            }
+            play(alone, crowd, bodies, copy, tally);
+        }
+        if (shape == Shape.COLUMN && !(pressed && corner) && restitution == 0) {
+            tally.fastest = Math.max(tally.fastest, speed(bodies) / speed);
+        }
+    }
+
+    /** Gives each body a speed toward the wall, or into the corner. */
+    private static void press(Bodies bodies, double speed, boolean corner) {
+        for (int k = 0; k < bodies.size(); k++) {
+            bodies.setVelocity(k, bodies.vx[k] - (corner ? speed : 0), bodies.vy[k] - speed);
+        }
+    }
+
+    /** How a pile is built. */
+    private enum Shape { COLUMN, GRID, STAGGERED }
+
+    /** A column that falls straight, or rows with jitter that fall anyhow. */
+    private static Bodies bodies(SplitMix64 random, int count, Shape shape, double gaps, double restitution) {
+        Bodies bodies = new Bodies(count);
+        boolean column = shape == Shape.COLUMN;
+        double radius = 1 + 30 * random.nextDouble();
+        double speed = radius * (0.1 + 3 * random.nextDouble());
+        int perRow = column ? 1 : 1 + random.nextInt(6);
+        double step = 2 * radius * (1 + gaps);
+        for (int k = 0; k < count; k++) {
+            double jitter = gaps * radius;
+            int row = k / perRow;
+            boolean moved = shape == Shape.STAGGERED && row % 2 == 1;
+            bodies.add(radius + step * (k % perRow) + (moved ? step / 2 : 0)
+                + (column ? 0 : jitter * random.nextDouble()),
+                radius + (shape == Shape.STAGGERED ? HEIGHT : 1) * step * row + jitter * random.nextDouble(), radius,
+                1 + 2 * random.nextDouble());
+            bodies.setVelocity(k, column ? 0 : -speed * random.nextDouble(),
+                column ? -speed : -speed * (0.5 + random.nextDouble()));
+            bodies.setRestitution(k, restitution);
+        }
+        return bodies;
+    }
+
+    private static void play(Advance alone, Advance crowd, Bodies bodies, Bodies copy, Tally tally) {
+        copy.copyFrom(bodies);
+        BigDecimal energy = Probe.energy(bodies).add(TINY);
+        double momentumX = momentum(bodies, bodies.vx);
+        double momentumY = momentum(bodies, bodies.vy);
+        double size = Math.abs(momentumX) + Math.abs(momentumY);
+        TurnLog log = new TurnLog();
+        TurnLog other = new TurnLog();
+        alone.turn(bodies, log);
+        crowd.turn(copy, other);
+        tally.most = Math.max(tally.most, log.impacts());
+        tally.limited += log.limited() ? 1 : 0;
+        tally.growth = Math.max(tally.growth,
+            Probe.energy(bodies).subtract(energy).doubleValue() / energy.doubleValue());
+        for (int k = 0; k < log.impacts(); k++) {
+            Impact impact = log.impact(k);
+            momentumX -= impact.isWall() ? impact.momentumBx() : 0;
+            momentumY -= impact.isWall() ? impact.momentumBy() : 0;
+        }
+        double off = Math.abs(momentum(bodies, bodies.vx) - momentumX)
+            + Math.abs(momentum(bodies, bodies.vy) - momentumY);
+        tally.unbooked = Math.max(tally.unbooked, size > 1e-6 ? off / size : 0);
+        boolean same = log.impacts() == other.impacts();
+        for (int k = 0; k < bodies.size(); k++) {
+            same &= Probe.same(bodies, k, copy, k);
+        }
+        tally.different += same ? 0 : 1;
+    }
+
+    private static double momentum(Bodies bodies, double[] v) {
+        double sum = 0;
+        for (int k = 0; k < bodies.size(); k++) {
+            sum += bodies.mass[k] * v[k];
+        }
+        return sum;
+    }
+
+    private static double speed(Bodies bodies) {
+        double fastest = 0;
+        for (int k = 0; k < bodies.size(); k++) {
+            fastest = Math.max(fastest, Math.abs(bodies.vx[k]) + Math.abs(bodies.vy[k]));
+        }
+        return fastest;
+    }
+}

@@ -1,0 +1,84 @@
+package steward.physics.event;
+
+import steward.physics.Arithmetic;
+import steward.physics.Bodies;
+import steward.physics.ImpactLaw;
+import steward.physics.PhysicsParts;
+import steward.physics.TurnSink;
+import steward.physics.Wall;
+import steward.physics.impulse.Collision;
+import steward.physics.impulse.ContactResponse;
+import steward.physics.impulse.ExactCollision;
+import steward.physics.time.ExactPairs;
+import steward.physics.time.ExactWalls;
+import steward.physics.time.LowParts;
+import steward.physics.time.PairTime;
+
+/**
+ * The event loop for laws in which impacts react in batches, as in the official games: it moves all bodies to the
+ * earliest impact, and after each batch it searches all pairs anew.
+ */
+final class BatchLoop {
+
+    private final ImpactLaw law;
+    private final Scan[] scans;
+    private final ImpactQueue queue;
+    private final Flight flight;
+    private final ContactResponse response;
+    private final Standstill standstill;
+
+    /** @param former whether it plays a replay of formats 1 or 2, in which nothing slides */
+    BatchLoop(PhysicsParts parts, boolean former) {
+        Wall[] walls = parts.walls().toArray(new Wall[0]);
+        law = parts.law();
+        Collision collision;
+        if (parts.arithmetic() == Arithmetic.EXACT) {
+            ExactPairs pairs = new ExactPairs(law);
+            ExactWalls wallTimes = new ExactWalls(walls);
+            RefiningQueue refining = new RefiningQueue(law, pairs, wallTimes, parts.contacts());
+            LowParts lows = new LowParts();
+            scans = Scan.of(parts, pairs, wallTimes);
+            queue = refining;
+            flight = new ExactFlight(refining, lows);
+            collision = ExactCollision.of(law, walls, pairs, wallTimes, lows);
+        } else {
+            scans = Scan.of(parts, former ? PairTime.ofFormerReplays(law, parts.arithmetic())
+                : PairTime.of(law, parts.arithmetic()));
+            queue = ImpactQueue.of(law);
+            flight = new Flight.Plain();
+            collision = Collision.of(law, former && parts.arithmetic() == Arithmetic.COMPENSATED ? Arithmetic.DOUBLE
+                : parts.arithmetic(), walls);
+        }
+        response = ContactResponse.of(parts, former ? collision.ofFormerReplays() : collision, walls);
+        standstill = new Standstill(parts);
+    }
+
+    void turn(Bodies bodies, TurnSink sink) {
+        int left = law.impactLimit(bodies.size());
+        double now = flight.begin(bodies);
+        for (;;) {
+            queue.clear();
+            for (Scan scan : scans) {
+                scan.find(bodies, now, queue);
+            }
+            int together = queue.nextBatch();
+            if (together == 0) {
+                flight.toEnd(bodies, now);
+                response.releaseSeparatedPairs(bodies);
+                return;
+            }
+            if (left <= 0) {
+                standstill.finish(bodies, now, sink);
+                response.releaseSeparatedPairs(bodies);
+                return;
+            }
+            now = flight.toImpact(bodies, now, queue);
+            response.releaseSeparatedPairs(bodies);
+            left -= together;
+            boolean unaltered = true;
+            for (int k = 0; k < together && unaltered; k++) {
+                unaltered = response.react(bodies, queue.a(k), queue.b(k), queue.time(k), sink);
+            }
+        }
+    }
+}

@@ -1,0 +1,180 @@
+package steward.physics.event;
+
+import steward.physics.Arithmetic;
+import steward.physics.Bodies;
+import steward.physics.Contacts;
+import steward.physics.ImpactLaw;
+import steward.physics.PhysicsParts;
+import steward.physics.TurnSink;
+import steward.physics.Wall;
+import steward.physics.impulse.Collision;
+import steward.physics.impulse.ContactResponse;
+import steward.physics.impulse.ExactCollision;
+import steward.physics.impulse.Rest;
+import steward.physics.time.ExactPairs;
+import steward.physics.time.ExactWalls;
+import steward.physics.time.LowParts;
+
+/**
+ * The event loop for laws in which one impact happens at a time. Each body has a local clock and is moved only at its
+ * own impacts ({@link Flights}), as in {@code QueueAdvance}; so the two have the same impacts in the same order, bit
+ * for bit. After an impact only the pairs of its two bodies are searched anew.
+ */
+final class FlightLoop {
+
+    private final ImpactLaw law;
+    private final boolean descending;
+    private final Flights flights;
+    private final FlightSearch search;
+    private final ContactResponse response;
+    private final Contacts asking;
+    private final Rest rest;
+    private final Standstill standstill;
+    /** Starts of flights while all bodies are where they are now, for a reaction of the scene. */
+    private double[] startX = new double[0];
+    private double[] startY = new double[0];
+
+    FlightLoop(PhysicsParts parts) {
+        Wall[] walls = parts.walls().toArray(new Wall[0]);
+        law = parts.law();
+        descending = law.scanOrder() == ImpactLaw.ScanOrder.DESCENDING;
+        asking = parts.reaction() == null ? null : parts.contacts();
+        if (parts.arithmetic() == Arithmetic.EXACT) {
+            ExactPairs pairs = new ExactPairs(law);
+            ExactWalls wallTimes = new ExactWalls(walls);
+            LowParts lows = new LowParts();
+            Flights.Precise precise = new Flights.Precise(lows);
+            flights = precise;
+            search = new PreciseFlightSearch(parts, precise, walls, pairs, wallTimes);
+            response = ContactResponse.of(parts, ExactCollision.of(law, walls, pairs, wallTimes, lows), walls);
+        } else {
+            flights = new Flights();
+            search = new FlightSearch(parts, flights, walls);
+            response = ContactResponse.of(parts, Collision.of(law, parts.arithmetic(), walls), walls);
+        }
+        rest = Rest.of(parts, walls);
+        standstill = new Standstill(parts);
+    }
+
+    void turn(Bodies bodies, TurnSink sink) {
+        int left = law.impactLimit(bodies.size());
+        double last = 0;
+        double lastLow = 0;
+        flights.setNowLow(0);
+        flights.startAll(bodies, 0);
+        if (rest != null) {
+            rest.begin(bodies);
+        }
+        search.searchAll(bodies, 0);
+        for (int row = search.earliest(bodies.size()); row >= 0; row = search.earliest(bodies.size())) {
+            if (left-- <= 0) {
+                flights.setNowLow(lastLow);
+                storeAll(bodies, last);
+                standstill.finish(bodies, last, sink);
+                response.releaseSeparatedPairs(bodies);
+                return;
+            }
+            last = search.time[row];
+            lastLow = flights.nowLow();
+            react(bodies, row, search.partner[row], last, sink);
+            if (rest != null && rest.isSqueezed()) {
+                left = 0;
+            }
+        }
+        flights.setNowLow(0);
+        storeAll(bodies, 1);
+        response.releaseSeparatedPairs(bodies);
+    }
+
+    private void storeAll(Bodies bodies, double now) {
+        for (int i = 0; i < bodies.size(); i++) {
+            flights.store(bodies, i, now);
+        }
+    }
+
+    private void react(Bodies bodies, int row, int partner, double now, TurnSink sink) {
+        boolean swapped = descending && partner >= 0;
+        int a = swapped ? partner : row;
+        int b = swapped ? row : partner;
+        if (b < 0) {
+            flights.flyTo(bodies, a, now);
+        } else {
+            flights.flyToContact(bodies, a, b, now);
+        }
+        if (rest != null && rest.isAbout(bodies, a, b) && rest.mayRest(bodies, a, b) && settle(bodies, a, b, now,
+            sink)) {
+            return;
+        }
+        if (asking == null) {
+            response.react(bodies, a, b, now, sink);
+        } else if (!ask(bodies, a, b, now, sink)) {
+            if (rest != null) {
+                rest.follow(bodies);
+            }
+            flights.startAll(bodies, now);
+            search.searchAll(bodies, now);
+            return;
+        }
+        search.searchAfter(bodies, a, b, now);
+    }
+
+    /**
+     * Responds in a scene with {@code ASK} contacts: all bodies are moved to the present time if the reaction may look
+     * at them, and their flights go on afterwards.
+     *
+     * @return false if all flights begin anew at the present time
+     */
+    private boolean ask(Bodies bodies, int a, int b, double now, TurnSink sink) {
+        Contacts.Meaning meaning = b < 0 ? asking.withWall(bodies.kind[a])
+            : asking.between(bodies.kind[a], bodies.kind[b]);
+        int passing = bodies.passing().size();
+        if (meaning != Contacts.Meaning.ASK && passing == 0) {
+            return response.react(bodies, a, b, now, sink);
+        }
+        moveAll(bodies, a, b, now);
+        response.releaseSeparatedPairs(bodies);
+        boolean alone = bodies.passing().size() == passing;
+        if (!response.react(bodies, a, b, now, sink) || response.hasAlteredOthers() || !alone) {
+            return false;
+        }
+        moveBack(bodies, a, b);
+        return true;
+    }
+
+    /** Lets a heap rest: then all flights begin anew. @return false if it is an ordinary impact */
+    private boolean settle(Bodies bodies, int a, int b, double now, TurnSink sink) {
+        moveAll(bodies, a, b, now);
+        if (!rest.settle(bodies, a, b, now, sink)) {
+            moveBack(bodies, a, b);
+            return false;
+        }
+        flights.startAll(bodies, now);
+        search.searchAll(bodies, now);
+        return true;
+    }
+
+    /** Moves all bodies but these two to the present time. */
+    private void moveAll(Bodies bodies, int a, int b, double now) {
+        if (startX.length < bodies.size()) {
+            startX = new double[bodies.capacity()];
+            startY = new double[bodies.capacity()];
+        }
+        for (int i = 0; i < bodies.size(); i++) {
+            startX[i] = bodies.x[i];
+            startY[i] = bodies.y[i];
+            if (i != a && i != b) {
+                flights.store(bodies, i, now);
+            }
+        }
+    }
+
+    /** Moves them back to the starts of their flights. */
+    private void moveBack(Bodies bodies, int a, int b) {
+        for (int i = 0; i < bodies.size(); i++) {
+            if (i != a && i != b) {
+                bodies.x[i] = startX[i];
+                bodies.y[i] = startY[i];
+            }
+        }
+    }
+}

@@ -1,0 +1,183 @@
+package steward.physics.event;
+
+import steward.numerics.DoubleDouble;
+import steward.physics.Bodies;
+import steward.physics.PhysicsParts;
+import steward.physics.Wall;
+import steward.physics.time.ExactPairs;
+import steward.physics.time.ExactWalls;
+import steward.physics.time.PreciseFlight;
+
+/** The search with exact decisions, and with times in double-double. */
+final class PreciseFlightSearch extends FlightSearch {
+
+    /** Coordinates in flight for at most a turn are off by less than this share of place and velocity. */
+    private static final double PLACE = 0x1p-48;
+
+    private double[] timeLow = new double[0];
+    private final Flights.Precise flights;
+    private final ExactPairs pairs;
+    private final ExactWalls exactWalls;
+    private final PreciseFlight flight = new PreciseFlight();
+    private final DoubleDouble until = new DoubleDouble();
+    private final DoubleDouble at = new DoubleDouble();
+    private double bestLow;
+
+    PreciseFlightSearch(PhysicsParts parts, Flights.Precise flights, Wall[] walls, ExactPairs pairs,
+                        ExactWalls exactWalls) {
+        super(parts, flights, walls);
+        this.flights = flights;
+        this.pairs = pairs;
+        this.exactWalls = exactWalls;
+    }
+
+    @Override
+    void grow(int capacity) {
+        super.grow(capacity);
+        timeLow = new double[capacity];
+    }
+
+    @Override
+    void clear() {
+        super.clear();
+        bestLow = 0;
+    }
+
+    @Override
+    void load(int i) {
+        super.load(i);
+        bestLow = timeLow[i];
+    }
+
+    @Override
+    void keep(int i) {
+        super.keep(i);
+        timeLow[i] = bestLow;
+    }
+
+    @Override
+    int earliest(int rows) {
+        int first = super.earliest(rows);
+        for (int i = first + 1; first >= 0 && i < rows; i++) {
+            if (time[i] == time[first] && timeLow[i] < timeLow[first]) {
+                first = i;
+            }
+        }
+        flights.setNowLow(first < 0 ? 0 : timeLow[first]);
+        return first;
+    }
+
+    @Override
+    void offerAtStart(Bodies bodies, int i, int j, double now) {
+        offerTogether(bodies, i, j, now, now);
+    }
+
+    /** For flights that start at the same time. */
+    private void offerTogether(Bodies bodies, int i, int j, double start, double now) {
+        if (!areLateAtStart(bodies, i, j, start)) {
+            offer(j, bodies.x[i], bodies.x[j], bodies.y[i], bodies.y[j], bodies.vx[i], bodies.vx[j], bodies.vy[i],
+                bodies.vy[j], bodies.radius[i], bodies.radius[j], start, flights.sinceLow[i], now);
+        }
+    }
+
+    @Override
+    void offer(Bodies bodies, int i, int j, double now) {
+        double ahead = flights.clockDifference(i, j);
+        if (ahead > 0) {
+            if (!areSurelyLate(bodies, j, i)) {
+                offerFlown(bodies, i, j, ahead, now);
+            }
+        } else if (ahead < 0) {
+            if (!areSurelyLate(bodies, i, j)) {
+                offerFlown(bodies, i, j, ahead, now);
+            }
+        } else {
+            offerTogether(bodies, i, j, flights.since[i], now);
+        }
+    }
+
+    /**
+     * {@link #isLate} for a body that has flown for some time and another whose flight starts later: in plain
+     * doubles, with room for their rounding, before the flight is computed in double-double.
+     */
+    private boolean areSurelyLate(Bodies bodies, int flying, int starting) {
+        double x = bodies.x[flying];
+        double y = bodies.y[flying];
+        double vx = bodies.vx[flying];
+        double vy = bodies.vy[flying];
+        double start = flights.since[starting];
+        double flown = start - flights.since[flying];
+        double rounding = PLACE * (Math.abs(x) + Math.abs(y) + Math.abs(vx) + Math.abs(vy)) + Double.MIN_NORMAL;
+        return isLate(x + vx * flown - bodies.x[starting], y + vy * flown - bodies.y[starting],
+            vx - bodies.vx[starting], vy - bodies.vy[starting],
+            bodies.radius[flying] + bodies.radius[starting] + rounding, Math.min(best, 1) - start, rounding);
+    }
+
+    /** Moves the one whose flight has started earlier to the start of the other's. */
+    private void offerFlown(Bodies bodies, int i, int j, double ahead, double now) {
+        double xi = bodies.x[i];
+        double yi = bodies.y[i];
+        double xj = bodies.x[j];
+        double yj = bodies.y[j];
+        double vxi = bodies.vx[i];
+        double vyi = bodies.vy[i];
+        double vxj = bodies.vx[j];
+        double vyj = bodies.vy[j];
+        int later = ahead > 0 ? i : j;
+        int earlier = ahead > 0 ? j : i;
+        double start = flights.since[later];
+        double startLow = flights.sinceLow[later];
+        double flown = flight.elapsed(flights.since[earlier], flights.sinceLow[earlier], start, startLow);
+        if (ahead > 0) {
+            xj = flight.coordinate(xj, vxj, flown);
+            yj = flight.coordinate(yj, vyj, flown);
+        } else {
+            xi = flight.coordinate(xi, vxi, flown);
+            yi = flight.coordinate(yi, vyi, flown);
+        }
+        double touch = bodies.radius[i] + bodies.radius[j];
+        if (!isLate(xi - xj, yi - yj, vxi - vxj, vyi - vyj, touch, Math.min(best, 1) - start)) {
+            offer(j, xi, xj, yi, yj, vxi, vxj, vyi, vyj, bodies.radius[i], bodies.radius[j], start, startLow, now);
+        }
+    }
+
+    private void offer(int j, double xi, double xj, double yi, double yj, double vxi, double vxj, double vyi,
+                       double vyj, double ri, double rj, double start, double startLow, double now) {
+        if (start + pairs.lowerBound(xi, xj, yi, yj, vxi, vxj, vyi, vyj, ri, rj) <= Math.min(best, 1)
+            && pairs.exactTime(xi, xj, yi, yj, vxi, vxj, vyi, vyj, ri, rj, until)) {
+            keepIfEarlier(j, start, startLow, now);
+        }
+    }
+
+    @Override
+    void offerWall(Bodies bodies, int i, int w, double now) {
+        double x = bodies.x[i];
+        double y = bodies.y[i];
+        double vx = bodies.vx[i];
+        double vy = bodies.vy[i];
+        double radius = bodies.radius[i];
+        double since = flights.since[i];
+        if (since + exactWalls.until(w, x, y, vx, vy, radius) <= Math.min(best, 1)
+            && exactWalls.exactTime(w, x, y, vx, vy, radius, until)) {
+            keepIfEarlier(~w, since, flights.sinceLow[i], now);
+        }
+    }
+
+    private void keepIfEarlier(int other, double start, double startLow, double now) {
+        at.setSum(start, startLow).add(until);
+        double high = at.high();
+        double low = at.low();
+        if (high < now) {
+            high = now;                            // only by rounding
+            low = 0;
+        }
+        if (high > 1 || high == 1 && low > 0 || high > best || high == best && low > bestLow) {
+            return;
+        }
+        if (high < best || low < bestLow || other >= 0 && isLower(other)) {
+            best = high;
+            bestLow = low;
+            bestPartner = other;
+        }
+    }
+}

@@ -1,0 +1,129 @@
+package steward.physics.impulse;
+
+import steward.physics.Bodies;
+import steward.physics.TurnSink;
+import steward.physics.Wall;
+
+/**
+ * The impulses of a heap that comes to rest ({@link Rest}): solves the system of its contacts, ascending by ids,
+ * applies them one after the other, and records one impact for each contact that exchanges an impulse.
+ *
+ * <p>Afterwards the contacts of the system part at 2^-42 of its speeds, so that rounding leaves no approach. Where they
+ * cannot part, in a gap that is just filled or too narrow, velocities below 2^-40 of the speeds become 0.
+ */
+final class RestImpulses {
+
+    /** Contacts of a system part at this share of its speeds, above the rounding of velocities and normals. */
+    private static final double PARTING = 0x1p-42;
+    /** Where contacts cannot part, velocities below this share of the speeds are 0. */
+    private static final double STILL = 0x1p-40;
+
+    private final InelasticSystem system;
+    private final Wall[] walls;
+    /** Where contacts cannot part: below this, a velocity is 0. Otherwise 0. */
+    private double still;
+
+    RestImpulses(InelasticSystem system, Wall[] walls) {
+        this.system = system;
+        this.walls = walls;
+    }
+
+    /** Ends the approach of the contacts of the system. @return whether there was anything to exchange */
+    boolean exchange(Bodies bodies, double time, TurnSink sink) {
+        sort();
+        solve(bodies);
+        return record(bodies, time, sink);
+    }
+
+    /** Insertion sort by the lower id, then the other; walls last. Ids ascend with indices. */
+    private void sort() {
+        for (int k = 1; k < system.size; k++) {
+            for (int l = k; l > 0 && isLower(l, l - 1); l--) {
+                system.swap(l, l - 1);
+            }
+        }
+    }
+
+    private boolean isLower(int k, int l) {
+        if (system.a[k] != system.a[l]) {
+            return system.a[k] < system.a[l];
+        }
+        boolean wallK = system.b[k] < 0;
+        boolean wallL = system.b[l] < 0;
+        return wallK != wallL ? wallL : wallK ? system.b[k] > system.b[l] : system.b[k] < system.b[l];
+    }
+
+    private void solve(Bodies bodies) {
+        double speed = 0;
+        for (int k = 0; k < system.size; k++) {
+            speed = Math.max(speed, speedOf(bodies, system.a[k]));
+            speed = Math.max(speed, system.b[k] >= 0 ? speedOf(bodies, system.b[k]) : 0);
+        }
+        still = 0;
+        if (!system.solve(bodies, PARTING * speed, 0.75 * PARTING * speed)) {
+            system.solve(bodies, 0, PARTING * speed);
+            still = STILL * speed;
+        }
+    }
+
+    private static double speedOf(Bodies bodies, int i) {
+        return Math.abs(bodies.vx[i]) + Math.abs(bodies.vy[i]);
+    }
+
+    /** Applies the impulses one after the other and records them. @return whether there are any */
+    private boolean record(Bodies bodies, double time, TurnSink sink) {
+        boolean any = false;
+        for (int k = 0; k < system.size; k++) {
+            if (system.impulse[k] > 0) {
+                any = true;
+                int a = system.a[k];
+                int b = system.b[k];
+                boolean last = still > 0 && isLastOf(a, k);
+                double j = system.impulse[k];
+                double nx = system.normalX[k];
+                double ny = system.normalY[k];
+                double vax = bodies.vx[a];
+                double vay = bodies.vy[a];
+                double vbx = b < 0 ? 0 : bodies.vx[b];
+                double vby = b < 0 ? 0 : bodies.vy[b];
+                double inverse = bodies.inverseMass[a] + (b < 0 ? 0 : bodies.inverseMass[b]);
+                double energy = j * (j * inverse / 2 - system.approach(bodies, k));
+                change(bodies, a, -j * bodies.inverseMass[a], nx, ny, last);
+                if (b >= 0) {
+                    change(bodies, b, j * bodies.inverseMass[b], nx, ny, still > 0 && isLastOf(b, k));
+                }
+                double ax = bodies.x[a];
+                double ay = bodies.y[a];
+                double reach = b < 0 ? walls[~b].gap(ax, ay, bodies.radius[a]) + bodies.radius[a] : 0;
+                double bx = b < 0 ? ax + nx * reach : bodies.x[b];
+                double by = b < 0 ? ay + ny * reach : bodies.y[b];
+                sink.impact(time, bodies.id(a), b < 0 ? b : bodies.id(b), ax, ay, bx, by, nx, ny, j, energy,
+                    bodies.mass[a], b < 0 ? Double.POSITIVE_INFINITY : bodies.mass[b], vax, vay, bodies.vx[a],
+                    bodies.vy[a], vbx, vby, b < 0 ? 0 : bodies.vx[b], b < 0 ? 0 : bodies.vy[b]);
+                sink.knot(bodies.id(a), time, ax, ay);
+                if (b >= 0) {
+                    sink.knot(bodies.id(b), time, bx, by);
+                }
+            }
+        }
+        return any;
+    }
+
+    private boolean isLastOf(int body, int k) {
+        for (int l = k + 1; l < system.size; l++) {
+            if (system.impulse[l] > 0 && (system.a[l] == body || system.b[l] == body)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private void change(Bodies bodies, int i, double by, double nx, double ny, boolean stills) {
+        bodies.vx[i] = stilled(bodies.vx[i] + by * nx, stills);
+        bodies.vy[i] = stilled(bodies.vy[i] + by * ny, stills);
+    }
+
+    private double stilled(double v, boolean stills) {
+        return stills && Math.abs(v) <= still ? 0 : v;
+    }
+}

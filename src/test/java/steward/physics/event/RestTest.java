@@ -1,0 +1,297 @@
+package steward.physics.event;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import steward.numerics.SplitMix64;
+import steward.physics.Advance;
+import steward.physics.Arithmetic;
+import steward.physics.Bodies;
+import steward.physics.Contacts;
+import steward.physics.HalfPlane;
+import steward.physics.Impact;
+import steward.physics.PhysicsParts;
+import steward.physics.Reaction;
+import steward.physics.TurnLog;
+import steward.physics.Wall;
+import steward.physics.queue.QueueAdvance;
+
+/** Bodies that press against a wall come to rest instead of bouncing until the bound on impacts, on every rung. */
+class RestTest {
+
+    static List<Arithmetic> rungs() {
+        return Arithmetic.OF_SCENES;
+    }
+
+    private static List<Advance> both(Arithmetic arithmetic, Wall... walls) {
+        PhysicsParts parts = new PhysicsParts(Scenes.WITH_RESTITUTION, arithmetic, new Contacts(1), List.of(walls),
+            null, true);
+        return List.of(new EventAdvance(parts), new QueueAdvance(parts));
+    }
+
+    private static HalfPlane floor(double restitution) {
+        return new HalfPlane(0, 0, 0, 1, restitution);
+    }
+
+    /**
+     * The wall takes both: first the lower one, then both together. Momentum 2 * 20 goes into the wall, nothing is
+     * left, and a third body far away flies on.
+     * <pre>
+     *      O  v = -20        O  v = -20
+     *      O  v = -20
+     *    -----
+     * </pre>
+     */
+    @ParameterizedTest
+    @MethodSource("rungs")
+    void twoBodiesOnAWallWithoutRestitutionRest(Arithmetic arithmetic) {
+        for (Advance advance : both(arithmetic, floor(0))) {
+            Bodies bodies = new Bodies(3);
+            Scenes.add(bodies, 0, 10, 0, -20, 1);
+            Scenes.add(bodies, 0, 30, 0, -20, 1);
+            Scenes.add(bodies, 500, 500, 0, -20, 1);
+            for (int k = 0; k < 3; k++) {
+                bodies.setRestitution(k, 0);
+            }
+            TurnLog log = new TurnLog();
+            advance.turn(bodies, log);
+            assertTrue(log.impacts() <= 5, log.impacts() + " impacts");
+            double intoWall = 0;
+            for (int k = 0; k < log.impacts(); k++) {
+                intoWall += log.impact(k).isWall() ? log.impact(k).momentumBy() : 0;
+            }
+            assertEquals(-40, intoWall, 1e-9);
+            assertEquals(0, bodies.vy[0], 1e-10);
+            assertEquals(0, bodies.vy[1], 1e-10);
+            assertEquals(480, bodies.y[2], 1e-12, "it has nothing to do with the two");
+            log.clear();
+            advance.turn(bodies, log);
+            assertEquals(0, log.impacts(), "they rest");
+            assertEquals(460, bodies.y[2], 1e-12);
+        }
+    }
+
+    /**
+     * Body 3 stood on two others, and is removed together with 2 a moment before they meet the floor: it is no part of
+     * their heap.
+     * <pre>
+     *      3 &lt;-2
+     *      1
+     *      0
+     *    -----
+     * </pre>
+     */
+    @ParameterizedTest
+    @MethodSource("rungs")
+    void aBodyThatAReactionHasRemovedIsNoPartOfAHeap(Arithmetic arithmetic) {
+        Contacts contacts = new Contacts(2).set(1, 1, Contacts.Meaning.ASK);
+        PhysicsParts parts = new PhysicsParts(Scenes.WITH_RESTITUTION, arithmetic, contacts, List.of(floor(0)),
+            (time, a, b, bodies, sink) -> {
+                bodies.remove(3);
+                bodies.remove(2);
+                return Reaction.Verdict.CHANGED;
+            }, true);
+        for (Advance advance : List.of(new EventAdvance(parts), new QueueAdvance(parts))) {
+            Bodies bodies = new Bodies(4);
+            Scenes.add(bodies, 0, 12.000002, 0, -20, 1);
+            Scenes.add(bodies, 0, 32.000003, 0, -20, 1);
+            Scenes.add(bodies, 40, 52.000004, -200, -20, 1);
+            Scenes.add(bodies, 0, 52.000004, 0, -20, 1);
+            for (int k = 0; k < 4; k++) {
+                bodies.setRestitution(k, 0);
+                bodies.setKind(k, k / 2);
+            }
+            TurnLog log = new TurnLog();
+            advance.turn(bodies, log);
+            assertEquals(2, bodies.size());
+            assertTrue(log.impacts() >= 2 && log.impacts() <= 5, log.impacts() + " impacts");
+            for (int k = 0; k < log.impacts(); k++) {
+                assertTrue(log.impact(k).a() < 2 && log.impact(k).b() < 2, log.impact(k)::toString);
+            }
+        }
+    }
+
+    /**
+     * Within a heap that rests, all impulses are exchanged at one time, ascending by ids, walls last, one for each
+     * contact.
+     */
+    @ParameterizedTest
+    @MethodSource("rungs")
+    void aChainIsSolvedAsOneInTheOrderOfIds(Arithmetic arithmetic) {
+        for (Advance advance : both(arithmetic, floor(0))) {
+            Bodies bodies = new Bodies(5);
+            for (int k = 0; k < 5; k++) {
+                Scenes.add(bodies, 0, 10 + 20 * k, 0, -20, 1 + k);
+                bodies.setRestitution(k, 0);
+            }
+            TurnLog log = new TurnLog();
+            advance.turn(bodies, log);
+            int last = log.impacts() - 1;
+            assertEquals("0-1 0--1 1-2 2-3 3-4", pairs(log, last - 4, last));
+            assertEquals(log.impact(last - 4).time(), log.impact(last).time());
+            for (int k = 0; k < 5; k++) {
+                assertEquals(0, bodies.vy[k], 1e-10, "body " + k);
+            }
+        }
+    }
+
+    private static String pairs(TurnLog log, int from, int to) {
+        StringBuilder text = new StringBuilder();
+        for (int k = from; k <= to; k++) {
+            Impact impact = log.impact(k);
+            text.append(k == from ? "" : " ").append(impact.a()).append('-').append(impact.b());
+        }
+        return text.toString();
+    }
+
+    /**
+     * Thirty in a column with gaps up to 0.5, also with e above 0: the issue is the number of impacts, and the
+     * energy.
+     */
+    @ParameterizedTest
+    @MethodSource("rungs")
+    void thirtyBodiesWithGapsRest(Arithmetic arithmetic) {
+        for (double e : new double[] {0, 0.3, 0.9}) {
+            for (Advance advance : both(arithmetic, floor(e))) {
+                SplitMix64 random = new SplitMix64(30);
+                Bodies bodies = new Bodies(30);
+                double y = 10;
+                for (int k = 0; k < 30; k++) {
+                    Scenes.add(bodies, 0, y, 0, -20, 1);
+                    bodies.setRestitution(k, e);
+                    y += 20 + 0.5 * random.nextDouble();
+                }
+                double before = Scenes.energy(bodies);
+                for (int turn = 0; turn < 5; turn++) {
+                    double energy = Scenes.energy(bodies);
+                    TurnLog log = new TurnLog();
+                    advance.turn(bodies, log);
+                    assertFalse(log.limited(), "e " + e);
+                    assertTrue(log.impacts() <= 500, "e " + e + ": " + log.impacts() + " impacts");
+                    assertTrue(Scenes.energy(bodies) <= energy, "e " + e);
+                }
+                assertTrue(Scenes.energy(bodies) <= (e == 0 ? 1e-20 : e * e) * before, "e " + e);
+            }
+        }
+    }
+
+    /** Three bodies with e = 0.3, equal and of masses 1 to 3, pressed against a wall again each turn. */
+    @ParameterizedTest
+    @MethodSource("rungs")
+    void unequalMassesWithSomeRestitutionTakeAFewImpacts(Arithmetic arithmetic) {
+        for (double heavy : new double[] {1, 3}) {
+            for (Advance advance : both(arithmetic, floor(0.3))) {
+                Bodies bodies = new Bodies(3);
+                for (int k = 0; k < 3; k++) {
+                    Scenes.add(bodies, 0, 10 + 20 * k, 0, 0, k == 0 ? 1 : heavy);
+                    bodies.setRestitution(k, 0.3);
+                }
+                for (int turn = 0; turn < 20; turn++) {
+                    for (int k = 0; k < 3; k++) {
+                        bodies.vy[k] -= 20;
+                    }
+                    TurnLog log = new TurnLog();
+                    advance.turn(bodies, log);
+                    assertTrue(!log.limited() && log.impacts() <= 60, log.impacts() + " impacts");
+                }
+            }
+        }
+    }
+
+    /** A body between two walls that are narrower than itself: it stays where it is, and keeps its speed along them. */
+    @ParameterizedTest
+    @MethodSource("rungs")
+    void aBodyBetweenWallsThatAreTooNarrowRests(Arithmetic arithmetic) {
+        for (double e : new double[] {0, 0.3, 0.9}) {
+            for (Advance advance : both(arithmetic, new HalfPlane(0, 0, 1, 0, e), new HalfPlane(19, 0, -1, 0, e))) {
+                Bodies bodies = new Bodies(1);
+                Scenes.add(bodies, 9.5, 0, 7, 3, 1);
+                bodies.setRestitution(0, e);
+                for (int turn = 1; turn <= 3; turn++) {
+                    TurnLog log = new TurnLog();
+                    advance.turn(bodies, log);
+                    assertTrue(!log.limited() && log.impacts() <= 20, "e " + e + ": " + log.impacts() + " impacts");
+                    assertEquals(0, bodies.vx[0], "e " + e);
+                    assertEquals(3.0 * turn, bodies.y[0], 1e-12, "e " + e);
+                }
+            }
+        }
+    }
+
+    /** A ball that bounces between two walls has room: it keeps bouncing with e, however often. */
+    @ParameterizedTest
+    @MethodSource("rungs")
+    void aBallBetweenWallsWithRoomBounces(Arithmetic arithmetic) {
+        for (Advance advance : both(arithmetic, new HalfPlane(0, 0, 1, 0, 0.9), new HalfPlane(30, 0, -1, 0, 0.9))) {
+            Bodies bodies = new Bodies(1);
+            Scenes.add(bodies, 10, 0, 100, 3, 1);
+            bodies.setRestitution(0, 0.9);
+            TurnLog log = new TurnLog();
+            advance.turn(bodies, log);
+            assertEquals(100 * Math.pow(0.9, log.impacts()), Math.abs(bodies.vx[0]), 1e-9);
+            assertTrue(log.impacts() >= 6, log.impacts() + " impacts");
+        }
+    }
+
+    /**
+     * A law's own rest speed: with 0 the heap bounces on, with one above all speeds it rests after its first impacts.
+     */
+    @ParameterizedTest
+    @MethodSource("rungs")
+    void aLawMayNameTheRestSpeed(Arithmetic arithmetic) {
+        int[] impacts = new int[2];
+        for (int k = 0; k < 2; k++) {
+            PhysicsParts parts = new PhysicsParts(Scenes.WITH_RESTITUTION.withRestSpeed(k == 0 ? 0 : 100), arithmetic,
+                new Contacts(1), List.of(floor(0.5)), null, true);
+            Bodies bodies = new Bodies(3);
+            for (int body = 0; body < 3; body++) {
+                Scenes.add(bodies, 0, 10 + 20 * body, 0, -20, 1);
+                bodies.setRestitution(body, 0.5);
+            }
+            TurnLog log = new TurnLog();
+            new EventAdvance(parts).turn(bodies, log);
+            impacts[k] = log.impacts();
+            double after = Math.abs(bodies.vy[0]) + Math.abs(bodies.vy[1]) + Math.abs(bodies.vy[2]);
+            assertTrue(k == 0 ? after > 1 : after < 1e-9, "speeds " + after);
+        }
+        assertTrue(impacts[1] <= 6 && impacts[0] > impacts[1], impacts[0] + " and " + impacts[1] + " impacts");
+    }
+
+    /**
+     * Thirty in a corner, in rows of five or one above the other, pressed into it anew each turn, with small gaps: 785
+     * impacts in a turn and more before gaps grew with the number of times that a heap had come to rest.
+     */
+    @ParameterizedTest
+    @MethodSource("rungs")
+    void pilesPressedIntoACornerTakeAtMost500ImpactsATurn(Arithmetic arithmetic) {
+        for (int perRow : new int[] {1, 5}) {
+            for (double e : new double[] {0, 0.3, 0.6, 0.9}) {
+                for (Advance advance : both(arithmetic, floor(e), new HalfPlane(0, 0, 1, 0, e))) {
+                    SplitMix64 random = new SplitMix64(26);
+                    Bodies bodies = new Bodies(30);
+                    for (int k = 0; k < 30; k++) {
+                        double x = 10 + 20.02 * (k % perRow) + (perRow == 1 ? 0 : 0.01 * random.nextDouble());
+                        Scenes.add(bodies, x, 10 + 20.02 * (k / perRow) + 0.01 * random.nextDouble(), 0, 0,
+                            1 + 2 * random.nextDouble());
+                        bodies.setRestitution(k, e);
+                    }
+                    for (int turn = 1; turn <= 20; turn++) {
+                        for (int k = 0; k < 30; k++) {
+                            bodies.setVelocity(k, bodies.vx[k] - 15, bodies.vy[k] - 15);
+                        }
+                        double energy = Scenes.energy(bodies);
+                        TurnLog log = new TurnLog();
+                        advance.turn(bodies, log);
+                        String where = perRow + " a row, e " + e + ", turn " + turn + ": ";
+                        assertTrue(!log.limited() && log.impacts() <= 500, where + log.impacts() + " impacts");
+                        assertTrue(Scenes.energy(bodies) <= energy, where + "energy grew");
+                    }
+                }
+            }
+        }
+    }
+}
