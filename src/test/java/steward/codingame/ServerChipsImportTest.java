@@ -101,7 +101,8 @@ class ServerChipsImportTest {
         "seed=603873261\\n | sneed=1\\n | refereeInput: found \"sneed=1\", expected seed=NUMBER or a setting",
         "seed=603873261\\n | symmetric=false\\n | refereeInput: found \"symmetric=false",
         "2 800 515 300 | 2 800 515 | frame 0, view line 2: found \"2 800 515\", expected players, width",
-        "21.00 711.13 206.10 | 21.00 711.13 | frame 8, view line 3: found \"1 1 21.00 711.13 -0.89",
+        "375.41 155.10 0.00 0 | 375.41 155.10 0.00 | frame 8, view line 6: found \"4 -1 24.78 375.41 155.10 0.00\", "
+            + "expected id owner radius",
         "2 -1 15.41 200.37 | 2 7 15.41 200.37 | frame 8, view line 4: found \"7\", expected a whole number 0..1"})
     void whatIsWrongIsToldWithItsPlace(String from, String to, String expected) throws IOException {
         String json = changed(from, to);

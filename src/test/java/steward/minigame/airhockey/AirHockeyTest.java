@@ -144,7 +144,7 @@ class AirHockeyTest {
 
     @Test
     void faultsSayWhatWasFoundAndTheOtherWins() {
-        for (String[] fault : new String[][] {{"{\"x\":1}", "x and y: found not both, expected two numbers of a length"},
+        for (String[] fault : new String[][] {{"{\"x\":1}", "x and y: found not both, expected two numbers"},
             {"{\"x\":40,\"y\":1}", "x and y: found a length of 40.0"}, {"{\"x\":true,\"y\":1}", "x: found true"}}) {
             Recorded match = Recorded.of(open(), 2, List.of(chaser(0, 0, ""), chaser(1, 5, fault[0])));
             assertTrue(match.result().players().get(1).fault().startsWith(fault[1]), match.result().toString());

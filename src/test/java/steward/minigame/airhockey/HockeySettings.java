@@ -5,7 +5,11 @@ import steward.scene.Field;
 import steward.scene.Scene;
 import steward.scene.json.Block;
 
-/** The block {@code hockey} of a scene, and its field. @param push the most that a paddle changes its speed in a turn */
+/**
+ * The block {@code hockey} of a scene, and its field.
+ *
+ * @param push the most that a paddle changes its speed by in a turn, in u per turn
+ */
 record HockeySettings(Field field, double goal, double push, int goalsToWin, int maximumTurns) {
 
     private static final double[] SHARE_OF_WIDTH = {0.25, 0.75, 0.5};
