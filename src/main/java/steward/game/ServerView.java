@@ -35,6 +35,11 @@ public interface ServerView {
      */
     void writeShown(JsonGenerator out, Game game, StateCodec state);
 
+    /** Fields of the state before the first turn, as the server shows it: where it rounds the start too, rounded. */
+    default void writeShownStart(JsonGenerator out, Game game, StateCodec state) {
+        state.writeState(out);
+    }
+
     /** One recorded game. */
     interface Shown {
 

@@ -2,6 +2,7 @@ package steward.replay;
 
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.function.Consumer;
 import steward.Internal;
 import steward.bot.LineBuffer;
 import steward.game.FrameCodec;
@@ -99,16 +100,17 @@ public final class ReplayLines {
         if (observations == null || !observations.hasStart()) {
             writeOpening(out, game, codec);
         } else {
-            writeObservedOpening(codec);
+            writeShownOpening(out, codec, observations::writeStart);
         }
         writeHash(new SerializedString(LineFields.HEADER_HASH));
     }
 
-    private void writeObservedOpening(FrameCodec codec) {
+    /** As {@link #writeOpening}, of a match that a server played. @param state writes the fields that it shows */
+    public static void writeShownOpening(JsonGenerator out, FrameCodec codec, Consumer<JsonGenerator> state) {
         writeDrawing(out, codec);
         out.writeObjectPropertyStart("start");
         out.writeObjectPropertyStart("state");
-        observations.writeStart(out);
+        state.accept(out);
         out.writeEndObject();
         out.writeEndObject();
     }

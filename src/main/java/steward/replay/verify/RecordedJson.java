@@ -48,7 +48,15 @@ final class RecordedJson {
             raw(out, "drawing", replay.drawing());
             raw(out, "start", replay.start());
         });
-        byte[] found = object(out -> ReplayLines.writeOpening(out, again.game(), again.codec()));
+        boolean shown = replay.imported() && again.serverView() != null;
+        byte[] found = object(out -> {
+            if (shown) {
+                ReplayLines.writeShownOpening(out, again.codec(), state ->
+                    again.serverView().writeShownStart(state, again.game(), again.codec().state()));
+            } else {
+                ReplayLines.writeOpening(out, again.game(), again.codec());
+            }
+        });
         return compare(0, recorded, found, replay.imported());
     }
 

@@ -7,6 +7,7 @@ import steward.game.Game;
 import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.Pilot;
+import steward.game.ServerView;
 import steward.game.TextCodec;
 import steward.game.pokerchiprace.ChipEating;
 import steward.game.pokerchiprace.ChipSettings;
@@ -33,6 +34,11 @@ public final class PokerChipRaceType implements GameType {
     @Override
     public String about() {
         return "Poker Chip Race, the official rules, two to four players";
+    }
+
+    @Override
+    public Optional<ServerView> serverView() {
+        return Optional.of(new ChipView());
     }
 
     @Override
