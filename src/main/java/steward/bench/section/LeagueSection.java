@@ -113,7 +113,7 @@ final class LeagueSection implements Section {
         try (GameStore store = GameStore.read(folder)) {
             List<LeagueTable.Entry> entries = store.versions().stream().map(version ->
                 new LeagueTable.Entry(version.id(), version.display(), false, true)).toList();
-            LeagueTable table = LeagueTable.of(new GameQueries(store, number, 2).results(), entries);
+            LeagueTable table = LeagueTable.of(new GameQueries(store, number, season).results(), entries);
             if (table.results().games() != games) {
                 throw new IllegalStateException("found " + table.results().games() + " games, expected " + games);
             }

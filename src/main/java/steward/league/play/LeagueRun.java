@@ -94,7 +94,7 @@ public final class LeagueRun {
         this.listener = listener;
         play = new GamePlay(folder, key, contest, machine, System::currentTimeMillis);
         schedule = new Schedule(roster.settings().seed(), key.players(), roster.settings().lag());
-        new GameQueries(store, season, key.players()).decisions(schedule::stored);
+        new GameQueries(store, season, key).decisions(schedule::stored);
         seen = stamp();
         use(roster);
         end = limits.nanos() == Long.MAX_VALUE ? Long.MAX_VALUE : System.nanoTime() + limits.nanos();
