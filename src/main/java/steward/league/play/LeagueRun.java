@@ -1,7 +1,9 @@
 package steward.league.play;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.BasicFileAttributes;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -105,8 +107,8 @@ public final class LeagueRun {
         Path file = folder.settings();
         try {
             return Files.size(file) + " " + Files.getLastModifiedTime(file).toInstant() + " "
-                + Files.readAttributes(file, java.nio.file.attribute.BasicFileAttributes.class).fileKey();
-        } catch (java.io.IOException gone) {
+                + Files.readAttributes(file, BasicFileAttributes.class).fileKey();
+        } catch (IOException gone) {
             return "none";
         }
     }
