@@ -1,6 +1,7 @@
 package steward.cli;
 
 import java.util.Iterator;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import picocli.CommandLine;
@@ -15,7 +16,7 @@ import steward.cli.shared.UnknownWord;
 
 /** {@code steward help}: the help of the program, or of a command. */
 @Command(name = HelpCommand.NAME, description = "Prints the help of the program, or of a command.",
-    footer = {"", "Example:", "  steward help match"})
+    footer = {"", "Examples:", "  steward help match", "  steward help league run"})
 final class HelpCommand implements Callable<Integer> {
 
     /** The name of the command. */
@@ -26,9 +27,9 @@ final class HelpCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
-    @Parameters(index = "0", arity = "0..1", paramLabel = "COMMAND", completionCandidates = Commands.class,
-        description = "One of the commands.")
-    private String command;
+    @Parameters(arity = "0..*", paramLabel = "COMMAND", completionCandidates = Commands.class,
+        description = "One of the commands, and one of its own commands if it has any.")
+    private List<String> words = List.of();
 
     HelpCommand(Streams streams) {
         this.streams = streams;
@@ -45,12 +46,19 @@ final class HelpCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        Map<String, CommandLine> commands = spec.root().subcommands();
-        if (command != null && !commands.containsKey(command)) {
-            throw new ParameterException(spec.root().commandLine(),
-                UnknownWord.command(command, commands.keySet()));
+        CommandLine found = spec.root().commandLine();
+        for (String word : words) {
+            Map<String, CommandLine> commands = found.getSubcommands();
+            if (commands.isEmpty()) {
+                throw new ParameterException(found, "'" + word + "': found more than "
+                    + found.getCommandSpec().qualifiedName() + " takes");
+            }
+            if (!commands.containsKey(word)) {
+                throw new ParameterException(found, UnknownWord.command(word, commands.keySet()));
+            }
+            found = commands.get(word);
         }
-        (command == null ? spec.root().commandLine() : commands.get(command)).usage(streams.out());
+        found.usage(streams.out());
         return ExitStatus.DONE;
     }
 }

@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Function;
 import java.util.regex.Pattern;
 import steward.bot.TimeBasis;
 import steward.contest.Hiccups;
@@ -79,7 +80,7 @@ public final class LeagueReader {
         return settings;
     }
 
-    private static <E> Map<String, E> words(E[] values, java.util.function.Function<E, String> word) {
+    private static <E> Map<String, E> words(E[] values, Function<E, String> word) {
         Map<String, E> words = new LinkedHashMap<>();
         for (E value : values) {
             words.put(word.apply(value), value);

@@ -3,6 +3,7 @@ package steward.league;
 import java.io.StringWriter;
 import java.util.ArrayList;
 import java.util.Iterator;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import steward.bot.TimeBasis;
@@ -59,7 +60,7 @@ final class LeagueText {
 
     private static String sandbox(List<String> words) {
         List<String> fields = new ArrayList<>();
-        Map<String, List<String>> lists = new java.util.LinkedHashMap<>();
+        Map<String, List<String>> lists = new LinkedHashMap<>();
         for (Iterator<String> word = words.iterator(); word.hasNext();) {
             String option = word.next();
             if (FLAGS.containsKey(option)) {

@@ -14,8 +14,10 @@ import steward.scene.SceneKey;
  * @param limits    the time limits and what they are limits of
  * @param rules     the version of the rules: changes when the bits of a result do
  * @param players   of a game
+ * @param lowerScoreIsBetter where each plays alone: whether the lower of two scores on a map is the better one
  */
-public record Season(String key, String sceneName, String sceneKey, String limits, String rules, int players) {
+public record Season(String key, String sceneName, String sceneKey, String limits, String rules, int players,
+                     boolean lowerScoreIsBetter) {
 
     /** The season of a scene under these settings. */
     public static Season of(GameSetup setup, LeagueSettings settings) {
@@ -24,13 +26,14 @@ public record Season(String key, String sceneName, String sceneKey, String limit
         String limits = scene.time().firstAnswerMs() + " ms, " + scene.time().answerMs() + " ms, "
             + settings.limits();
         String rules = PhysicsFingerprint.text() + " " + scene.accuracy().text() + " " + scene.angles();
-        return of(scene.name(), sceneKey, limits, rules, scene.players());
+        return of(scene.name(), sceneKey, limits, rules, scene.players(), setup.create(0).lowerScoreIsBetter());
     }
 
     /** A season of these parts. */
-    public static Season of(String sceneName, String sceneKey, String limits, String rules, int players) {
+    public static Season of(String sceneName, String sceneKey, String limits, String rules, int players,
+                            boolean lowerScoreIsBetter) {
         return new Season(new TextHash().add(sceneKey).add(limits).add(rules).hex(), sceneName, sceneKey, limits,
-            rules, players);
+            rules, players, lowerScoreIsBetter);
     }
 
     /** What differs from another season, for a person. */

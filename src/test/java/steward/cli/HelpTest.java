@@ -66,6 +66,9 @@ class HelpTest {
     void helpIsACommandToo() {
         assertEquals(Cli.run("--help").out(), Cli.run("help").out());
         assertEquals(Cli.run("match", "--help").out(), Cli.run("help", "match").out());
+        assertEquals(Cli.run("league", "run", "--help").out(), Cli.run("help", "league", "run").out());
+        assertEquals(2, Cli.run("help", "match", "run").status());
+        assertEquals(2, Cli.run("help", "league", "rnu").status());
         Cli wrong = Cli.run("help", "mtach");
         assertEquals(ExitStatus.UNUSABLE, wrong.status());
         assertTrue(wrong.err().startsWith("steward: unknown command 'mtach'; did you mean 'match'?\n"), wrong.err());

@@ -3,6 +3,7 @@ package steward.cli.league;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.PrintStream;
+import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -53,7 +54,7 @@ final class GameFile {
     }
 
     static void json(PrintStream out, StoredGame game, Season season, Map<Integer, Version> versions) {
-        java.io.StringWriter line = new java.io.StringWriter();
+        StringWriter line = new StringWriter();
         try (JsonGenerator json = JSON.createGenerator(ObjectWriteContext.empty(), line)) {
             json.writeStartObject();
             GameLine.game(game, season).forEach(json::writeStringProperty);

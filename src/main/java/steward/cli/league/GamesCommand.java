@@ -1,5 +1,6 @@
 package steward.cli.league;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
@@ -10,6 +11,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
+import java.util.function.Consumer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -19,6 +21,7 @@ import steward.cli.shared.FailedException;
 import steward.cli.shared.Pages;
 import steward.cli.shared.Streams;
 import steward.files.InputException;
+import steward.files.OutputFiles;
 import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
 import steward.text.TextFormat;
@@ -92,7 +95,7 @@ final class GamesCommand implements Callable<Integer> {
         }
     }
 
-    private static void read(LeagueOpening.Opened opened, int version, java.util.function.Consumer<StoredGame> reader) {
+    private static void read(LeagueOpening.Opened opened, int version, Consumer<StoredGame> reader) {
         if (version >= 0) {
             opened.games().gamesOf(version, reader);
         } else {
@@ -131,12 +134,12 @@ final class GamesCommand implements Callable<Integer> {
         }
         byte[] html = Pages.of(replay, Pages.title(game.seats().stream().map(seat -> names.get(seat.version()))
             .toList()));
-        Path page = view == null ? Pages.unnamed() : steward.files.OutputFiles.path(view);
+        Path page = view == null ? Pages.unnamed() : OutputFiles.path(view);
         try {
             Files.write(page, html);
-        } catch (java.io.IOException problem) {
+        } catch (IOException problem) {
             throw new FailedException(page + ": cannot be written: "
-                + steward.files.OutputFiles.reason(page, problem));
+                + OutputFiles.reason(page, problem));
         }
         streams.out().println("Page of game " + game.id() + ": " + page);
         streams.out().flush();

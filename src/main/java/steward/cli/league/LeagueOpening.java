@@ -154,6 +154,6 @@ final class LeagueOpening {
         }
         int number = store.season(season.get()).orElseThrow();
         return new Opened(folder, settings, store, season.get(),
-            new GameQueries(store, number, season.get().players()), entries(settings, store.versions()));
+            new GameQueries(store, number, season.get()), entries(settings, store.versions()));
     }
 }

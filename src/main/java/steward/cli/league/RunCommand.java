@@ -123,7 +123,7 @@ final class RunCommand implements Callable<Integer> {
         RosterReader reader = new RosterReader(store, contest, LeagueOpening.environment(settings), same,
             what -> say(screen.get(), what), System::currentTimeMillis);
         Roster roster = reader.read(settings);
-        GameQueries queries = new GameQueries(store, number, season.players());
+        GameQueries queries = new GameQueries(store, number, season);
         LeagueProgress progress = new LeagueProgress(queries.results(), store, limits);
         LeagueRun run = new LeagueRun(folder, store, number, season, contest, reader, roster, limits,
             machine(contest), what -> say(screen.get(), what), progress::add);

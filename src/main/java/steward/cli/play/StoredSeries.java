@@ -7,6 +7,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import steward.bot.command.BotCommand;
+import steward.cli.shared.Games;
 import steward.contest.Contest;
 import steward.contest.Failure;
 import steward.contest.Series;
@@ -57,7 +59,7 @@ final class StoredSeries implements AutoCloseable {
         Season season = Season.of(contest.setup(), new LeagueSettings(played.scene(), played.seed(),
             played.gauntlet(), played.lag(), factor, contest.time().basis(), played.hiccups(), played.sandbox(),
             played.keep(), played.keepOf(), played.bots()));
-        Season own = Season.of(steward.cli.shared.Games.open(folder.scene(settings.scene())), settings);
+        Season own = Season.of(Games.open(folder.scene(settings.scene())), settings);
         if (!own.key().equals(season.key())) {
             throw new InputException("--into: found a league of other games, expected one of the same scene and "
                 + "limits: "
@@ -81,7 +83,7 @@ final class StoredSeries implements AutoCloseable {
     private void find(LeagueSettings settings, BotIdentity identity) {
         for (int k = 0; k < contest.entrants().size(); k++) {
             Contest.Entrant entrant = contest.entrants().get(k);
-            String command = steward.bot.command.BotCommand.parse(entrant.bot()).name() == null ? entrant.bot()
+            String command = BotCommand.parse(entrant.bot()).name() == null ? entrant.bot()
                 : entrant.bot().substring(entrant.bot().indexOf('=') + 1);
             List<String> files = settings.bot(entrant.name()).filter(bot -> bot.command().equals(command))
                 .map(LeagueBot::files).orElse(null);

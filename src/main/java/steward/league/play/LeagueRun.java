@@ -1,7 +1,9 @@
 package steward.league.play;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.BasicFileAttributes;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -94,7 +96,7 @@ public final class LeagueRun {
         this.listener = listener;
         play = new GamePlay(folder, key, contest, machine, System::currentTimeMillis);
         schedule = new Schedule(roster.settings().seed(), key.players(), roster.settings().lag());
-        new GameQueries(store, season, key.players()).decisions(schedule::stored);
+        new GameQueries(store, season, key).decisions(schedule::stored);
         seen = stamp();
         use(roster);
         end = limits.nanos() == Long.MAX_VALUE ? Long.MAX_VALUE : System.nanoTime() + limits.nanos();
@@ -105,8 +107,8 @@ public final class LeagueRun {
         Path file = folder.settings();
         try {
             return Files.size(file) + " " + Files.getLastModifiedTime(file).toInstant() + " "
-                + Files.readAttributes(file, java.nio.file.attribute.BasicFileAttributes.class).fileKey();
-        } catch (java.io.IOException gone) {
+                + Files.readAttributes(file, BasicFileAttributes.class).fileKey();
+        } catch (IOException gone) {
             return "none";
         }
     }

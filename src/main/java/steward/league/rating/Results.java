@@ -3,6 +3,7 @@ package steward.league.rating;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.TreeMap;
+import steward.league.Season;
 import steward.league.StoredGame;
 
 /**
@@ -16,6 +17,7 @@ import steward.league.StoredGame;
 public final class Results {
 
     private final boolean alone;
+    private final boolean lowerIsBetter;
     private final Map<Integer, BotSums> sums = new TreeMap<>();
     private final Map<Long, double[]> pairs = new TreeMap<>();
     private final Map<Long, Map<Integer, Double>> maps = new HashMap<>();
@@ -23,9 +25,10 @@ public final class Results {
     private long again;
     private long without;
 
-    /** @param players of a game */
-    public Results(int players) {
-        alone = players == 1;
+    /** None yet of a season's games. */
+    public Results(Season season) {
+        alone = season.players() == 1;
+        lowerIsBetter = season.lowerScoreIsBetter();
     }
 
     /** Adds a game, if it counts; otherwise it is counted apart. */
@@ -75,11 +78,11 @@ public final class Results {
         return (long) low << Integer.SIZE | high;
     }
 
-    /** Adds what a version reached alone on a map; higher is better. The sums are added apart. */
+    /** Adds what a version reached alone on a map; equal scores are a draw. The sums are added apart. */
     public void addAlone(long map, int version, double score) {
         Map<Integer, Double> scores = maps.computeIfAbsent(map, key -> new TreeMap<>());
         scores.forEach((other, theirs) ->
-            addPair(version, other, score > theirs ? 1 : score == theirs ? 0.5 : 0, 1));
+            addPair(version, other, score == theirs ? 0.5 : lowerIsBetter == score < theirs ? 1 : 0, 1));
         scores.put(version, score);
     }
 

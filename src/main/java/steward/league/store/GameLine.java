@@ -86,7 +86,7 @@ public final class GameLine {
         private StoredGame read(String place, Map<String, String> game, List<Map<String, String>> seats,
                                 boolean known) {
             Season found = Season.of(season.sceneName(), text(place, game, "sceneKey"), text(place, game, "limits"),
-                text(place, game, "rules"), season.players());
+                text(place, game, "rules"), season.players(), season.lowerScoreIsBetter());
             if (!found.key().equals(season.key())) {
                 throw new InputException(place + ": found a game of another season, expected one of this league's: "
                     + season.difference(found));

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
+import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
 import steward.league.rating.LeagueTable;
@@ -28,7 +29,7 @@ public final class GameQueries {
 
     private final Database database;
     private final int season;
-    private final int players;
+    private final Season key;
 
     /** A decision as it was played: a game of it. */
     public interface DecisionReader {
@@ -36,18 +37,18 @@ public final class GameQueries {
     }
 
     /**
-     * @param season  its number
-     * @param players of a game
+     * @param season its number
+     * @param key    what all its games have in common
      */
-    public GameQueries(GameStore store, int season, int players) {
+    public GameQueries(GameStore store, int season, Season key) {
         database = store.database();
         this.season = season;
-        this.players = players;
+        this.key = key;
     }
 
     /** The sums of all games. */
     public Results results() {
-        Results results = new Results(players);
+        Results results = new Results(key);
         database.with(() -> {
             try (ResultSet row = database.query("SELECT count(*) - count(problem), count(problem) FROM game "
                 + "WHERE season = ? AND counts = 0", season)) {
@@ -59,7 +60,7 @@ public final class GameQueries {
                         row.getDouble(6), row.getLong(7));
                 }
             }
-            if (players == 1) {
+            if (key.players() == 1) {
                 addAlone(results, Long.MAX_VALUE);
             } else {
                 addGroups(results);
@@ -125,8 +126,8 @@ public final class GameQueries {
             if (last == 0) {
                 return null;
             }
-            Results results = new Results(players);
-            String source = players == 1
+            Results results = new Results(key);
+            String source = key.players() == 1
                 ? "SELECT (g.id - ?) / ? part, s.version, g.seed, s.score, 1 FROM game g JOIN seat s ON s.game = g.id "
                     + "WHERE g.season = ? AND g.counts = 1 ORDER BY part"
                 : "SELECT part, l.versions, ranks, 0.0, games FROM (SELECT (id - ?) / ? part, lineup, ranks, "
@@ -153,7 +154,7 @@ public final class GameQueries {
     private void take(ResultSet row, Results results) throws SQLException {
         long count = row.getLong(5);
         int[] lineup = numbers(row.getString(2));
-        if (players == 1) {
+        if (key.players() == 1) {
             results.addAlone(row.getLong(3), lineup[0], row.getDouble(4));
             results.addAloneGames(1);
         } else {

@@ -80,10 +80,10 @@ public final class GameStore implements AutoCloseable {
     /** The season that was opened last, if there is any. */
     public Optional<Season> lastSeason() {
         return database.with(() -> {
-            try (ResultSet row = database.query("SELECT scene, scene_key, limits, rules, players FROM season "
-                + "ORDER BY opened DESC, id DESC LIMIT 1")) {
+            try (ResultSet row = database.query("SELECT scene, scene_key, limits, rules, players, "
+                + "lower_is_better FROM season ORDER BY opened DESC, id DESC LIMIT 1")) {
                 return row.next() ? Optional.of(Season.of(row.getString(1), row.getString(2), row.getString(3),
-                    row.getString(4), row.getInt(5))) : Optional.empty();
+                    row.getString(4), row.getInt(5), row.getBoolean(6))) : Optional.empty();
             }
         });
     }
@@ -92,9 +92,11 @@ public final class GameStore implements AutoCloseable {
     public int open(Season season) {
         return database.inTransaction(() -> {
             long order = 1 + ((Number) database.value("SELECT coalesce(max(opened), 0) FROM season")).longValue();
-            database.update("INSERT INTO season (key, scene, scene_key, limits, rules, players, opened) VALUES "
-                + "(?, ?, ?, ?, ?, ?, ?) ON CONFLICT (key) DO UPDATE SET opened = excluded.opened", season.key(),
-                season.sceneName(), season.sceneKey(), season.limits(), season.rules(), season.players(), order);
+            database.update("INSERT INTO season (key, scene, scene_key, limits, rules, players, "
+                + "lower_is_better, opened) VALUES (?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (key) DO UPDATE "
+                + "SET opened = excluded.opened", season.key(),
+                season.sceneName(), season.sceneKey(), season.limits(), season.rules(), season.players(),
+                season.lowerScoreIsBetter() ? 1 : 0, order);
             return ((Number) database.value("SELECT id FROM season WHERE key = ?", season.key())).intValue();
         });
     }

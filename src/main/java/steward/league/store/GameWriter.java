@@ -63,8 +63,10 @@ public final class GameWriter implements AutoCloseable {
                 batch.add(first);
                 waiting.drainTo(batch);
                 List<StoredGame> games = batch.stream().flatMap(List::stream).toList();
-                store.add(season, games);
-                count(games.size());
+                if (!games.isEmpty()) {
+                    store.add(season, games);
+                    count(games.size());
+                }
                 batch.clear();
             } catch (InputException failed) {
                 problem = failed;
@@ -100,6 +102,7 @@ public final class GameWriter implements AutoCloseable {
     @Override
     public void close() {
         closing = true;
+        waiting.offer(List.of());                      // wakes the thread; if there is no room it is awake
         boolean interrupted = false;
         while (thread.isAlive()) {
             try {

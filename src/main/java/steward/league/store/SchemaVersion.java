@@ -78,7 +78,10 @@ final class SchemaVersion {
         "CREATE INDEX game_by_result ON game (season, counts, lineup, ranks)",
         "CREATE INDEX seat_by_game ON seat (game, seat)",
         "CREATE INDEX game_without_result ON game (id) WHERE counts = 0",
-        "CREATE INDEX game_with_replay ON game (id) WHERE replay IS NOT NULL"));
+        "CREATE INDEX game_with_replay ON game (id) WHERE replay IS NOT NULL"),
+        // Form 1 compared all scores as if higher ones were better; its only game for one player was Search Race.
+        List.of("ALTER TABLE season ADD COLUMN lower_is_better INTEGER NOT NULL DEFAULT 0",
+            "UPDATE season SET lower_is_better = 1 WHERE players = 1"));
 
     /** The newest one. */
     static final int NEWEST = STEPS.size();

@@ -89,7 +89,7 @@ class LeagueProcessTest {
         try (GameStore store = GameStore.read(new LeagueFolder(folder.resolve(league)))) {
             assertEquals("ok", store.integrity());
             Season season = store.lastSeason().orElseThrow();
-            new GameQueries(store, store.season(season).orElseThrow(), season.players()).games(game ->
+            new GameQueries(store, store.season(season).orElseThrow(), season).games(game ->
                 lines.add(game.decision() + " " + game.seed() + " " + game.attempt() + " " + game.counts() + " "
                     + game.turns() + " " + game.seats().stream().map(seat -> seat.version() + ":" + seat.rank() + ":"
                         + seat.score() + ":" + seat.fault() + ":" + seat.answers()).toList()));

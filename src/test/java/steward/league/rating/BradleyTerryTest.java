@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import steward.league.Season;
 
 /** The fit against closed forms and against strengths that are known. */
 class BradleyTerryTest {
@@ -75,7 +76,7 @@ class BradleyTerryTest {
 
     @Test
     void resultsAddUpHoweverTheyCome() {
-        Results one = new Results(3);
+        Results one = new Results(Season.of("crowd", "key", "limits", "rules", 3, false));
         one.addGames(new int[] {7, 8, 9}, new int[] {0, 1, 1}, 3);
         assertEquals(3 * 2.0 / 3, one.games(7, 8), 1e-12);
         assertEquals(3 * 2.0 / 3, one.points(7, 8), 1e-12);
@@ -83,7 +84,7 @@ class BradleyTerryTest {
         assertEquals(1, one.points(9, 8), 1e-12);
         assertEquals(2, one.draws(9, 8), 1e-12);
 
-        Results alone = new Results(1);
+        Results alone = new Results(Season.of("solo", "key", "limits", "rules", 1, false));
         alone.addAlone(5, 1, 10);
         alone.addAlone(5, 2, 20);
         alone.addAlone(5, 3, 20);
@@ -92,5 +93,21 @@ class BradleyTerryTest {
         assertEquals(1, alone.points(3, 1), 1e-12);
         assertEquals(0.5, alone.points(2, 3), 1e-12);
         assertEquals(1, alone.games(1, 2), 1e-12);
+    }
+
+    @Test
+    void whereAScoreIsATimeTheLowerOneWins() {
+        Results race = new Results(Season.of("race", "key", "limits", "rules", 1, true));
+        double notFinished = 1000;
+        race.addAlone(5, 1, notFinished);
+        race.addAlone(5, 2, 210.25);
+        race.addAlone(5, 3, 210.25);
+        race.addAlone(6, 1, notFinished);
+        race.addAlone(6, 2, notFinished);
+        assertEquals(1.5, race.points(2, 1), 1e-12);
+        assertEquals(1, race.wins(2, 1), 1e-12);
+        assertEquals(1, race.draws(1, 2), 1e-12);
+        assertEquals(0.5, race.points(3, 2), 1e-12);
+        assertEquals(0, race.points(1, 3), 1e-12);
     }
 }

@@ -32,7 +32,7 @@ import steward.league.store.GameStore.Version;
 /** Games go into a database and come out again; databases that cannot be used are refused with a reason. */
 class GameStoreTest {
 
-    private static final Season SEASON = Season.of("duel", "key", "limits", "rules", 2);
+    private static final Season SEASON = Season.of("duel", "key", "limits", "rules", 2, false);
 
     @TempDir
     private Path path;
@@ -64,7 +64,7 @@ class GameStoreTest {
             assertTrue(store.has(games.get(1).name()));
             assertFalse(store.has(GameName.of(SEASON, 8, List.of("1a", "1b"), 1)));
 
-            GameQueries queries = new GameQueries(store, season, 2);
+            GameQueries queries = new GameQueries(store, season, SEASON);
             List<StoredGame> read = new ArrayList<>();
             queries.games(read::add);
             assertEquals(3, read.size());
@@ -79,7 +79,7 @@ class GameStoreTest {
             assertEquals(0.5, results.points(a.id(), b.id()), 1e-12);
             assertEquals(0, results.of(b.id()).faults(), "the game that was played again does not count");
             assertEquals(2, results.of(a.id()).games());
-            Results added = new Results(2);
+            Results added = new Results(SEASON);
             read.forEach(added::add);
             assertEquals(results.points(a.id(), b.id()), added.points(a.id(), b.id()), 1e-12);
             assertEquals(results.of(a.id()).meanNanos(), added.of(a.id()).meanNanos(), 1e-9);
@@ -92,7 +92,7 @@ class GameStoreTest {
         try (GameStore store = GameStore.write(folder)) {
             assertTrue(store.lastSeason().isEmpty());
             int first = store.open(SEASON);
-            Season other = Season.of("duel", "key", "longer", "rules", 2);
+            Season other = Season.of("duel", "key", "longer", "rules", 2, false);
             int second = store.open(other);
             assertEquals(other, store.lastSeason().orElseThrow());
             assertEquals(first, store.open(SEASON));
@@ -123,7 +123,7 @@ class GameStoreTest {
             new MadeUpGames(store, season, SEASON, versions, new SplittableRandom(1)).add(3000);
             List<LeagueTable.Entry> entries = versions.stream().map(version ->
                 new LeagueTable.Entry(version.id(), version.display(), false, true)).toList();
-            GameQueries queries = new GameQueries(store, season, 2);
+            GameQueries queries = new GameQueries(store, season, SEASON);
             LeagueTable table = LeagueTable.of(queries.results(), entries);
             assertEquals(List.of("bot-1", "bot-2", "bot-3"), table.rows().stream().map(row -> row.entry().name())
                 .toList());
@@ -191,6 +191,23 @@ class GameStoreTest {
             + " or older", refusal(true));
         run("PRAGMA user_version = " + SchemaVersion.NEWEST, "PRAGMA application_id = 5");
         assertEquals("DB: found a database of another program, expected a league's", refusal(false));
+    }
+
+    @Test
+    void anOlderFormIsBroughtUpToDateWithItsGames() throws SQLException {
+        Season alone = Season.of("race", "another key", "limits", "rules", 1, true);
+        try (GameStore store = GameStore.write(folder)) {
+            store.open(alone);
+            store.open(SEASON);
+        }
+        run("ALTER TABLE season DROP COLUMN lower_is_better", "PRAGMA user_version = 1");
+        assertEquals("DB: found a database of an older form, expected one that 'steward league run' has made or "
+            + "brought up to date", refusal(false));
+        try (GameStore store = GameStore.write(folder)) {
+            assertEquals(SEASON, store.lastSeason().orElseThrow());
+            store.open(alone);
+            assertEquals(alone, store.lastSeason().orElseThrow());
+        }
     }
 
     @Test
