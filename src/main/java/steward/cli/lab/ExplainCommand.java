@@ -77,7 +77,7 @@ public final class ExplainCommand implements Callable<Integer> {
         AccuracyChoice choice = setup.plan().accuracy();
         out.println(TextFormat.wrap("Accuracy: " + choice.rung() + ", " + choice.why(), " ", WIDTH, "  "));
         if (choice.rung().equals(Accuracy.event(Arithmetic.EXACT))) {
-            out.println("  its decisions are right within a turn, but the state is rounded at its end as on every rung:");
+            out.println("  its decisions are right within a turn; the state is rounded at its end as on every rung:");
             out.println("  steward stability --case 'true path' counts the impacts until each has left the true path");
         }
         out.println();

@@ -9,7 +9,6 @@ import steward.numerics.SplitMix64;
 import steward.physics.Advance;
 import steward.physics.Arithmetic;
 import steward.physics.Bodies;
-import steward.physics.Contacts;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.TurnLog;
