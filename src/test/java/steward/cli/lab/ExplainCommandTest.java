@@ -59,7 +59,7 @@ class ExplainCommandTest {
 
     @Test
     void onTheExactRungItSaysWhatExactMeans() {
-        String said = "  its decisions are right within a turn, but the state is rounded at its end as on every rung:";
+        String said = "  its decisions are right within a turn; the state is rounded at its end as on every rung:";
         assertTrue(Cli.run("explain", "walled-race", "--no-prices", "--accuracy", "exact").out().contains(said));
         assertFalse(Cli.run("explain", "walled-race", "--no-prices").out().contains(said));
     }
