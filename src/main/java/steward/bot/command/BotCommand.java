@@ -107,10 +107,10 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
         return new BotCommand(name, written == null ? usual : written, all);
     }
 
-    /** A single word before {@code =} and a known prefix can only be meant as a name. */
+    /** A single word without a prefix, before {@code =} and a known prefix, can only be meant as a name. */
     private static void checkName(String text, boolean named) {
         int equals = text.indexOf('=');
-        if (!named && equals >= 0 && !text.substring(0, equals).contains(" ")
+        if (!named && equals >= 0 && writtenPrefix(text) == null && !text.substring(0, equals).contains(" ")
             && writtenPrefix(text.substring(equals + 1)) != null) {
             throw new IllegalArgumentException("bot '" + text + "': found the name '" + text.substring(0, equals)
                 + "', expected one of letters, digits, dots, underscores and hyphens");

@@ -194,4 +194,12 @@ class BotCommandTest {
         assertEquals("bot '" + "n".repeat(20) + "...': found a name of 101 characters, expected at most 100",
             failure("n".repeat(101) + "=builtin:racer"));
     }
+
+    /** What stands behind a prefix is the program: found by the fuzz, whose command was refused when written anew. */
+    @Test
+    void aProgramBehindAPrefixMayLookLikeAName() {
+        BotCommand command = BotCommand.parse("json:name=codingame:x");
+        assertEquals(List.of("name=codingame:x"), command.words());
+        assertEquals(command.words(), BotCommand.parse(command.toString()).words());
+    }
 }
