@@ -31,11 +31,11 @@ import steward.physics.time.TimeOfImpact;
  * So a pair is left out without a root or a division if b >= 0, or c >= -2b times what is left until the impact that
  * was known before, or b^2 < a c. The present positions are accurate to a few units in the last place of the
  * coordinates x and of the paths since the last impacts, e = 2^-50 (|x| + |v|) for each; that moves c by at most 2 |d|
- * times as much, and 2 |d| e <= 2^-40 d.d + 2^40 e^2. It moves b by at most 2 e (|vx| + |vy|), and rounding b by 2^-51
- * (|dx vx| + |dy vy|): bodies that have just exchanged impulses at one instant can approach by no more than that. At
- * least this much is subtracted from c and b first, so pairs in doubt are kept. For these the time is computed in the
- * arithmetic of the rung, from the positions at the later start of the two flights: a time of impact depends on nothing
- * but the two flights, not on the body that searches nor on the time of the search.
+ * times as much, and 2 |d| e <= 2^-40 d.d + 2^40 e^2. It moves b by at most 3 e sqrt a <= 2^-41 a + 2^43 e^2, and
+ * rounding b by 2^-51 |d| sqrt a <= 2^-52 (d.d + a): bodies that have just exchanged impulses at one instant can
+ * approach by no more than that. At least this much is subtracted from c and b first, so pairs in doubt are kept. For
+ * these the time is computed in the arithmetic of the rung, from the positions at the later start of the two flights: a
+ * time of impact depends on nothing but the two flights, not on the body that searches nor on the time of the search.
  */
 
 /**
@@ -265,10 +265,9 @@ sealed class QueueSearch permits ExactQueueSearch {
             double dx = x - (state[other + X] + state[other + VX] * of);
             double dy = y - (state[other + Y] + state[other + VY] * of);
             double a = dvx * dvx + dvy * dvy;
-            double speeds = Math.abs(dvx) + Math.abs(dvy);
-            double b = dx * dvx + dy * dvy - ROUNDING * speeds * (reach + speeds + Math.abs(dx) + Math.abs(dy));
-            double touch = radius + state[other + RADIUS];
             double squared = dx * dx + dy * dy;
+            double b = dx * dvx + dy * dvy - (0x1p-46 * squared + 0x1p-40 * a + doubt);
+            double touch = radius + state[other + RADIUS];
             double c = squared - touch * touch - (0x1p-38 * squared + 0x1p-57 * a + doubt);
             double twice = b - Math.abs(b);            // 2b if they approach, otherwise 0
             double misses = 4 * (a * c) - twice * twice - LEAST;
