@@ -4,16 +4,16 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Ratings from all clusters together: the maximum of the posterior of {@link TieModel} with a weak normal prior, every
- * pairing with the same weight however often it was played, and a covariance that believes the clusters, not the model.
+ * Ratings from all clusters together: the maximum of the posterior of {@link TieModel} with a weak normal prior, each
+ * pairing with the same weight however often it was played, and a covariance from the spread of the clusters.
  * docs/rating.md has the formulas.
  *
- * <p><b>Weights.</b> Where results are not transitive no rating tells all of them, and a fit that weighs games depends on
- * who was paired how often. Here the weight of a pairing's games is what the pairing would have if all were played
- * equally often: ratings estimate the fit under uniform pairing. A pairing with n clusters, fewer than {@link #WHOLE},
+ * <p><b>Weights.</b> Where results are not transitive no rating tells all of them, and a fit that weighs games depends
+ * on who was paired how often. Here the weight of a pairing's games is what it would be if all were played equally often:
+ * ratings estimate the fit under uniform pairing. A pairing with n clusters, fewer than {@link #WHOLE},
  * has the n/8th part of a weight. In games of three and more the group is what is paired.
  *
- * <p><b>Covariance.</b> That of an M-estimate over clusters, the sandwich inverse(A) B inverse(A). In B a cluster counts
+ * <p><b>Covariance.</b> That of an M-estimate over clusters, the sandwich A^-1 B A^-1. In B a cluster counts
  * by its distance to its own pairing's mean, which is right also where the model is wrong, with the factor n/(n - 1);
  * where the pairing has fewer than {@link #WHOLE} clusters by its distance to the model with the correction 1/(1 - h),
  * h its leverage (CR2: R. M. Bell and D. F. McCaffrey, "Bias reduction in standard errors for linear regression with
@@ -38,6 +38,8 @@ public final class RatingFit {
     /** In clusters: how much of the model's variance is mixed into that of a pairing. */
     private static final double MIXED = 0.5;
     private static final double MOST_LEVERAGE = 0.9;
+    /** Degrees of freedom of a variance that is known. */
+    private static final double CERTAIN = 1e9;
     /** A pair of whom one has fewer points than this has at least the model's variance: there is too little to see. */
     private static final double FEW_POINTS = 2;
 
@@ -56,7 +58,7 @@ public final class RatingFit {
         this.bots = bots;
         this.strata = strata;
         ratings = new double[bots];
-        weights = pooled ? byPair() : byGroup();
+        weights = PairingWeights.of(bots, strata, pooled);
     }
 
     /**
@@ -78,86 +80,12 @@ public final class RatingFit {
         return fit;
     }
 
-    // ---- weights ---------------------------------------------------------------------------------
-
-    private double[][] byGroup() {
-        double[][] weights = new double[strata.size()][];
-        double games = 0;
-        double shares = 0;
-        for (Stratum stratum : strata) {
-            games += games(stratum);
-            shares += share(stratum.clusters);
-        }
-        for (int q = 0; q < weights.length; q++) {
-            Stratum stratum = strata.get(q);
-            weights[q] = new double[stratum.pairs()];
-            double own = games(stratum);
-            if (own > 0) {
-                Arrays.fill(weights[q], games / shares * share(stratum.clusters) / own);
-            }
-        }
-        return weights;
-    }
-
-    private static double games(Stratum stratum) {
-        double games = 0;
-        for (int k = 0; k < stratum.sums.length; k += 3) {
-            games += stratum.sums[k];
-        }
-        return games;
-    }
-
-    private static double share(double clusters) {
-        return Math.min(1, clusters / WHOLE);
-    }
-
-    private double[][] byPair() {
-        double[] games = new double[bots * bots];
-        double[] clusters = new double[bots * bots];
-        each((q, k, low, high) -> {
-            games[low * bots + high] += strata.get(q).sums[3 * k];
-            clusters[low * bots + high] += strata.get(q).sums[3 * k] > 0 ? strata.get(q).clusters : 0;
-        });
-        double all = 0;
-        double shares = 0;
-        for (int k = 0; k < games.length; k++) {
-            all += games[k];
-            shares += share(clusters[k]);
-        }
-        double scale = all / shares;
-        double[][] weights = new double[strata.size()][];
-        for (int q = 0; q < weights.length; q++) {
-            weights[q] = new double[strata.get(q).pairs()];
-        }
-        each((q, k, low, high) -> {
-            int pair = low * bots + high;
-            weights[q][k] = games[pair] > 0 ? scale * share(clusters[pair]) / games[pair] : 0;
-        });
-        return weights;
-    }
-
-    private interface PairVisitor {
-        void pair(int stratum, int pair, int low, int high);
-    }
-
-    private void each(PairVisitor visitor) {
-        for (int q = 0; q < strata.size(); q++) {
-            int[] group = strata.get(q).bots;
-            int k = 0;
-            for (int i = 0; i < group.length; i++) {
-                for (int j = i + 1; j < group.length; j++) {
-                    visitor.pair(q, k++, group[i], group[j]);
-                }
-            }
-        }
-    }
-
     // ---- the maximum -----------------------------------------------------------------------------
 
     /** Newton's method: the logarithm of the posterior is concave. */
     private void climb(RatingFit near) {
         double[][] sums = new double[3][bots * bots];
-        each((q, k, low, high) -> {
+        Stratum.each(strata, (q, k, low, high) -> {
             double[] own = strata.get(q).sums;
             for (int what = 0; what < 3; what++) {
                 sums[what][low * bots + high] += weights[q][k] * own[3 * k + what];
@@ -405,6 +333,44 @@ public final class RatingFit {
         return model.points;
     }
 
+    /** What the games between two bots say beside their ratings. */
+    public Residual residual(int one, int other) {
+        double[] sums = new double[2];
+        long[] clusters = new long[1];
+        Stratum.each(strata, (q, k, low, high) -> {
+            if (low == Math.min(one, other) && high == Math.max(one, other)) {
+                double[] own = strata.get(q).sums;
+                sums[0] += own[3 * k];
+                sums[1] += low == one ? own[3 * k + 1] : own[3 * k] - own[3 * k + 1];
+                clusters[0] += strata.get(q).clusters;
+            }
+        });
+        double share = sums[1] / sums[0];
+        double expected = expected(one, other);
+        if (clusters[0] < WHOLE) {
+            return new Residual(share, expected, clusters[0], 0);
+        }
+        double[] squares = new double[1];
+        Stratum.each(strata, (q, k, low, high) -> {
+            if (low == Math.min(one, other) && high == Math.max(one, other)) {
+                Stratum stratum = strata.get(q);
+                for (int p = 0; p < stratum.size; p++) {
+                    double games = stratum.patterns[p][3 * k];
+                    double points = stratum.patterns[p][3 * k + 1];
+                    double surplus = (low == one ? points : games - points) - games * share;
+                    squares[0] += stratum.counts[p] * surplus * surplus;
+                }
+            }
+        });
+        double freedom = clusters[0] - 1;
+        // As in the fit, a part of what the model says: clusters that are all alike are not certain.
+        double alike = share * (1 - share) / 2 + expected * (1 - expected) / 2;
+        double variance = (squares[0] * clusters[0] / freedom + MIXED * sums[0] * alike / clusters[0])
+            / (sums[0] * sums[0]);
+        return new Residual(share, expected, clusters[0],
+            Normal.ofStudent((share - expected) / Math.sqrt(variance), freedom));
+    }
+
     /** The difference of two ratings. */
     public Difference difference(int one, int other) {
         double[] along = new double[inverse.length];
@@ -442,7 +408,8 @@ public final class RatingFit {
                 squares += part * part / freedoms[q];
             }
         }
-        return new Difference(value, variance, squares > 0 ? variance * variance / squares : Double.MAX_VALUE);
+        return new Difference(value, variance,
+            squares > 0 ? Math.min(CERTAIN, variance * variance / squares) : CERTAIN);
     }
 
     private double along(int q, double... along) {

@@ -1,6 +1,7 @@
 package steward.league.rating;
 
 import java.util.Arrays;
+import java.util.List;
 
 /**
  * The clusters of one group of bots. A cluster is all games of one seed: they share the seed and do not count as
@@ -76,5 +77,29 @@ public final class Stratum {
         Arrays.fill(counts, 0);
         Arrays.fill(sums, 0);
         clusters = 0;
+    }
+
+    /** Is shown pairs. */
+    interface PairVisitor {
+        /**
+         * @param stratum its number in the list
+         * @param pair    its number in the stratum
+         * @param low     the first bot
+         * @param high    the second
+         */
+        void pair(int stratum, int pair, int low, int high);
+    }
+
+    /** Goes through all pairs of some strata. */
+    static void each(List<Stratum> strata, PairVisitor visitor) {
+        for (int q = 0; q < strata.size(); q++) {
+            int[] group = strata.get(q).bots;
+            int k = 0;
+            for (int i = 0; i < group.length; i++) {
+                for (int j = i + 1; j < group.length; j++) {
+                    visitor.pair(q, k++, group[i], group[j]);
+                }
+            }
+        }
     }
 }

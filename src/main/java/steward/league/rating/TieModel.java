@@ -1,11 +1,11 @@
 package steward.league.rating;
 
 /**
- * One game of two by the model of Davidson (R. R. Davidson, "On extending the Bradley-Terry model to accommodate ties in
- * paired comparison experiments", Journal of the American Statistical Association 65, 1970): with d the difference of
- * ratings in natural units and n the weight of ties, win : tie : loss = exp(d/2) : n : exp(-d/2). Without ties it is the
- * model of Bradley and Terry. In d and log n it is an exponential family whose statistics are the points (1, 1/2, 0) and
- * whether it was a tie; their means and covariances are the derivatives of the logarithm of the likelihood.
+ * One game of two by the model of Davidson (R. R. Davidson, "On extending the Bradley-Terry model to accommodate ties
+ * in paired comparison experiments", Journal of the American Statistical Association 65, 1970): with d the difference
+ * of ratings in natural units and n the weight of ties, win : tie : loss = exp(d/2) : n : exp(-d/2). Without ties it is
+ * the model of Bradley and Terry. In d and log n it is an exponential family whose statistics are the points (1, 1/2,
+ * 0) and whether it was a tie; their means and covariances are the derivatives of the logarithm of the likelihood.
  *
  * <p>Holds the numbers of the game that was computed last.
  */

@@ -123,6 +123,23 @@ final class MadeUpGroup {
         return (random.nextLong() >>> 11) * 0x1p-53;
     }
 
+    /** Of two bots: the mean score that each pattern is. */
+    double[] scores() {
+        return patterns.stream().mapToDouble(pattern -> pattern[1] / pattern[0]).toArray();
+    }
+
+    /** Of two bots: the variance of a cluster's mean score. */
+    double variance() {
+        double mean = share();
+        double sum = 0;
+        double[] scores = scores();
+        for (int k = 0; k < scores.length; k++) {
+            double chance = cumulative[k] - (k == 0 ? 0 : cumulative[k - 1]);
+            sum += chance * (scores[k] - mean) * (scores[k] - mean);
+        }
+        return sum;
+    }
+
     /** Expected share of the points of the first in games against the second. */
     double share() {
         return expected[1] / expected[0];
