@@ -9,7 +9,6 @@ import steward.physics.TurnSink;
 import steward.physics.Wall;
 import steward.physics.impulse.Collision;
 import steward.physics.impulse.ContactResponse;
-import steward.physics.impulse.ExactCollision;
 import steward.physics.impulse.Rest;
 import steward.physics.time.ExactPairs;
 import steward.physics.time.ExactWalls;
@@ -46,7 +45,7 @@ final class FlightLoop {
             Flights.Precise precise = new Flights.Precise(lows);
             flights = precise;
             search = new PreciseFlightSearch(parts, precise, walls, pairs, wallTimes);
-            response = ContactResponse.of(parts, ExactCollision.of(law, walls, pairs, wallTimes, lows), walls);
+            response = ContactResponse.of(parts, Collision.ofExact(law, walls, pairs, wallTimes, lows), walls);
         } else {
             flights = new Flights();
             search = new FlightSearch(parts, flights, walls);

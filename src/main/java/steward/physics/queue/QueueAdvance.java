@@ -17,7 +17,6 @@ import steward.physics.event.EventAdvance;
 import steward.physics.event.Standstill;
 import steward.physics.impulse.Collision;
 import steward.physics.impulse.ContactResponse;
-import steward.physics.impulse.ExactCollision;
 import steward.physics.impulse.Rest;
 import steward.physics.time.ExactPairs;
 import steward.physics.time.ExactWalls;
@@ -83,7 +82,7 @@ public final class QueueAdvance implements Advance {
             ExactWalls exactWalls = new ExactWalls(walls);
             LowParts rounded = new LowParts();
             search = new ExactQueueSearch(crowd, events, walls, pairs, exactPairs, exactWalls);
-            collision = ExactCollision.of(law, walls, exactPairs, exactWalls, rounded);
+            collision = Collision.ofExact(law, walls, exactPairs, exactWalls, rounded);
             response = QueueContactResponse.of(crowd, parts, collision, rounded, walls);
         } else {
             search = new QueueSearch(crowd, events, parts.arithmetic(), walls, pairs);
