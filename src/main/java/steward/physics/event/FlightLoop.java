@@ -2,7 +2,6 @@ package steward.physics.event;
 
 import steward.physics.Arithmetic;
 import steward.physics.Bodies;
-import steward.physics.Contacts;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.TurnSink;
@@ -26,7 +25,6 @@ final class FlightLoop {
     private final Flights flights;
     private final FlightSearch search;
     private final ContactResponse response;
-    private final Contacts asking;
     private final Rest rest;
     private final Standstill standstill;
     /** Starts of flights while all bodies are where they are now, for a reaction of the scene. */
@@ -37,7 +35,6 @@ final class FlightLoop {
         Wall[] walls = parts.walls().toArray(new Wall[0]);
         law = parts.law();
         descending = law.scanOrder() == ImpactLaw.ScanOrder.DESCENDING;
-        asking = parts.reaction() == null ? null : parts.contacts();
         if (parts.arithmetic() == Arithmetic.EXACT) {
             ExactPairs pairs = new ExactPairs(law);
             ExactWalls wallTimes = new ExactWalls(walls);
@@ -104,9 +101,7 @@ final class FlightLoop {
             sink)) {
             return;
         }
-        if (asking == null) {
-            response.react(bodies, a, b, now, sink);
-        } else if (!ask(bodies, a, b, now, sink)) {
+        if (!respond(bodies, a, b, now, sink)) {
             if (rest != null) {
                 rest.follow(bodies);
             }
@@ -118,22 +113,17 @@ final class FlightLoop {
     }
 
     /**
-     * Responds in a scene with {@code ASK} contacts: all bodies are moved to the present time if the reaction may look
-     * at them, and their flights go on afterwards.
+     * Responds to a contact: all bodies are moved to the present time if a reaction of the scene may look at them, and
+     * their flights go on afterwards.
      *
      * @return false if all flights begin anew at the present time
      */
-    private boolean ask(Bodies bodies, int a, int b, double now, TurnSink sink) {
-        Contacts.Meaning meaning = b < 0 ? asking.withWall(bodies.kind[a])
-            : asking.between(bodies.kind[a], bodies.kind[b]);
-        int passing = bodies.passing().size();
-        if (meaning != Contacts.Meaning.ASK && passing == 0) {
+    private boolean respond(Bodies bodies, int a, int b, double now, TurnSink sink) {
+        if (!response.needsAll(bodies, a, b)) {
             return response.react(bodies, a, b, now, sink);
         }
         moveAll(bodies, a, b, now);
-        response.releaseSeparatedPairs(bodies);
-        boolean alone = bodies.passing().size() == passing;
-        if (!response.react(bodies, a, b, now, sink) || response.hasAlteredOthers() || !alone) {
+        if (!response.reactAlone(bodies, a, b, now, sink)) {
             return false;
         }
         moveBack(bodies, a, b);
