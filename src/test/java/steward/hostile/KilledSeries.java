@@ -138,7 +138,8 @@ public final class KilledSeries {
         row.replays++;
         try {
             if (Files.size(replay) == 0) {
-                row.empty++;                                        // killed between the file and its first line
+                row.empty++;
+                problems.add(when + replay.getFileName() + " is empty");
                 return;
             }
             ByteArrayOutputStream out = new ByteArrayOutputStream();
