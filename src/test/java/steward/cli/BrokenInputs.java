@@ -87,7 +87,7 @@ final class BrokenInputs {
         }
     }
 
-    /** What is broken; made once. The replays are short, with two turns that have impacts: short ones are tried more. */
+    /** What is broken; made once. The replays are short, so that more are tried; two of their turns have impacts. */
     private static final class Originals {
         static final GameSetup DUEL = Games.open("duel");
         static final GameSetup SHORT = Games.types().open(SceneReader.read(
