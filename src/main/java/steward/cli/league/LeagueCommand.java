@@ -57,6 +57,7 @@ public final class LeagueCommand implements Callable<Integer> {
         commands.put("import", new ImportGamesCommand(streams));
         commands.put("backup", new BackupCommand(streams));
         commands.put("prune", new PruneCommand(streams));
+        commands.put("sprt", new LeagueSprtCommand(streams));
         commands.put("demo", new LeagueDemoCommand(streams));
         commands.put("generate", new GenerateCommand(streams));
         return commands;
