@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import steward.cli.shared.Colour;
+import steward.game.JsonNumbers;
 import steward.league.sequential.ExpectedLength;
 import steward.league.sequential.Gsprt;
 import steward.league.sequential.ScoreCounts;
@@ -78,9 +79,10 @@ final class SprtText {
             .collect(Collectors.joining(", ")));
         if (scores.observations() > 1) {
             double mean = scores.mean();
-            double bar = Gsprt.anytimeBar(scores);
+            double bar = Math.min(1, Gsprt.anytimeBar(scores));
             lines.add("Score " + TextFormat.fixed(mean, 4) + " ± " + TextFormat.fixed(bar, 4) + ", " + model()
-                + " Elo " + elo(mean, scores) + " (" + elo(mean - bar, scores) + " to " + elo(mean + bar, scores)
+                + " Elo " + elo(mean, scores) + " (" + elo(Math.max(0, mean - bar), scores) + " to "
+                + elo(Math.min(1, mean + bar), scores)
                 + "), 95% at any time");
         }
         return lines;
@@ -113,11 +115,15 @@ final class SprtText {
         out.writeEndArray();
         if (scores.observations() > 1) {
             out.writeNumberProperty("score", scores.mean());
-            out.writeNumberProperty("bar", Gsprt.anytimeBar(scores));
-            out.writeNumberProperty("elo", test.elo(scores.mean(), scores));
+            out.writeNumberProperty("bar", Math.min(1, Gsprt.anytimeBar(scores)));
+            JsonNumbers.writeOrNull(out, "elo", finite(test.elo(scores.mean(), scores)));
             if (test.state(scores) == Gsprt.State.OPEN) {
                 out.writeNumberProperty("gamesLeft", expectedGames(scores));
             }
         }
+    }
+
+    private static double finite(double value) {
+        return Double.isInfinite(value) ? Double.NaN : value;
     }
 }
