@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
+import steward.league.EarlierGames;
 import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
@@ -40,11 +41,6 @@ public final class GameQueries {
     private final Database database;
     private final int season;
     private final Season key;
-
-    /** A decision as it was played: a game of it. */
-    public interface DecisionReader {
-        void game(int decision, int... lineup);
-    }
 
     /**
      * @param season its number
@@ -138,19 +134,24 @@ public final class GameQueries {
         return text.isEmpty() ? new int[0] : Arrays.stream(text.split(" ")).mapToInt(Integer::parseInt).toArray();
     }
 
-    /** Tells of every game of the schedule that has been played to its end. */
-    public void decisions(DecisionReader reader) {
+    /** Every game of the schedule that has been played to its end. */
+    public EarlierGames earlier() {
+        EarlierGames earlier = new EarlierGames();
         database.with(() -> {
-            Map<Integer, int[]> lineups = lineups();
-            // In the order of the table: by an index every row would be looked up.
-            try (ResultSet row = database.query("SELECT decision, lineup FROM game NOT INDEXED WHERE season = ? "
-                + "AND decision IS NOT NULL AND (counts = 1 OR problem IS NOT NULL)", season)) {
+            Map<Integer, Integer> lineups = new HashMap<>();
+            lineups().forEach((number, versions) -> lineups.put(number, earlier.lineup(versions)));
+            // In the order of the table, as by an index every row would be looked up; both numbers as one, since
+            // fetching a number costs more than finding it.
+            try (ResultSet row = database.query("SELECT decision << 32 | lineup FROM game NOT INDEXED "
+                + "WHERE season = ? AND decision IS NOT NULL AND (counts = 1 OR problem IS NOT NULL)", season)) {
                 while (row.next()) {
-                    reader.game(row.getInt(1), lineups.get(row.getInt(2)));
+                    long both = row.getLong(1);
+                    earlier.add((int) (both >>> Integer.SIZE), lineups.get((int) both));
                 }
             }
             return null;
         });
+        return earlier;
     }
 
     /** How the ratings of these versions went. */
