@@ -21,6 +21,7 @@ import steward.cli.replay.FeedCommand;
 import steward.cli.replay.ImportCommand;
 import steward.cli.replay.KeyCommand;
 import steward.cli.replay.ReplayCommand;
+import steward.cli.sequential.SprtCommand;
 import steward.cli.setup.DoctorCommand;
 import steward.cli.setup.NewCommand;
 import steward.cli.shared.EmptyValues;
@@ -46,7 +47,7 @@ public final class Main {
     private static final int WIDTH = 80;
 
     private static final List<String> COMMANDS = List.of("match", "replay", "feed", "scene", "explain", "demo",
-        "league",
+        "league", "sprt",
         "simulate", "import", "key", "referee", "play", "stability", "tradeoff", "bench", "new", "doctor",
         CompletionCommand.NAME, HelpCommand.NAME);
 
@@ -142,6 +143,7 @@ public final class Main {
             case "explain" -> new ExplainCommand(streams);
             case "demo" -> new DemoCommand(streams);
             case "league" -> LeagueCommand.spec(streams);
+            case "sprt" -> new SprtCommand(streams);
             case "simulate" -> new SimulateCommand(streams);
             case "import" -> new ImportCommand(streams);
             case "key" -> new KeyCommand(streams);

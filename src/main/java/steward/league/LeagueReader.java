@@ -25,6 +25,7 @@ public final class LeagueReader {
     /** The version of the file's form. */
     static final int FORM = 1;
     static final String ROUND_ROBIN = "round-robin";
+    static final String ADAPTIVE = "adaptive";
     static final String GAUNTLET = "gauntlet ";
 
     /** What a bot may be called. */
@@ -63,7 +64,8 @@ public final class LeagueReader {
         Hiccups hiccups = root.choice("hiccups", words(Hiccups.values(), Hiccups::word), Hiccups.REPLAY);
         List<String> sandbox = root.optionalBlock("sandbox").map(LeagueReader::sandbox).orElse(List.of());
         List<LeagueBot> bots = bots();
-        String gauntlet = gauntlet(bots);
+        boolean adaptive = root.has(PAIRING) && root.isText(PAIRING) && root.text(PAIRING).equals(ADAPTIVE);
+        String gauntlet = adaptive ? null : gauntlet(bots);
         Block replays = root.optionalBlock("replays").orElse(null);
         KeptReplays keep = replays == null ? KeptReplays.FAILED
             : replays.choice(KEEP, words(KeptReplays.values(), KeptReplays::word), KeptReplays.FAILED);
@@ -74,7 +76,7 @@ public final class LeagueReader {
             }
             known(replays, "of", loser, bots);
         }
-        LeagueSettings settings = new LeagueSettings(scene, seed, gauntlet, lag, factor(time), basis(time), hiccups,
+        LeagueSettings settings = new LeagueSettings(scene, seed, gauntlet, adaptive, lag, factor(time), basis(time), hiccups,
             sandbox, keep, losers, bots);
         root.done();
         return settings;
@@ -196,7 +198,7 @@ public final class LeagueReader {
             return null;
         }
         if (!pairing.startsWith(GAUNTLET)) {
-            throw root.error(PAIRING, root.shown(PAIRING), "\"round-robin\" or \"gauntlet NAME\"");
+            throw root.error(PAIRING, root.shown(PAIRING), "\"adaptive\", \"round-robin\" or \"gauntlet NAME\"");
         }
         String hero = pairing.substring(GAUNTLET.length()).strip();
         known(root, PAIRING, hero, bots);

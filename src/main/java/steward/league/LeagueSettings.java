@@ -13,6 +13,7 @@ import steward.contest.KeptReplays;
  * @param scene    a shipped scene's name, or a file in the league's folder
  * @param seed     of the first decision; each decision has the next one
  * @param gauntlet the bot that all others play against, or {@code null} where everyone plays everyone
+ * @param adaptive whether those play most whose order is in doubt; otherwise all equally often
  * @param lag      how many decisions back results are known when a decision is made, 1..10000
  * @param factor   by which the scene's time limits are multiplied; {@code POSITIVE_INFINITY} for none
  * @param basis    what the limits are limits of
@@ -22,7 +23,7 @@ import steward.contest.KeptReplays;
  * @param keepOf   with {@link KeptReplays#LOST}: the bots whose lost games are meant; none for those of any bot
  * @param bots     all of them, in the order of the file
  */
-public record LeagueSettings(String scene, long seed, String gauntlet, int lag, double factor, TimeBasis basis,
+public record LeagueSettings(String scene, long seed, String gauntlet, boolean adaptive, int lag, double factor, TimeBasis basis,
                              Hiccups hiccups, List<String> sandbox, KeptReplays keep, List<String> keepOf,
                              List<LeagueBot> bots) {
 
@@ -40,7 +41,7 @@ public record LeagueSettings(String scene, long seed, String gauntlet, int lag, 
 
     /** Those of a new league without bots. */
     public static LeagueSettings usual(String scene, long seed) {
-        return new LeagueSettings(scene, seed, null, USUAL_LAG, 1, TimeBasis.WALL, Hiccups.REPLAY,
+        return new LeagueSettings(scene, seed, null, true, USUAL_LAG, 1, TimeBasis.WALL, Hiccups.REPLAY,
             List.of("--sandbox", "auto"), KeptReplays.FAILED, List.of(), List.of());
     }
 
@@ -56,7 +57,7 @@ public record LeagueSettings(String scene, long seed, String gauntlet, int lag, 
 
     /** The same with other bots. */
     public LeagueSettings withBots(List<LeagueBot> others) {
-        return new LeagueSettings(scene, seed, gauntlet, lag, factor, basis, hiccups, sandbox, keep, keepOf, others);
+        return new LeagueSettings(scene, seed, gauntlet, adaptive, lag, factor, basis, hiccups, sandbox, keep, keepOf, others);
     }
 
     /** The same with one bot more, the last. */
@@ -70,13 +71,13 @@ public record LeagueSettings(String scene, long seed, String gauntlet, int lag, 
     public LeagueSettings replaced(String name, LeagueBot by) {
         String hero = name.equals(gauntlet) ? by.name() : gauntlet;
         List<String> losers = keepOf.stream().map(each -> each.equals(name) ? by.name() : each).toList();
-        return new LeagueSettings(scene, seed, hero, lag, factor, basis, hiccups, sandbox, keep, losers,
+        return new LeagueSettings(scene, seed, hero, adaptive, lag, factor, basis, hiccups, sandbox, keep, losers,
             bots.stream().map(bot -> bot.name().equals(name) ? by : bot).toList());
     }
 
     /** The same with other rules of pairing, time and replays, as a new league may be told. */
     public LeagueSettings with(String newGauntlet, double newFactor, KeptReplays newKeep) {
-        return new LeagueSettings(scene, seed, newGauntlet, lag, newFactor, basis, hiccups, sandbox, newKeep, keepOf,
+        return new LeagueSettings(scene, seed, newGauntlet, adaptive, lag, newFactor, basis, hiccups, sandbox, newKeep, keepOf,
             bots);
     }
 
@@ -87,6 +88,7 @@ public record LeagueSettings(String scene, long seed, String gauntlet, int lag, 
 
     /** How bots are paired, as it is written in the file. */
     public String pairing() {
-        return gauntlet == null ? LeagueReader.ROUND_ROBIN : LeagueReader.GAUNTLET + gauntlet;
+        return gauntlet != null ? LeagueReader.GAUNTLET + gauntlet
+            : adaptive ? LeagueReader.ADAPTIVE : LeagueReader.ROUND_ROBIN;
     }
 }

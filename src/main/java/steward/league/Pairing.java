@@ -9,6 +9,11 @@ import java.util.List;
  */
 public interface Pairing {
 
+    /** Tells it the number of the decision that it is to choose for next. */
+    default void next(int decision) {
+        // Most pairings do not mind.
+    }
+
     /**
      * Chooses the versions of the next decision.
      *

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Function;
+import java.util.function.IntPredicate;
 
 /**
  * The games of a season in their order. Decisions are numbered; a decision that was made in an earlier run is known by
@@ -33,6 +34,8 @@ public final class Schedule {
 
     private List<Integer> active = List.of();
     private Pairing pairing;
+    private IntPredicate end = number -> false;
+    private boolean ended;
     private int next;
     private final int last;
     private long games;
@@ -78,6 +81,11 @@ public final class Schedule {
         waiting.removeIf(task -> Arrays.stream(task.lineup()).anyMatch(version -> !active.contains(version)));
     }
 
+    /** Ends it before the first decision without games of which this is true; each is asked about when it is due. */
+    public void until(IntPredicate isEnd) {
+        end = isEnd;
+    }
+
     /** How many games of the schedule have been played or given out. */
     public long games() {
         return games;
@@ -93,7 +101,7 @@ public final class Schedule {
             if (games >= most || !open.isEmpty() && open.firstKey() <= next - lag) {
                 return null;
             }
-            if (players == 1 && next > last && active.isEmpty()) {
+            if (players == 1 && next > last && active.isEmpty() || ended) {
                 return null;
             }
             decide();
@@ -114,12 +122,17 @@ public final class Schedule {
             return;
         }
         List<int[]> done = earlier.take(number);
+        if (done.isEmpty() && number > last && end.test(number)) {
+            ended = true;
+            next--;
+            return;
+        }
         games += done.size();
         List<int[]> lineups;
         if (players == 1) {
             lineups = active.stream().map(version -> new int[] {version}).toList();
         } else {
-            int[] versions = done.isEmpty() ? choose() : Decision.sorted(done.get(0));
+            int[] versions = done.isEmpty() ? choose(number) : Decision.sorted(done.get(0));
             made(1, versions);
             lineups = Decision.rotations(versions);
         }
@@ -137,10 +150,11 @@ public final class Schedule {
         untold.merge(group, times, Integer::sum);
     }
 
-    private int[] choose() {
+    private int[] choose(int number) {
         earlier.tellWhole(this::made);
         untold.forEach((group, times) -> pairing.made(times, group.stream().mapToInt(version -> version).toArray()));
         untold.clear();
+        pairing.next(number);
         return pairing.choose();
     }
 

@@ -37,7 +37,7 @@ class LeagueReaderTest {
     @Test
     void everyFieldIsReadAndWritten() {
         LeagueSettings settings = read(WHOLE);
-        assertEquals(new LeagueSettings("duel", Long.MIN_VALUE, "a", 7, 2.5, TimeBasis.CPU, Hiccups.COUNT,
+        assertEquals(new LeagueSettings("duel", Long.MIN_VALUE, "a", false, 7, 2.5, TimeBasis.CPU, Hiccups.COUNT,
             List.of("--sandbox", "strict", "--memory", "2G", "--processes", "9", "--network", "--env", "X", "--env",
                 "Y"),
             KeptReplays.LOST, List.of("a"), List.of(

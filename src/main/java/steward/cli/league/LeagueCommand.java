@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
@@ -24,19 +25,26 @@ import steward.cli.shared.Streams;
         "  steward league add night builtin:veteran",
         "  steward league run night --for 8h --watch --open",
         "  steward league table night",
+        "  steward league --self-check --leagues 1000",
         "", "Exit status: 0 done; 1 it could not be carried out to its end; 2 the call or",
         "the league is unusable; 130 interrupted (what was over is stored)."})
 public final class LeagueCommand implements Callable<Integer> {
 
+    private final Streams streams;
+
     @Spec
     private CommandSpec spec;
 
-    private LeagueCommand() {
+    @Mixin
+    private final SelfCheckOptions check = new SelfCheckOptions();
+
+    private LeagueCommand(Streams streams) {
+        this.streams = streams;
     }
 
     /** The command with those in it. */
     public static CommandSpec spec(Streams streams) {
-        CommandSpec spec = CommandSpec.forAnnotatedObject(new LeagueCommand());
+        CommandSpec spec = CommandSpec.forAnnotatedObject(new LeagueCommand(streams));
         commands(streams).forEach((name, command) ->
             spec.addSubcommand(name, CommandSpec.forAnnotatedObject(command)));
         return spec;
@@ -57,13 +65,17 @@ public final class LeagueCommand implements Callable<Integer> {
         commands.put("import", new ImportGamesCommand(streams));
         commands.put("backup", new BackupCommand(streams));
         commands.put("prune", new PruneCommand(streams));
+        commands.put("sprt", new LeagueSprtCommand(streams));
         commands.put("demo", new LeagueDemoCommand(streams));
         commands.put("generate", new GenerateCommand(streams));
         return commands;
     }
 
     @Override
-    public Integer call() {
+    public Integer call() throws InterruptedException {
+        if (check.isAsked()) {
+            return check.run(streams);
+        }
         throw new ParameterException(spec.commandLine(), "found no command, expected one of "
             + String.join(", ", spec.subcommands().keySet()));
     }

@@ -24,6 +24,7 @@ import steward.league.FolderLock;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.Season;
+import steward.league.pairing.StopRule;
 import steward.league.play.LeagueRun;
 import steward.league.play.Roster;
 import steward.league.play.RosterReader;
@@ -41,6 +42,7 @@ import steward.text.TextFormat;
         "", "Examples:",
         "  steward league run night --threads auto --for 8h",
         "  steward league run night --games 1000 --watch --open",
+        "  steward league run night --until-ranked --equal 5",
         "", "Exit status: 0 an end was reached; 1 games could not be stored; 2 the call or",
         "the league is unusable; 130 interrupted."})
 final class RunCommand implements Callable<Integer> {
@@ -62,6 +64,9 @@ final class RunCommand implements Callable<Integer> {
 
     @Option(names = "--for", paramLabel = "TIME", description = "Ends after so long, such as 90s, 30m, 8h or 2d.")
     private String time;
+
+    @Mixin
+    private final UntilOptions until = new UntilOptions();
 
     @Option(names = "--durable", description = "Waits with every game until it is on the disk: nothing is lost when "
         + "the power fails, either.")
@@ -88,6 +93,7 @@ final class RunCommand implements Callable<Integer> {
     public Integer call() throws InterruptedException {
         threads.check();
         watch.check();
+        StopRule rule = until.rule();
         check.range("--games", games, 1, Integer.MAX_VALUE);
         LeagueRun.Limits limits = new LeagueRun.Limits(threads.count(streams), games == null ? Long.MAX_VALUE : games,
             nanos(time));
@@ -101,7 +107,7 @@ final class RunCommand implements Callable<Integer> {
              GameStore viewed = GameStore.read(folder)) {
             int number = LeagueOpening.season(folder, store, season, anew);
             return play(folder, settings, store, new GameQueries(viewed, number, season), season, number, contest,
-                limits);
+                limits, rule);
         }
     }
 
@@ -124,7 +130,7 @@ final class RunCommand implements Callable<Integer> {
 
     @SuppressWarnings("try")                           // only closed, never used
     private int play(LeagueFolder folder, LeagueSettings settings, GameStore store, GameQueries viewed, Season season,
-                     int number, Contest contest, LeagueRun.Limits limits) throws InterruptedException {
+                     int number, Contest contest, LeagueRun.Limits limits, StopRule rule) throws InterruptedException {
         AtomicReference<LiveTable> screen = new AtomicReference<>();
         // What has been played is summed up while the run reads which games it consists of.
         CompletableFuture<Results> past = CompletableFuture.supplyAsync(viewed::results);
@@ -135,6 +141,9 @@ final class RunCommand implements Callable<Integer> {
         LeagueRun run = new LeagueRun(folder, store, number, season, contest, reader, roster, limits,
             machine(contest), what -> say(screen.get(), what), progress::add);
         progress.goOn(done(past));
+        if (rule.isAny()) {
+            run.until(rule);
+        }
         AtomicBoolean told = new AtomicBoolean();
         try (LeagueWatch page = watch.watch() ? LeagueWatch.start(folder, season, viewed, progress, watch) : null;
              Interruption interruption = new Interruption(streams, () -> told.getAndSet(true) ? null
@@ -201,6 +210,9 @@ final class RunCommand implements Callable<Integer> {
         }
         List<String> lines = TableText.whole(progress.table(run.roster().settings()), season, streams.outColour());
         lines.forEach(streams.out()::println);
+        if (run.ended() != null) {
+            UntilOptions.tell(run.ended(), run.roster()).forEach(streams.out()::println);
+        }
         streams.out().println(TextFormat.count(progress.played(), "game") + " in this run, "
             + TextFormat.number(progress.rate(), 2) + " games/s.");
     }

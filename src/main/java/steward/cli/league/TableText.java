@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import steward.cli.shared.Colour;
 import steward.league.Season;
+import steward.league.rating.Difference;
 import steward.league.rating.LeagueTable;
 import steward.league.rating.LeagueTable.Row;
 import steward.text.TextFormat;
@@ -78,7 +79,8 @@ final class TableText {
             lines.add(TextFormat.right(Integer.toString(row.rank()), 3) + " " + TextFormat.left(name(row), width)
                 + colour.strong(TextFormat.right(played ? signed(row.rating()) : "-", 8))
                 + TextFormat.right(played ? "± " + Math.round(row.bar()) : "-", 7)
-                + TextFormat.right(played ? "± " + Math.round(row.anytime()) : "-", 8)
+                + TextFormat.right(played && row.anytime() < Difference.MOST_BAR ? "± " + Math.round(row.anytime())
+                    : "-", 8)
                 + TextFormat.right(!played ? "-" : row.best() == row.worst() ? Integer.toString(row.best())
                     : row.best() + "-" + row.worst(), 7)
                 + TextFormat.right(Long.toString(row.sums().games()), 8)

@@ -21,4 +21,9 @@ public final class SeedOption {
     public static long draw() {
         return new SplittableRandom().nextLong(DRAWN_SEEDS);
     }
+
+    /** The seed, or another if none was given. */
+    public long or(long other) {
+        return seed == null ? other : seed;
+    }
 }

@@ -1,12 +1,17 @@
 package steward.cli.play;
 
+import java.nio.ByteBuffer;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.SortedSet;
 import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.stream.IntStream;
 import steward.bot.command.BotCommand;
 import steward.cli.shared.Games;
 import steward.contest.Contest;
@@ -22,12 +27,13 @@ import steward.league.LeagueSettings;
 import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
+import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
 import steward.league.store.GameStore.Version;
 import steward.match.MatchResult;
 
-/** Stores the games of a series in a league ({@code match --into}), each when it is over. */
-final class StoredSeries implements AutoCloseable {
+/** Stores games between the bots of a contest in a league ({@code --into}), each when it is over, and finds them. */
+public final class StoredSeries implements AutoCloseable {
 
     private final GameStore store;
     private final Season season;
@@ -52,12 +58,12 @@ final class StoredSeries implements AutoCloseable {
      * @param environment the variables that bots are passed by name
      * @throws InputException if its games are of another scene, limits or rules
      */
-    static StoredSeries open(Path path, Contest contest, double factor, List<String> environment) {
+    public static StoredSeries open(Path path, Contest contest, double factor, List<String> environment) {
         LeagueFolder folder = LeagueFolder.open(path);
         LeagueSettings settings = folder.read();
         LeagueSettings played = settings.with(settings.gauntlet(), factor, settings.keep());
         Season season = Season.of(contest.setup(), new LeagueSettings(played.scene(), played.seed(),
-            played.gauntlet(), played.lag(), factor, contest.time().basis(), played.hiccups(), played.sandbox(),
+            played.gauntlet(), played.adaptive(), played.lag(), factor, contest.time().basis(), played.hiccups(), played.sandbox(),
             played.keep(), played.keepOf(), played.bots()));
         Season own = Season.of(Games.open(folder.scene(settings.scene())), settings);
         if (!own.key().equals(season.key())) {
@@ -96,7 +102,7 @@ final class StoredSeries implements AutoCloseable {
     }
 
     /** Stores a game, and what it replaces if it was played again. */
-    void add(Series.Played game) {
+    public void add(Series.Played game) {
         List<StoredGame> attempts = new ArrayList<>();
         if (game.starved() != null) {
             attempts.add(stored(game.starved(), 1, false));
@@ -126,6 +132,55 @@ final class StoredSeries implements AutoCloseable {
             .map(Failure::kind).findFirst().orElse(found.fault());
         return new StoredSeat(version.id(), found.rank(), found.score(), fault, found.answers(), found.averageNanos(),
             found.worstNanos(), found.firstNanos());
+    }
+
+    /** The game as it is stored, by player, more is better; {@code null} if it is not there. */
+    public double[] values(long seed, int rotation) {
+        List<String> identities = new ArrayList<>();
+        for (int player = 0; player < season.players(); player++) {
+            identities.add(versions.get(contest.entrantOf(player, rotation)).identity());
+        }
+        for (int attempt = 1; attempt <= 2; attempt++) {
+            Optional<GameStore.Outcome> found = store.outcome(GameName.of(season, seed, identities, attempt));
+            if (found.isPresent()) {
+                return values(found.get());
+            }
+        }
+        return null;
+    }
+
+    private double[] values(GameStore.Outcome outcome) {
+        return contest.isAlone() ? outcome.scores().stream()
+            .mapToDouble(score -> season.lowerScoreIsBetter() ? -score : score).toArray()
+            : outcome.ranks().stream().mapToDouble(rank -> -rank).toArray();
+    }
+
+    /** Seeds of games between these bots that are stored, ascending; not all of them have all games. */
+    public SortedSet<Long> seeds() {
+        SortedSet<Long> seeds = new TreeSet<>();
+        List<Integer> group = versions.values().stream().map(Version::id).sorted().toList();
+        new GameQueries(store, number, season).gamesOf(versions.get(0).id(), game -> {
+            if (contest.isAlone() || Arrays.stream(game.lineup()).sorted().boxed().toList().equals(group)) {
+                seeds.add(game.seed());
+            }
+        });
+        return seeds;
+    }
+
+    /** A seed that belongs to these bots: the same in every call. */
+    public long ownSeed() {
+        List<String> identities = IntStream.range(0, versions.size()).mapToObj(k -> versions.get(k).identity())
+            .toList();
+        return ByteBuffer.wrap(GameName.of(season, 0, identities, 0)).getLong() >>> 2;
+    }
+
+    /** Refuses bots of which the first two have the same program. */
+    public void refuseTwins() {
+        if (versions.get(0).id() == versions.get(1).id()) {
+            throw new InputException("found the same program twice, as '" + contest.entrants().get(0).name()
+                + "' and as '" + contest.entrants().get(1).name()
+                + "', expected bots that differ in command, environment or files");
+        }
     }
 
     @Override

@@ -23,7 +23,12 @@ import steward.league.Pairing;
 import steward.league.Schedule;
 import steward.league.Season;
 import steward.league.StoredGame;
+import steward.league.pairing.AdaptivePairing;
+import steward.league.pairing.KnownResults;
+import steward.league.pairing.LeagueEnd;
+import steward.league.pairing.StopRule;
 import steward.league.play.Roster.Member;
+import steward.league.rating.Ratings;
 import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
 import steward.league.store.GameWriter;
@@ -51,8 +56,12 @@ public final class LeagueRun {
     private final Consumer<String> teller;
     private final Consumer<StoredGame> listener;
     private final long end;
+    private final GameQueries queries;
 
     /** Guarded by this, as is all below. */
+    private KnownResults known;
+    private LeagueEnd leagueEnd;
+    private StopRule rule = StopRule.NONE;
     private Roster roster;
     private Map<Integer, Member> members;
     private String seen;
@@ -95,8 +104,11 @@ public final class LeagueRun {
         this.teller = teller;
         this.listener = listener;
         play = new GamePlay(folder, key, contest, machine, System::currentTimeMillis);
-        schedule = new Schedule(roster.settings().seed(), key.players(), roster.settings().lag(),
-            new GameQueries(store, season, key).earlier());
+        queries = new GameQueries(store, season, key);
+        schedule = new Schedule(roster.settings().seed(), key.players(), roster.settings().lag(), queries.earlier());
+        if (roster.settings().adaptive() && key.players() > 1) {
+            learn();
+        }
         seen = stamp();
         use(roster);
         end = limits.nanos() == Long.MAX_VALUE ? Long.MAX_VALUE : System.nanoTime() + limits.nanos();
@@ -118,9 +130,49 @@ public final class LeagueRun {
         roster = next;
         members = next.byVersion();
         LeagueSettings settings = next.settings();
-        schedule.play(next.versions(), versions -> settings.gauntlet() == null
-            ? Pairing.roundRobin(versions, play.season().players())
-            : Pairing.gauntlet(versions, play.season().players(), next.versionOf(settings.gauntlet()).orElseThrow()));
+        schedule.play(next.versions(), versions -> pairing(settings, versions, next));
+    }
+
+    private Pairing pairing(LeagueSettings settings, List<Integer> versions, Roster next) {
+        int players = play.season().players();
+        if (settings.adaptive()) {
+            return new AdaptivePairing(versions, players, settings.lag(), rule,
+                before -> Ratings.of(known.before(before), versions));
+        }
+        return settings.gauntlet() == null ? Pairing.roundRobin(versions, players)
+            : Pairing.gauntlet(versions, players, next.versionOf(settings.gauntlet()).orElseThrow());
+    }
+
+    /** From now on the results of the schedule are known. */
+    private void learn() {
+        if (known == null) {
+            known = new KnownResults(play.season());
+            queries.known(known::add);
+        }
+    }
+
+    /** Ends the run when enough is known; before {@link #play}. */
+    public synchronized void until(StopRule stop) {
+        rule = stop;
+        learn();
+        leagueEnd = new LeagueEnd(stop, known, roster.settings().lag(), () -> roster.versions());
+        schedule.until(leagueEnd);
+        use(roster);
+    }
+
+    /** The rule that ended the run with what was known, or {@code null}. */
+    public synchronized LeagueEnd ended() {
+        return leagueEnd != null && leagueEnd.met() != null ? leagueEnd : null;
+    }
+
+    /** Tells what is to be learnt from a game. */
+    private void know(List<StoredGame> attempts) {
+        for (StoredGame game : attempts) {
+            if (known != null && game.counts()) {
+                known.add(game.decision(), game.seed(), game.lineup(), game.seats().get(0).score(),
+                    game.seats().stream().mapToInt(StoredGame.StoredSeat::rank).toArray());
+            }
+        }
     }
 
     /** Refuses a roster that no game can be played with. */
@@ -203,6 +255,7 @@ public final class LeagueRun {
                 notifyAll();
                 return !brokenOff && stopped == null;
             }
+            know(attempts);
             schedule.over(task);
             notifyAll();
             if (!writer.add(attempts)) {
@@ -234,6 +287,7 @@ public final class LeagueRun {
                     return task;
                 }
                 store.adopt(name, task.decision());
+                knowStored(task);
                 schedule.over(task);
                 continue;
             }
@@ -241,6 +295,15 @@ public final class LeagueRun {
                 return null;
             }
             wait(WAIT_MS);
+        }
+    }
+
+    /** The same of a game that was stored before it was decided on. */
+    private void knowStored(Schedule.Task task) {
+        List<Member> seats = Arrays.stream(task.lineup()).mapToObj(members::get).toList();
+        for (int attempt = 1; attempt <= 2 && known != null; attempt++) {
+            store.outcome(play.name(task, seats, attempt)).ifPresent(found -> known.add(task.decision(), task.seed(),
+                task.lineup(), found.scores().get(0), found.ranks().stream().mapToInt(rank -> rank).toArray()));
         }
     }
 
@@ -305,6 +368,7 @@ public final class LeagueRun {
         return !read.scene().equals(old.scene()) ? "the scene"
             : !read.limits().equals(old.limits()) ? "the time limit"
             : !read.sandbox().equals(old.sandbox()) ? "the sandbox"
+            : read.adaptive() && !old.adaptive() && known == null ? "the pairing"
             : read.seed() != old.seed() ? "the seed" : read.lag() != old.lag() ? "the lag" : null;
     }
 

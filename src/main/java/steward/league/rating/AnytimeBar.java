@@ -22,17 +22,15 @@ public final class AnytimeBar {
     /** 1 - the probability with which a bar holds. */
     public static final double ALPHA = 0.05;
     /**
-     * The standard deviation, in Elo, at which r = I: the bar is narrowest against the others of its kind where the
-     * deviation is about a third of it, which is where a bar of 30 Elo is reached.
+     * Standard deviations, in Elo, at which r = I: a bar is narrowest against the others of its kind where the deviation
+     * is about a third of it. The first is for bars of 30 Elo, the last for bots that win nearly always, whose games
+     * tell little of the size of the difference, but soon its sign.
      */
-    private static final double MIXTURE_ELO = 28;
-    private static final double MIXTURE = square(RatingFit.ELO / MIXTURE_ELO);
+    private static final double[] SCALES = {28, 120, 500};
+    /** What each may miss of the whole: together they hold with the whole, and the narrowest one is taken. */
+    private static final double[] PARTS = {0.8, 0.1, 0.1};
 
     private AnytimeBar() {
-    }
-
-    private static double square(double x) {
-        return x * x;
     }
 
     /**
@@ -43,8 +41,14 @@ public final class AnytimeBar {
      * @param alpha    the probability with which the truth may ever be outside
      */
     public static double of(double variance, double freedom, double alpha) {
-        double ratio = MIXTURE * variance;
-        double z = Math.sqrt((1 + ratio) * (StrictMath.log1p(1 / ratio) - 2 * StrictMath.log(alpha)));
-        return Math.sqrt(variance) * Normal.student(z, freedom);
+        double narrowest = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < SCALES.length; k++) {
+            double scale = RatingFit.ELO / SCALES[k];
+            double ratio = scale * scale * variance;
+            double z = Math.sqrt((1 + ratio)
+                * (StrictMath.log1p(1 / ratio) - 2 * StrictMath.log(alpha * PARTS[k])));
+            narrowest = Math.min(narrowest, Math.sqrt(variance) * Normal.student(z, freedom));
+        }
+        return narrowest;
     }
 }

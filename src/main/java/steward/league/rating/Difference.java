@@ -14,6 +14,9 @@ public record Difference(double value, double variance, double freedom) {
     /** From so many degrees of freedom on, which 30 clusters have, bars are those of the normal distribution. */
     private static final double LARGE = 29;
 
+    /** In Elo; a bar of so much says that nothing is known. */
+    public static final double MOST_BAR = 9999;
+
     /** The difference in Elo. */
     public double elo() {
         return RatingFit.ELO * value;
@@ -26,7 +29,8 @@ public record Difference(double value, double variance, double freedom) {
 
     /** Half the width of the bar in Elo that holds as surely as z standard deviations. */
     public double bar(double z) {
-        return RatingFit.ELO * Math.sqrt(variance) * (freedom >= LARGE ? z : Normal.student(z, freedom));
+        return Math.min(MOST_BAR,
+            RatingFit.ELO * Math.sqrt(variance) * (freedom >= LARGE ? z : Normal.student(z, freedom)));
     }
 
     /** Half the width in Elo of the 95% bar that holds at all looks at once. */
@@ -36,7 +40,7 @@ public record Difference(double value, double variance, double freedom) {
 
     /** The same for another probability to be ever outside. */
     public double anytimeBar(double alpha) {
-        return RatingFit.ELO * AnytimeBar.of(variance, freedom, alpha);
+        return Math.min(MOST_BAR, RatingFit.ELO * AnytimeBar.of(variance, freedom, alpha));
     }
 
     /** The likelihood of superiority: how probably the first is the better one, if nothing was known before. */

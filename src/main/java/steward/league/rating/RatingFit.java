@@ -367,6 +367,9 @@ public final class RatingFit {
         double alike = share * (1 - share) / 2 + expected * (1 - expected) / 2;
         double variance = (squares[0] * clusters[0] / freedom + MIXED * sums[0] * alike / clusters[0])
             / (sums[0] * sums[0]);
+        if (Math.min(sums[1], sums[0] - sums[1]) < FEW_POINTS) {
+            variance = Math.max(variance, expected * (1 - expected) / sums[0]);
+        }
         return new Residual(share, expected, clusters[0],
             Normal.ofStudent((share - expected) / Math.sqrt(variance), freedom));
     }
@@ -378,6 +381,25 @@ public final class RatingFit {
             along[k] = inverse[one][k] - inverse[other][k];
         }
         return of(along, ratings[one] - ratings[other]);
+    }
+
+    /** Takes the part of a group of bots. */
+    interface PartTaker {
+        void take(int[] group, double part);
+    }
+
+    /** Tells by group: its number of clusters times their part in the variance of a difference, as a share of it. */
+    void parts(int one, int other, PartTaker taker) {
+        double[] along = new double[inverse.length];
+        for (int k = 0; k < along.length; k++) {
+            along[k] = inverse[one][k] - inverse[other][k];
+        }
+        double variance = of(along, 0).variance();
+        for (int q = 0; q < moments.length; q++) {
+            if (moments[q] != null) {
+                taker.take(strata.get(q).bots, along(q, along) * strata.get(q).clusters / variance);
+            }
+        }
     }
 
     /** The difference of a rating to the weighted mean of all; the weights have the sum 1. */

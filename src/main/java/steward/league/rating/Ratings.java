@@ -1,6 +1,9 @@
 package steward.league.rating;
 
+import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 
 /**
  * The ratings of some versions of bots, from all games between them.
@@ -59,6 +62,14 @@ public record Ratings(List<Integer> versions, RatingFit fit, double... weights) 
     /** How much more the first wins against the second than their ratings tell. */
     public Residual residual(int one, int other) {
         return fit.residual(place(one), place(other));
+    }
+
+    /** By group of versions: its clusters' number times their part in the variance of a difference, as a share of it. */
+    public Map<List<Integer>, Double> parts(int one, int other) {
+        Map<List<Integer>, Double> parts = new LinkedHashMap<>();
+        fit.parts(place(one), place(other), (group, part) ->
+            parts.merge(Arrays.stream(group).mapToObj(versions::get).toList(), part, Double::sum));
+        return parts;
     }
 
     private int place(int version) {

@@ -1,7 +1,5 @@
 package steward.league.selfcheck;
 
-import java.util.List;
-import java.util.Locale;
 import steward.league.rating.RatingFit;
 import steward.league.sequential.ExpectedLength;
 import steward.league.sequential.Gsprt;
@@ -29,16 +27,6 @@ record SprtCheck(Gsprt test, double at, double ties, double push) {
      * @param theory   what was expected
      */
     record Outcome(double accepted, double mean, ExpectedLength theory) {
-
-        String line() {
-            return String.format(Locale.ROOT, "%.4f %.0f %.0f %.3f", accepted, mean, theory.observations(),
-                mean / theory.observations());
-        }
-    }
-
-    /** Scores of a made-up group, from the first's side. */
-    private static double[] scores(MadeUpGroup group) {
-        return group.scores();
     }
 
     private MadeUpGroup group(double difference) {
@@ -63,7 +51,7 @@ record SprtCheck(Gsprt test, double at, double ties, double push) {
             }
         }
         MadeUpGroup group = group((low + high) / 2);
-        double[] scores = scores(group);
+        double[] scores = group.scores();
         long[] sums = Counted.play(threads, leagues, 2, () -> (number, counts) -> {
             SplitMix64 random = new SplitMix64(seed + number);
             ScoreCounts counted = new ScoreCounts(2);
@@ -77,10 +65,5 @@ record SprtCheck(Gsprt test, double at, double ties, double push) {
         });
         return new Outcome((double) sums[0] / leagues, (double) sums[1] / leagues,
             ExpectedLength.of(test, group.share(), Math.sqrt(group.variance()), 2, 0));
-    }
-
-    /** Rows for a table. */
-    static List<String> heads() {
-        return List.of("H1 accepted", "observations", "theory");
     }
 }

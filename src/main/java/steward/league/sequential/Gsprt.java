@@ -74,7 +74,7 @@ public record Gsprt(double elo0, double elo1, double alpha, double beta, Model m
         double deviation = Math.sqrt(scores.variance());
         double one = t - bound(elo0, scores.games(), deviation);
         double other = t - bound(elo1, scores.games(), deviation);
-        return scores.total() / 2 * StrictMath.log((1 + one * one) / (1 + other * other));
+        return scores.observations() / 2.0 * StrictMath.log((1 + one * one) / (1 + other * other));
     }
 
     /** A hypothesis in standard deviations of an observation. */

@@ -10,8 +10,6 @@ import java.util.TreeMap;
  */
 public final class ScoreCounts {
 
-    /** What a score counts that has not been seen: without it one-sided beginnings would be certain (as fishtest). */
-    private static final double UNSEEN = 1e-3;
 
     /** Observations. */
     private static final double MIXED = 2;
@@ -65,26 +63,13 @@ public final class ScoreCounts {
         return new TreeMap<>(counts);
     }
 
-    private static double weight(long count) {
-        return count == 0 ? UNSEEN : count;
-    }
-
-    /** All weights together. */
-    double total() {
-        double total = 0;
-        for (long count : counts.values()) {
-            total += weight(count);
-        }
-        return total;
-    }
-
-    /** The mean score. */
+    /** The mean score; NaN where there is none. */
     public double mean() {
         double sum = 0;
         for (Map.Entry<Double, Long> each : counts.entrySet()) {
-            sum += each.getKey() * weight(each.getValue());
+            sum += each.getKey() * each.getValue();
         }
-        return sum / total();
+        return sum / observations;
     }
 
     /**
@@ -96,8 +81,8 @@ public final class ScoreCounts {
         double sum = 0;
         for (Map.Entry<Double, Long> each : counts.entrySet()) {
             double distance = each.getKey() - mean;
-            sum += distance * distance * weight(each.getValue());
+            sum += distance * distance * each.getValue();
         }
-        return (sum + MIXED / (4.0 * games)) / (total() + MIXED);
+        return (sum + MIXED / (4.0 * games)) / (observations + MIXED);
     }
 }

@@ -154,6 +154,28 @@ public final class GameQueries {
         return earlier;
     }
 
+    /** Takes a game of the schedule that counts. */
+    public interface KnownTaker {
+        void game(int decision, long seed, int[] lineup, double score, int... ranks);
+    }
+
+    /** Tells of every game of the schedule that counts; the score is that of the first player. */
+    public void known(KnownTaker taker) {
+        database.with(() -> {
+            Map<Integer, int[]> lineups = lineups();
+            boolean scored = key.players() == 1;
+            try (ResultSet row = database.query("SELECT g.decision, g.seed, g.lineup, g.ranks, " + (scored
+                ? "s.score FROM game g JOIN seat s ON s.game = g.id" : "0.0 FROM game g NOT INDEXED")
+                + " WHERE g.season = ? AND g.decision IS NOT NULL AND g.counts = 1", season)) {
+                while (row.next()) {
+                    taker.game(row.getInt(1), row.getLong(2), lineups.get(row.getInt(3)), row.getDouble(5),
+                        numbers(row.getString(4)));
+                }
+            }
+            return null;
+        });
+    }
+
     /** How the ratings of these versions went. */
     public RatingPath path(List<LeagueTable.Entry> entries) {
         RatingPath.Collector path = new RatingPath.Collector(entries);

@@ -173,6 +173,37 @@ public final class GameStore implements AutoCloseable {
         return database.with(() -> database.value("SELECT 1 FROM game WHERE name = ?", (Object) name) != null);
     }
 
+    /** Ranks by seat of the game of this name, and scores; empty if it is not there or does not count. */
+    public Optional<Outcome> outcome(byte[] name) {
+        return database.with(() -> {
+            List<Integer> ranks = new ArrayList<>();
+            List<Double> scores = new ArrayList<>();
+            try (ResultSet row = database.query("SELECT s.rank, s.score FROM game g JOIN seat s ON s.game = g.id "
+                + "WHERE g.name = ? AND g.counts = 1 ORDER BY s.seat", (Object) name)) {
+                while (row.next()) {
+                    ranks.add(row.getInt(1));
+                    scores.add(row.getDouble(2));
+                }
+            }
+            return ranks.isEmpty() ? Optional.empty() : Optional.of(new Outcome(ranks, scores));
+        });
+    }
+
+    /**
+     * How a game ended, by seat.
+     *
+     * @param ranks  0 is best
+     * @param scores the game's own
+     */
+    public record Outcome(List<Integer> ranks, List<Double> scores) {
+
+        /** Copies. */
+        public Outcome {
+            ranks = List.copyOf(ranks);
+            scores = List.copyOf(scores);
+        }
+    }
+
     /** Makes a game that is there part of a decision. */
     public void adopt(byte[] name, int decision) {
         database.inTransaction(() -> database.update(

@@ -1,0 +1,93 @@
+package steward.cli.league;
+
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.stream.Stream;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import steward.cli.options.CallCheck;
+import steward.cli.options.ThreadsOption;
+import steward.cli.play.StoredSeries;
+import steward.cli.sequential.SprtOptions;
+import steward.cli.sequential.SprtRun;
+import steward.cli.shared.Streams;
+import steward.cli.shared.Verbosity;
+import steward.contest.Contest;
+import steward.files.InputException;
+import steward.league.LeagueFolder;
+import steward.league.LeagueSettings;
+import steward.league.sequential.Gsprt;
+import steward.match.Protocol;
+
+/** {@code steward league sprt}: a sequential test between two bots of a league. */
+@Command(name = "sprt", description = "Tests whether one bot of a league is better than another, with the games that "
+    + "are there and as many more as are needed.",
+    footer = {"",
+        "As 'steward sprt', with the scene, the limits and the sandbox of the league. Its",
+        "games are stored in it. The first bot is the new one, the second the old one.",
+        "", "Example:", "  steward league sprt night mine old --elo1 10"})
+final class LeagueSprtCommand implements Callable<Integer> {
+
+    private final Streams streams;
+
+    @Mixin
+    private final LeagueArgument league = new LeagueArgument();
+
+    @Parameters(index = "1", paramLabel = "A", description = "The name of the new bot.")
+    private String one;
+
+    @Parameters(index = "2", paramLabel = "B", description = "The name of the old bot.")
+    private String other;
+
+    @Option(names = "--fill", paramLabel = "NAME",
+        description = "In a scene for three and more players: the bot that takes the other seats.")
+    private String fill;
+
+    @Mixin
+    private final SprtOptions options = new SprtOptions();
+
+    @Mixin
+    private final ThreadsOption threads = new ThreadsOption();
+
+    @Option(names = "--json", description = "Prints one JSON object and nothing else.")
+    private boolean json;
+
+    LeagueSprtCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() throws InterruptedException {
+        Gsprt test = options.test();
+        threads.check();
+        LeagueFolder folder = league.open();
+        LeagueSettings settings = folder.read();
+        CallCheck.withHelp().that(!one.equals(other), "found the bot '" + one + "' twice, expected two bots");
+        Contest empty = LeagueOpening.contest(folder, settings, streams);
+        int players = empty.players();
+        CallCheck.withHelp().that(fill == null || players > 2,
+            "--fill is for scenes of three and more players, found one of " + players);
+        CallCheck.withHelp().that(fill != null || players <= 2, "found no --fill, expected one: the scene is for "
+            + players + " players, and two are tested");
+        List<Contest.Entrant> entrants = Stream.concat(Stream.of(one, other),
+            Stream.generate(() -> fill).limit(Math.max(0, players - 2))).map(name -> entrant(settings, name)).toList();
+        Contest.checkProtocols(empty.setup(), entrants);
+        Contest contest = empty.between(entrants);
+        try (StoredSeries store = StoredSeries.open(folder.path(), contest, settings.factor(),
+                List.copyOf(LeagueOpening.environment(settings).keySet()))) {
+            store.refuseTwins();
+            return new SprtRun(streams, contest, test, options.budget(), store, json ? Verbosity.JSON : Verbosity.FULL)
+                .play(store.ownSeed(), threads.count(streams));
+        }
+    }
+
+    private static Contest.Entrant entrant(LeagueSettings settings, String name) {
+        Contest.Entrant entrant = Contest.entrant(LeagueOpening.bot(settings, name).typed(), Protocol.JSON);
+        if (entrant.problem() != null) {
+            throw new InputException(entrant.problem());
+        }
+        return entrant;
+    }
+}

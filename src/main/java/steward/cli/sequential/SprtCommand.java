@@ -1,0 +1,122 @@
+package steward.cli.sequential;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import steward.cli.options.BuiltinBotWords;
+import steward.cli.options.CallCheck;
+import steward.cli.options.ProtocolWord;
+import steward.cli.options.SandboxOptions;
+import steward.cli.options.SceneOptions;
+import steward.cli.options.SeedOption;
+import steward.cli.options.ThreadsOption;
+import steward.cli.options.TimeLimitOptions;
+import steward.cli.play.StoredSeries;
+import steward.cli.shared.Games;
+import steward.cli.shared.Streams;
+import steward.cli.shared.Verbosity;
+import steward.contest.Contest;
+import steward.files.OutputFiles;
+import steward.game.GameSetup;
+import steward.league.sequential.Gsprt;
+
+/** {@code steward sprt}: is the new bot better than the old one? */
+@Command(name = "sprt", description = "Plays two bots until it is clear whether the first is better.",
+    footer = {"",
+        "A sequential test (GSPRT) of two hypotheses: the first bot is stronger by elo0",
+        "(H0) or by elo1 (H1). Each seed is played from all seats; what counts is the",
+        "mean difference of the points of a seed. It ends when one hypothesis is",
+        "accepted, or after --games. With --into the same command goes on after an",
+        "interruption, and games that the league has of the two come first.",
+        "", "Examples:",
+        "  steward sprt --bot new=./new --bot old=./old --threads auto",
+        "  steward sprt --bot ./new --bot ./old --elo0 -5 --elo1 5 --into night",
+        "", "Exit status: 0 it was decided, or has played --games; 1 games have no result;",
+        "2 wrong call; 130 interrupted."})
+public final class SprtCommand implements Callable<Integer> {
+
+    private final Streams streams;
+    private final CallCheck check = CallCheck.withHelp();
+
+    @Mixin
+    private final SceneOptions scene = new SceneOptions();
+
+    @Option(names = "--bot", paramLabel = "BOT", completionCandidates = BuiltinBotWords.class,
+        description = "A bot: first the new one, then the old one.")
+    private List<String> bots = new ArrayList<>();
+
+    @Option(names = "--fill", paramLabel = "BOT", completionCandidates = BuiltinBotWords.class,
+        description = "In a scene for three and more players: the bot that takes the other seats.")
+    private String fill;
+
+    @Option(names = "--protocol", paramLabel = "P", defaultValue = "json",
+        completionCandidates = ProtocolWord.Candidates.class,
+        description = "What bots without a prefix speak: json or codingame (default: ${DEFAULT-VALUE}).")
+    private String protocol;
+
+    @Mixin
+    private final SprtOptions options = new SprtOptions();
+
+    @Mixin
+    private final SeedOption seed = new SeedOption();
+
+    @Mixin
+    private final ThreadsOption threads = new ThreadsOption();
+
+    @Option(names = "--into", paramLabel = "DIR", description = "Stores the games in this league, see 'steward league', "
+        + "and takes those that it has.")
+    private String into;
+
+    @Option(names = "--json", description = "Prints one JSON object and nothing else.")
+    private boolean json;
+
+    @Option(names = "--quiet", description = "Prints only the line of the result.")
+    private boolean quiet;
+
+    @Mixin
+    private final TimeLimitOptions pace = new TimeLimitOptions();
+
+    @Mixin
+    private final SandboxOptions sandbox = new SandboxOptions();
+
+    public SprtCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() throws InterruptedException {
+        check.exclusive("--json", json, "--quiet", quiet);
+        Gsprt test = options.test();
+        threads.check();
+        double factor = pace.factor();
+        check.that(bots.size() == 2, "--bot: found " + bots.size() + ", expected two: the new bot and the old one");
+        GameSetup setup = Games.warn(scene.open(streams), streams);
+        List<String> all = withFill(setup.scene().players());
+        Contest contest = Contest.ofSeries(setup, all, ProtocolWord.parse(protocol), factor)
+            .limitedBy(pace.basis()).isolatedBy(sandbox.isolation(streams));
+        Verbosity report = json ? Verbosity.JSON : quiet ? Verbosity.LINE : Verbosity.FULL;
+        if (into == null) {
+            return new SprtRun(streams, contest, test, options.budget(), null, report)
+                .play(seed.orDrawn(), threads.count(streams));
+        }
+        try (StoredSeries store = StoredSeries.open(OutputFiles.path(into), contest, factor, sandbox.variables())) {
+            store.refuseTwins();
+            return new SprtRun(streams, contest, test, options.budget(), store, report)
+                .play(seed.or(store.ownSeed()), threads.count(streams));
+        }
+    }
+
+    private List<String> withFill(int players) {
+        check.that(fill == null || players > 2, "--fill is for scenes of three and more players, found one of "
+            + players);
+        check.that(fill != null || players <= 2, "found no --fill, expected one: the scene is for " + players
+            + " players, and two are tested");
+        List<String> all = new ArrayList<>(bots);
+        all.addAll(Collections.nCopies(Math.max(0, players - 2), fill));
+        return all;
+    }
+}

@@ -1,0 +1,147 @@
+package steward.cli.sequential;
+
+import java.util.SortedSet;
+import java.util.TreeSet;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import steward.cli.play.StoredSeries;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Interruption;
+import steward.cli.shared.Json;
+import steward.cli.shared.Streams;
+import steward.cli.shared.Verbosity;
+import steward.contest.Contest;
+import steward.contest.Hiccups;
+import steward.contest.PairedPlay;
+import steward.league.sequential.Gsprt;
+import steward.league.sequential.ScoreCounts;
+
+/** A sequential test while it is played. The first bot of the contest is tested against the second. */
+public final class SprtRun {
+
+    /** So many seeds belong to a test. */
+    private static final long OWN = 1L << 40;
+    /** Without a terminal the standing is told so often. */
+    private static final long TELL_NANOS = TimeUnit.SECONDS.toNanos(10);
+    /** More seeds without a result in a row, and something is wrong with the bots or the machine. */
+    private static final int MOST_WITHOUT = 20;
+
+    private final Streams streams;
+    private final Contest contest;
+    private final Gsprt test;
+    private final long budget;
+    private final StoredSeries store;
+    private final Verbosity report;
+    private final SprtText text;
+    /** Guarded by this, as is all below. */
+    private final ScoreCounts scores;
+    private long without;
+    private int withoutInARow;
+    private long told = System.nanoTime();
+
+    /**
+     * @param budget games in all
+     * @param store  where games are stored and found, or {@code null}
+     */
+    public SprtRun(Streams streams, Contest contest, Gsprt test, long budget, StoredSeries store, Verbosity report) {
+        this.streams = streams;
+        this.contest = contest;
+        this.test = test;
+        this.budget = budget;
+        this.store = store;
+        this.report = report;
+        scores = new ScoreCounts(contest.isAlone() ? 1 : contest.players());
+        text = new SprtText(test, contest.entrants().get(0).name(), contest.entrants().get(1).name());
+    }
+
+    /**
+     * Plays.
+     *
+     * @param first the first seed of the test's own
+     * @return the exit status
+     */
+    @SuppressWarnings("try")                           // only closed, never used
+    public int play(long first, int threads) throws InterruptedException {
+        if (report == Verbosity.FULL) {
+            streams.err().println(text.heading());
+        }
+        AtomicBoolean over = new AtomicBoolean();
+        PairedPlay play = new PairedPlay(contest, first, Hiccups.REPLAY,
+            store == null ? (seed, rotation) -> null : store::values, store == null ? game -> { } : store::add,
+            this::take);
+        if (!takeStored(first)) {
+            return end();
+        }
+        try (Interruption interruption = new Interruption(streams, () -> over.getAndSet(true) ? null
+                : interrupted(play))) {
+            play.play(threads);
+            if (over.getAndSet(true)) {
+                return ExitStatus.FAILED;              // the process is about to end, with the status of its signal
+            }
+        }
+        return end();
+    }
+
+    /** Takes what the league has besides the test's own seeds; returns whether more is wanted. */
+    private boolean takeStored(long first) {
+        SortedSet<Long> seeds = store == null ? new TreeSet<>() : store.seeds();
+        for (long seed : seeds) {
+            if (seed >= first && seed < first + OWN) {
+                continue;
+            }
+            double[][] values = new double[contest.isAlone() ? contest.entrants().size() : contest.players()][];
+            for (int rotation = 0; rotation < values.length; rotation++) {
+                values[rotation] = store.values(seed, rotation);
+            }
+            PairedPlay.Seed found = new PairedPlay.Seed(seed, values);
+            if (found.isWhole() && !take(found)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private synchronized boolean take(PairedPlay.Seed seed) {
+        if (seed.isWhole()) {
+            scores.add((1 + seed.difference(contest, 0, 1)) / 2);
+            withoutInARow = 0;
+        } else {
+            without++;
+            withoutInARow++;
+        }
+        if (report == Verbosity.FULL && System.nanoTime() - told > TELL_NANOS) {
+            told = System.nanoTime();
+            streams.err().println(text.standing(scores));
+        }
+        return test.state(scores) == Gsprt.State.OPEN && withoutInARow < MOST_WITHOUT
+            && (scores.observations() + without + 1) * scores.games() <= budget;
+    }
+
+    private synchronized int end() {
+        if (withoutInARow >= MOST_WITHOUT) {
+            tell();
+            streams.err().println("steward: the test ends: " + MOST_WITHOUT + " seeds in a row have no result");
+            return ExitStatus.FAILED;
+        }
+        tell();
+        return ExitStatus.DONE;
+    }
+
+    private void tell() {
+        switch (report) {
+            case JSON -> Json.print(streams, out -> text.json(out, scores, without));
+            case LINE -> streams.out().println(text.lines(scores, without, streams.outColour()).get(1));
+            default -> text.lines(scores, without, streams.outColour()).forEach(streams.out()::println);
+        }
+    }
+
+    private String interrupted(PairedPlay play) {
+        play.breakOff();
+        synchronized (this) {
+            tell();
+        }
+        streams.out().flush();
+        return store == null ? "the games are not kept; with --into they would be"
+            : "what was over is stored, and the same command goes on";
+    }
+}

@@ -1,0 +1,129 @@
+package steward.cli.sequential;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import steward.cli.shared.Colour;
+import steward.game.JsonNumbers;
+import steward.league.sequential.ExpectedLength;
+import steward.league.sequential.Gsprt;
+import steward.league.sequential.ScoreCounts;
+import steward.text.TextFormat;
+import tools.jackson.core.JsonGenerator;
+
+/** How a test stands, for people and for programs. */
+final class SprtText {
+
+    private final Gsprt test;
+    private final String one;
+    private final String other;
+
+    SprtText(Gsprt test, String one, String other) {
+        this.test = test;
+        this.one = one;
+        this.other = other;
+    }
+
+    private String model() {
+        return test.model().name().toLowerCase(Locale.ROOT);
+    }
+
+    /** What is tested. */
+    String heading() {
+        return TextFormat.plain(one + " - " + other) + ": " + model() + " Elo " + number(test.elo0()) + " (H0) or "
+            + number(test.elo1()) + " (H1), alpha " + number(test.alpha()) + ", beta " + number(test.beta());
+    }
+
+    private static String number(double value) {
+        return TextFormat.number(value, 4);
+    }
+
+    /** On one line while it is played. */
+    String standing(ScoreCounts scores) {
+        return ratio(scores) + ", " + TextFormat.count(scores.observations(), "seed") + ", score "
+            + TextFormat.fixed(scores.mean(), 3) + left(scores);
+    }
+
+    private String ratio(ScoreCounts scores) {
+        return String.format(Locale.ROOT, "LLR %.2f (%.2f to %.2f)", test.ratio(scores), test.lower(), test.upper());
+    }
+
+    private String left(ScoreCounts scores) {
+        return test.state(scores) != Gsprt.State.OPEN || scores.observations() == 0 ? ""
+            : ", about " + TextFormat.count(expectedGames(scores), "game") + " left";
+    }
+
+    /** Games that are to be expected until it ends, if things go on as they went. */
+    private long expectedGames(ScoreCounts scores) {
+        return Math.round(scores.games() * ExpectedLength.of(test, scores.mean(), Math.sqrt(scores.variance()),
+            scores.games(), test.ratio(scores)).observations());
+    }
+
+    /** How it ended or stands. */
+    List<String> lines(ScoreCounts scores, long without, Colour colour) {
+        List<String> lines = new ArrayList<>();
+        Gsprt.State state = test.state(scores);
+        String result = switch (state) {
+            case H1 -> "H1 is accepted: " + TextFormat.plain(one) + " is better";
+            case H0 -> "H0 is accepted: " + TextFormat.plain(one) + " is not better by so much";
+            case OPEN -> "not decided";
+        };
+        lines.add(heading());
+        lines.add(colour.strong(ratio(scores) + ": " + result) + left(scores));
+        lines.add(TextFormat.count(scores.observations(), "seed") + ", "
+            + TextFormat.count(scores.observations() * scores.games(), "game") + (without == 0 ? ""
+            : ", " + TextFormat.count(without, "seed") + " without a result left out"));
+        lines.add("Scores by seed: " + scores.counts().entrySet().stream().filter(each -> each.getValue() > 0)
+            .map(each -> TextFormat.number(each.getKey(), 3) + " " + each.getValue() + " times")
+            .collect(Collectors.joining(", ")));
+        if (scores.observations() > 1) {
+            double mean = scores.mean();
+            double bar = Math.min(1, Gsprt.anytimeBar(scores));
+            lines.add("Score " + TextFormat.fixed(mean, 4) + " ± " + TextFormat.fixed(bar, 4) + ", " + model()
+                + " Elo " + elo(mean, scores) + " (" + elo(Math.max(0, mean - bar), scores) + " to "
+                + elo(Math.min(1, mean + bar), scores)
+                + "), 95% at any time");
+        }
+        return lines;
+    }
+
+    private String elo(double mean, ScoreCounts scores) {
+        double elo = test.elo(mean, scores);
+        return Double.isInfinite(elo) ? elo > 0 ? "+∞" : "-∞" : String.format(Locale.ROOT, "%+.1f", elo);
+    }
+
+    /** The fields of JSON. */
+    void json(JsonGenerator out, ScoreCounts scores, long without) {
+        out.writeStringProperty("state", test.state(scores).name());
+        out.writeStringProperty("model", model());
+        out.writeNumberProperty("elo0", test.elo0());
+        out.writeNumberProperty("elo1", test.elo1());
+        out.writeNumberProperty("llr", test.ratio(scores));
+        out.writeNumberProperty("lower", test.lower());
+        out.writeNumberProperty("upper", test.upper());
+        out.writeNumberProperty("seeds", scores.observations());
+        out.writeNumberProperty("gamesOfSeed", scores.games());
+        out.writeNumberProperty("without", without);
+        out.writeArrayPropertyStart("scores");
+        scores.counts().forEach((score, count) -> {
+            out.writeStartArray();
+            out.writeNumber(score);
+            out.writeNumber(count);
+            out.writeEndArray();
+        });
+        out.writeEndArray();
+        if (scores.observations() > 1) {
+            out.writeNumberProperty("score", scores.mean());
+            out.writeNumberProperty("bar", Math.min(1, Gsprt.anytimeBar(scores)));
+            JsonNumbers.writeOrNull(out, "elo", finite(test.elo(scores.mean(), scores)));
+            if (test.state(scores) == Gsprt.State.OPEN) {
+                out.writeNumberProperty("gamesLeft", expectedGames(scores));
+            }
+        }
+    }
+
+    private static double finite(double value) {
+        return Double.isInfinite(value) ? Double.NaN : value;
+    }
+}

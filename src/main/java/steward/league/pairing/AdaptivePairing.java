@@ -1,0 +1,197 @@
+package steward.league.pairing;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.IntFunction;
+import steward.league.Pairing;
+import steward.league.rating.Ratings;
+
+/**
+ * Chooses the group whose next games shrink most the doubt about the order of neighbours. The doubt about two
+ * neighbours that are neither surely ordered nor surely equal is the variance of the difference of their ratings. It is
+ * a sum over groups, each part being inverse to the group's number of clusters: one more of n takes the part 1/(n + 1)
+ * of the group's part away. Sums of these over all doubtful neighbours, each as a share of its variance, are compared.
+ *
+ * <p>Before that every pair meets {@value #FIRST} times, and always each bot has at least the share {@link #LEAST} of
+ * the games that it would have in a round robin. What is chosen follows from results of decisions that are {@code lag}
+ * back, at the last of {@link Looks}, and from how often each group was decided on.
+ */
+public final class AdaptivePairing implements Pairing {
+
+    /** How often every pair meets at first. */
+    static final int FIRST = 4;
+    /** Of the games of a round robin. */
+    static final double LEAST = 0.2;
+    /** More groups than this are not listed. */
+    private static final int MOST = 1_000_000;
+
+    private final List<Integer> versions;
+    private final IntFunction<Ratings> ratings;
+    private final StopRule rule;
+    private final int lag;
+    private final List<int[]> groups = new ArrayList<>();
+    private final Map<List<Integer>, Integer> places = new HashMap<>();
+    /** Of each group, how often it was decided on. */
+    private final int[] counts;
+    /** Of each group, what the doubt would lose by n games of n clusters: to be divided by the number and one more. */
+    private double[] worth;
+    private final int[] ofBot;
+    private final int[] ofPair;
+    private long all;
+    private int look = -1;
+
+    /**
+     * @param versions that play
+     * @param ratings  of them by the results of decisions below a number, which is never less than before
+     * @param rule     says which neighbours are in doubt
+     */
+    public AdaptivePairing(List<Integer> versions, int players, int lag, StopRule rule, IntFunction<Ratings> ratings) {
+        this.versions = versions.stream().sorted().toList();
+        this.ratings = ratings;
+        this.rule = rule;
+        this.lag = lag;
+        add(0, new int[players], 0);
+        for (int place = 0; place < groups.size(); place++) {
+            places.put(key(groups.get(place)), place);
+        }
+        counts = new int[groups.size()];
+        ofBot = new int[this.versions.size()];
+        ofPair = new int[ofBot.length * ofBot.length];
+    }
+
+    private void add(int from, int[] group, int size) {
+        if (size == group.length) {
+            if (groups.size() == MOST) {
+                throw new IllegalArgumentException("more than " + MOST + " groups of bots");
+            }
+            groups.add(group.clone());
+            return;
+        }
+        for (int k = from; k < versions.size(); k++) {
+            group[size] = versions.get(k);
+            add(k + 1, group, size + 1);
+        }
+    }
+
+    private static List<Integer> key(int... group) {
+        return Arrays.stream(group).boxed().toList();
+    }
+
+    @Override
+    public void made(int times, int... group) {
+        Integer place = places.get(key(group));
+        if (place == null) {
+            return;
+        }
+        counts[place] += times;
+        all += times;
+        for (int i = 0; i < group.length; i++) {
+            ofBot[index(group[i])] += times;
+            for (int j = i + 1; j < group.length; j++) {
+                ofPair[index(group[i]) * ofBot.length + index(group[j])] += times;
+            }
+        }
+    }
+
+    private int index(int version) {
+        return versions.indexOf(version);
+    }
+
+    @Override
+    public void next(int decision) {
+        int now = Looks.of(decision);
+        if (now != look && decision >= lag) {
+            look = now;
+            worth = worth(ratings.apply(now - lag + 1));
+        }
+    }
+
+    /** What each group is worth, or {@code null} if nothing is in doubt. */
+    private double[] worth(Ratings found) {
+        List<Integer> order = StopRule.order(found);
+        List<StopRule.Order> orders = rule.orders(found, order);
+        double[] worth = new double[groups.size()];
+        boolean any = false;
+        for (int k = 0; k < orders.size(); k++) {
+            if (orders.get(k) == StopRule.Order.OPEN) {
+                any = true;
+                found.parts(order.get(k), order.get(k + 1)).forEach((group, part) -> {
+                    Integer place = places.get(group);
+                    if (place != null) {
+                        worth[place] += part;
+                    }
+                });
+            }
+        }
+        return any ? worth : null;
+    }
+
+    @Override
+    public int[] choose() {
+        int place = leastMet();
+        if (place < 0) {
+            place = neglected();
+        }
+        if (place < 0 && worth != null) {
+            double best = 0;
+            for (int k = 0; k < worth.length; k++) {
+                double gain = worth[k] / ((double) counts[k] * (counts[k] + 1));
+                if (gain > best) {
+                    best = gain;
+                    place = k;
+                }
+            }
+        }
+        return groups.get(place < 0 ? least(-1) : place).clone();
+    }
+
+    /** The group with the pairs that have met least, while there is a pair that has met too rarely; or -1. */
+    private int leastMet() {
+        int place = -1;
+        int fewest = Integer.MAX_VALUE;
+        if (all >= (long) FIRST * groups.size()) {
+            return -1;
+        }
+        for (int k = 0; k < groups.size(); k++) {
+            int[] group = groups.get(k);
+            int sum = 0;
+            boolean rare = false;
+            for (int i = 0; i < group.length; i++) {
+                for (int j = i + 1; j < group.length; j++) {
+                    int met = ofPair[index(group[i]) * ofBot.length + index(group[j])];
+                    sum += met;
+                    rare |= met < FIRST;
+                }
+            }
+            if (rare && sum < fewest) {
+                fewest = sum;
+                place = k;
+            }
+        }
+        return place;
+    }
+
+    /** The least played group of a bot that has too few games, or -1. */
+    private int neglected() {
+        for (int bot = 0; bot < ofBot.length; bot++) {
+            double uniform = (double) all * groups.get(0).length / ofBot.length;
+            if (ofBot[bot] < LEAST * uniform) {
+                return least(versions.get(bot));
+            }
+        }
+        return -1;
+    }
+
+    /** The first of the groups that were decided on least often; with a version, if it is not -1. */
+    private int least(int version) {
+        int place = -1;
+        for (int k = 0; k < counts.length; k++) {
+            boolean wanted = version < 0 || Arrays.stream(groups.get(k)).anyMatch(each -> each == version);
+            place = wanted && (place < 0 || counts[k] < counts[place]) ? k : place;
+        }
+        return place;
+    }
+}

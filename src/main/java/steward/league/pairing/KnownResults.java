@@ -1,0 +1,52 @@
+package steward.league.pairing;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.TreeMap;
+import steward.league.Season;
+import steward.league.rating.Results;
+
+/**
+ * The results of a schedule's games by decision, so that what is decided uses those of decisions below a number and no
+ * others, whatever has been played meanwhile. Not thread-safe.
+ */
+public final class KnownResults {
+
+    private final Results results;
+    private final boolean alone;
+    private final TreeMap<Integer, List<Game>> later = new TreeMap<>();
+
+    private record Game(long seed, int[] lineup, double score, int... ranks) {
+    }
+
+    /** None yet of a season's games. */
+    public KnownResults(Season season) {
+        results = new Results(season);
+        alone = season.players() == 1;
+    }
+
+    /**
+     * Adds a game that counts.
+     *
+     * @param score of the player, where each plays alone
+     * @param ranks by seat
+     */
+    public void add(int decision, long seed, int[] lineup, double score, int... ranks) {
+        later.computeIfAbsent(decision, number -> new ArrayList<>(2))
+            .add(new Game(seed, lineup.clone(), score, ranks.clone()));
+    }
+
+    /** The results of all decisions below a number, which is not less than in the call before. */
+    public Results before(int decision) {
+        while (!later.isEmpty() && later.firstKey() < decision) {
+            for (Game game : later.pollFirstEntry().getValue()) {
+                if (alone) {
+                    results.addAlone(game.seed(), game.lineup()[0], game.score());
+                } else {
+                    results.addGame(game.seed(), game.lineup(), game.ranks());
+                }
+            }
+        }
+        return results;
+    }
+}

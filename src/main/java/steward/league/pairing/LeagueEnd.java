@@ -1,0 +1,52 @@
+package steward.league.pairing;
+
+import java.util.List;
+import java.util.function.IntPredicate;
+import java.util.function.Supplier;
+import steward.league.rating.Ratings;
+
+/** Ends a schedule by a rule, at a decision that neither threads nor interruptions change. */
+public final class LeagueEnd implements IntPredicate {
+
+    private final StopRule rule;
+    private final KnownResults known;
+    private final int lag;
+    private final Supplier<List<Integer>> versions;
+    private Ratings met;
+    private int asked = -1;
+    private boolean last;
+
+    /** @param versions those that play, when it is asked */
+    public LeagueEnd(StopRule rule, KnownResults known, int lag, Supplier<List<Integer>> versions) {
+        this.rule = rule;
+        this.known = known;
+        this.lag = lag;
+        this.versions = versions;
+    }
+
+    /** Whether the schedule ends before a decision. */
+    @Override
+    public boolean test(int decision) {
+        if (decision == asked) {
+            return last;
+        }
+        asked = decision;
+        last = false;
+        if (Looks.isLook(decision) && decision >= lag && versions.get().size() > 1) {
+            Ratings ratings = Ratings.of(known.before(decision - lag + 1), versions.get());
+            last = rule.isMet(ratings);
+            met = last ? ratings : met;
+        }
+        return last;
+    }
+
+    /** What was known when it ended, or {@code null}. */
+    public Ratings met() {
+        return met;
+    }
+
+    /** The rule. */
+    public StopRule rule() {
+        return rule;
+    }
+}

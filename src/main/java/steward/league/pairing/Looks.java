@@ -1,0 +1,23 @@
+package steward.league.pairing;
+
+/**
+ * When results are looked at: before every decision at first, later whenever there are about 2% more. Which decisions
+ * these are follows from their numbers alone, so that an interrupted league looks at the same ones.
+ */
+public final class Looks {
+
+    private static final int SHARE = 32;
+
+    private Looks() {
+    }
+
+    /** The last look at or before a decision. */
+    public static int of(int decision) {
+        return decision - decision % Math.max(1, Integer.highestOneBit(decision / SHARE));
+    }
+
+    /** Whether there is a look before this decision. */
+    public static boolean isLook(int decision) {
+        return of(decision) == decision;
+    }
+}

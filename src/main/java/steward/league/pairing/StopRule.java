@@ -1,0 +1,68 @@
+package steward.league.pairing;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import steward.league.rating.AnytimeBar;
+import steward.league.rating.Difference;
+import steward.league.rating.Ratings;
+
+/**
+ * When enough is known. All by bars that hold at any time.
+ *
+ * @param bars   ends when each bot's rating has a bar of at most so many Elo; NaN for no such end
+ * @param ranked ends when every two neighbours in the table are ordered or equal
+ * @param equal  neighbours are equal whose difference is surely within so many Elo; 0 if none are
+ */
+public record StopRule(double bars, boolean ranked, double equal) {
+
+    /** What is known of two neighbours in the table. */
+    public enum Order {
+        /** The first is better. */
+        ORDERED,
+        /** They are equal, as far as is asked. */
+        EQUAL,
+        /** Neither is sure. */
+        OPEN
+    }
+
+    /** Elo within which bots count as equal, if nothing else is said. */
+    public static final double USUAL_EQUAL = 5;
+    /** One that never ends a league. */
+    public static final StopRule NONE = new StopRule(Double.NaN, false, USUAL_EQUAL);
+
+    /** Whether it is there. */
+    public boolean isAny() {
+        return ranked || !Double.isNaN(bars);
+    }
+
+    /** Whether enough is known. */
+    public boolean isMet(Ratings ratings) {
+        return (Double.isNaN(bars) || ratings.versions().stream()
+            .allMatch(version -> ratings.rating(version).anytimeBar() <= bars))
+            && (!ranked || !orders(ratings, order(ratings)).contains(Order.OPEN));
+    }
+
+    /** The versions from the highest rating. */
+    public static List<Integer> order(Ratings ratings) {
+        return ratings.versions().stream().sorted(Comparator.comparingDouble((Integer version) ->
+            -ratings.fit().rating(ratings.versions().indexOf(version))).thenComparing(version -> version)).toList();
+    }
+
+    /**
+     * What is known of each version of an order and the next one. The bars hold with 95% for all pairs of bots and at
+     * all looks at once: each has the part of the 5% that falls to one of so many pairs.
+     */
+    public List<Order> orders(Ratings ratings, List<Integer> order) {
+        int bots = order.size();
+        double alpha = AnytimeBar.ALPHA / Math.max(1, bots * (bots - 1) / 2);
+        List<Order> orders = new ArrayList<>();
+        for (int k = 0; k + 1 < bots; k++) {
+            Difference difference = ratings.difference(order.get(k), order.get(k + 1));
+            double bar = difference.anytimeBar(alpha);
+            orders.add(difference.elo() > bar ? Order.ORDERED
+                : Math.abs(difference.elo()) + bar <= equal ? Order.EQUAL : Order.OPEN);
+        }
+        return orders;
+    }
+}

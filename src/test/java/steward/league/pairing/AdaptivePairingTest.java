@@ -1,0 +1,159 @@
+package steward.league.pairing;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.SplittableRandom;
+import java.util.TreeSet;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import steward.league.EarlierGames;
+import steward.league.Schedule;
+import steward.league.Season;
+import steward.league.rating.Ratings;
+
+/** Who plays whom, and when it ends, follows from results alone: not from threads and not from interruptions. */
+class AdaptivePairingTest {
+
+    private static final int LAG = 4;
+    private static final List<Integer> BOTS = List.of(1, 2, 3, 4, 5);
+    private static final StopRule RULE = new StopRule(Double.NaN, true, 30);
+
+    /** A league that is played in memory. */
+    private static final class Play {
+
+        private final Season season;
+        private final Schedule schedule;
+        private final KnownResults known;
+        private final LeagueEnd end;
+
+        Play(int players, Iterable<Schedule.Task> stored) {
+            season = Season.of("crowd", "key", "limits", "rules", players, false);
+            EarlierGames earlier = new EarlierGames();
+            known = new KnownResults(season);
+            stored.forEach(task -> {
+                earlier.add(task.decision(), earlier.lineup(task.lineup()));
+                know(task);
+            });
+            schedule = new Schedule(100, players, LAG, earlier);
+            schedule.play(BOTS, versions -> new AdaptivePairing(versions, players, LAG, RULE,
+                before -> Ratings.of(known.before(before), versions)));
+            end = new LeagueEnd(RULE, known, LAG, () -> BOTS);
+            schedule.until(end);
+        }
+
+        void know(Schedule.Task task) {
+            known.add(task.decision(), task.seed(), task.lineup(), score(task), ranks(task));
+        }
+
+        void over(Schedule.Task task) {
+            know(task);
+            schedule.over(task);
+        }
+    }
+
+    /** Bots 2 and 3 are close, the others far from each other; the same game always ends alike. */
+    private static double[] strengths(Schedule.Task task) {
+        SplittableRandom random = new SplittableRandom(task.seed() * 31 + Arrays.hashCode(task.lineup()));
+        double[] known = {0, 5, 3, 2.6, 1.2, 0};
+        return Arrays.stream(task.lineup()).mapToDouble(bot -> known[bot] + 3 * random.nextDouble()).toArray();
+    }
+
+    private static int[] ranks(Schedule.Task task) {
+        double[] strengths = strengths(task);
+        return Arrays.stream(strengths)
+            .mapToInt(own -> (int) Arrays.stream(strengths).filter(other -> other > own).count()).toArray();
+    }
+
+    private static double score(Schedule.Task task) {
+        return strengths(task)[0];
+    }
+
+    private static String name(Schedule.Task task) {
+        return task.decision() + " " + task.seed() + " " + Arrays.toString(task.lineup());
+    }
+
+    private static TreeSet<String> straight(int players) {
+        Play play = new Play(players, List.of());
+        TreeSet<String> games = new TreeSet<>();
+        for (Schedule.Task task = play.schedule.next(20_000); task != null; task = play.schedule.next(20_000)) {
+            games.add(name(task));
+            play.over(task);
+        }
+        assertTrue(games.size() < 20_000, "it has ended by itself");
+        List<Integer> order = StopRule.order(play.end.met());
+        assertEquals(List.of(1, 2, 3, 4, 5), order);
+        assertTrue(!RULE.orders(play.end.met(), order).contains(StopRule.Order.OPEN));
+        return games;
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3})
+    void threadsAndInterruptionsDoNotMatter(int players) {
+        TreeSet<String> expected = straight(players);
+        for (long seed = 0; seed < 10; seed++) {
+            assertEquals(expected, interrupted(players, new SplittableRandom(seed)), "seed " + seed);
+        }
+    }
+
+    private static TreeSet<String> interrupted(int players, SplittableRandom random) {
+        Map<String, Schedule.Task> stored = new HashMap<>();
+        boolean ended = false;
+        while (!ended) {
+            Play play = new Play(players, stored.values());
+            List<Schedule.Task> open = new ArrayList<>();
+            int threads = 1 + random.nextInt(5);
+            int steps = random.nextInt(3000);
+            for (int k = 0; k < steps && !ended; k++) {
+                Schedule.Task task = open.size() < threads ? play.schedule.next(20_000) : null;
+                if (task != null) {
+                    open.add(task);
+                } else if (!open.isEmpty()) {
+                    Schedule.Task over = open.remove(random.nextInt(open.size()));
+                    play.over(over);
+                    stored.put(name(over), over);
+                } else {
+                    ended = true;
+                }
+            }
+        }
+        return new TreeSet<>(stored.keySet());
+    }
+
+    @Test
+    void thoseInDoubtPlayMostAndNobodyIsForgotten() {
+        Map<Integer, Integer> games = new HashMap<>();
+        Play play = new Play(2, List.of());
+        int decisions = 0;
+        for (Schedule.Task task = play.schedule.next(4000); task != null; task = play.schedule.next(4000)) {
+            Arrays.stream(task.lineup()).forEach(bot -> games.merge(bot, 1, Integer::sum));
+            play.over(task);
+            decisions++;
+        }
+        double uniform = 2.0 * decisions / BOTS.size();
+        for (int bot : BOTS) {
+            assertTrue(games.get(bot) >= 0.19 * uniform, games::toString);
+        }
+        assertTrue(games.get(2) > 1.2 * uniform && games.get(3) > 1.2 * uniform, games::toString);
+    }
+
+    @Test
+    void looksFollowFromTheNumberAlone() {
+        int looks = 0;
+        int last = -1;
+        for (int decision = 0; decision < 100_000; decision++) {
+            int look = Looks.of(decision);
+            assertTrue(look <= decision && look >= last && decision - look <= decision / 31, "decision " + decision);
+            assertEquals(look == decision, Looks.isLook(decision));
+            looks += Looks.isLook(decision) ? 1 : 0;
+            last = look;
+        }
+        assertTrue(looks < 700, looks + " looks");
+    }
+}

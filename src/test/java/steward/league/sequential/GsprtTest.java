@@ -1,0 +1,99 @@
+package steward.league.sequential;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.Test;
+
+/** The test against values that others have published, and against closed forms. */
+class GsprtTest {
+
+    private static ScoreCounts counts(int games, long... counts) {
+        ScoreCounts scores = new ScoreCounts(games);
+        for (int k = 0; k < counts.length; k++) {
+            scores.add((double) k / (counts.length - 1), counts[k]);
+        }
+        return scores;
+    }
+
+    private static double ratio(double elo0, double elo1, Gsprt.Model model, int games, long... counts) {
+        return new Gsprt(elo0, elo1, 0.05, 0.05, model).ratio(counts(games, counts));
+    }
+
+    @Test
+    void fishtestsOwnExamples() {
+        // From the self-test of fishtest's LLRcalc.py, by the exact likelihood of the five frequencies; ours is that of
+        // a normal mean, which differs by terms of the third order in the difference.
+        assertEquals(2.13107, ratio(-3, 1, Gsprt.Model.LOGISTIC, 2, 10789, 19328, 33806, 19402, 10543), 0.01);
+        assertEquals(0.30087, ratio(-3, 1, Gsprt.Model.NORMALIZED, 2, 10789, 19328, 33806, 19402, 10543), 0.01);
+        assertEquals(2.16254, ratio(0.2, 0.9, Gsprt.Model.LOGISTIC, 2, 39, 2226, 31451, 2412, 40), 0.01);
+        assertEquals(2.16294, ratio(0.764, 3.439, Gsprt.Model.NORMALIZED, 2, 39, 2226, 31451, 2412, 40), 0.01);
+    }
+
+    @Test
+    void fastchesssExamplesOfSingleGames() {
+        // From the tests of fastchess, which give two decimals: losses, draws, wins.
+        assertEquals(0.92, ratio(0, 2, Gsprt.Model.NORMALIZED, 1, 36027, 68692, 36433), 0.01);
+        assertEquals(2.30, ratio(-1.75, 0.25, Gsprt.Model.NORMALIZED, 1, 10650, 20431, 10871), 0.01);
+    }
+
+    @Test
+    void examplesOfEnginesInDevelopment() {
+        // From the tests of a tool for the game of Tak, which took them from its test server: normalized, two decimals.
+        assertEquals(-2.27, ratio(0, 5, Gsprt.Model.NORMALIZED, 2, 440, 2910, 5170, 2888, 455), 0.01);
+        assertEquals(2.99, ratio(0, 5, Gsprt.Model.NORMALIZED, 2, 142, 620, 1122, 699, 188), 0.01);
+        assertEquals(2.90, ratio(-5, 0, Gsprt.Model.NORMALIZED, 2, 349, 1561, 3340, 1604, 359), 0.01);
+        assertEquals(-1.11, ratio(-5, 0, Gsprt.Model.NORMALIZED, 2, 98, 382, 674, 369, 71), 0.01);
+    }
+
+    @Test
+    void aFewSeedsThatAreAlikeDecideNothing() {
+        Gsprt test = new Gsprt(0, 20, 0.05, 0.05, Gsprt.Model.LOGISTIC);
+        assertEquals(Gsprt.State.OPEN, test.state(counts(2, 0, 0, 12, 0, 0)));
+        assertEquals(Gsprt.State.OPEN, test.state(counts(2, 0, 0, 0, 0, 5)));
+        assertEquals(Gsprt.State.OPEN, test.state(new ScoreCounts(2)));
+        assertEquals(Gsprt.State.H1, test.state(counts(2, 0, 0, 0, 0, 100)));
+        assertEquals(Gsprt.State.H0, test.state(counts(2, 100, 0, 0, 0, 0)));
+    }
+
+    @Test
+    void boundsAreWalds() {
+        Gsprt test = new Gsprt(0, 5, 0.05, 0.1, Gsprt.Model.NORMALIZED);
+        assertEquals(Math.log(0.1 / 0.95), test.lower(), 1e-12);
+        assertEquals(Math.log(0.9 / 0.05), test.upper(), 1e-12);
+        for (double[] wrong : new double[][] {{5, 0, 0.1, 0.1}, {0, 0, 0.1, 0.1}, {0, 5, 0, 0.1}, {0, 5, 0.1, 0.5},
+            {0, 5, Double.NaN, 0.1}}) {
+            assertThrows(IllegalArgumentException.class,
+                () -> new Gsprt(wrong[0], wrong[1], wrong[2], wrong[3], Gsprt.Model.LOGISTIC));
+        }
+    }
+
+    @Test
+    void eloOfAScore() {
+        // A score of 3/4 is 190.85 logistic Elo; in games that are won or lost independently the deviation of the
+        // mean of two is sqrt(3/16 / 2), that of one sqrt(3/16), so that 1/4 above even is 0.577 deviations of a game.
+        ScoreCounts scores = counts(2, 62_500, 0, 375_000, 0, 562_500);
+        Gsprt logistic = new Gsprt(0, 5, 0.05, 0.05, Gsprt.Model.LOGISTIC);
+        Gsprt normalized = new Gsprt(0, 5, 0.05, 0.05, Gsprt.Model.NORMALIZED);
+        assertEquals(400 * Math.log10(3), logistic.elo(scores.mean(), scores), 0.01);
+        assertEquals(0.25 / Math.sqrt(3.0 / 16) * 800 / Math.log(10), normalized.elo(scores.mean(), scores), 0.01);
+    }
+
+    @Test
+    void theExpectedLengthIsWaldsWhereStepsAreSmall() {
+        // Without overshoot, from the middle: at H1 the chance is 1 - beta and the length Wald's
+        // ((1 - beta) b + beta a) / drift, with the drift (t1 - t0)^2 / 2.
+        Gsprt test = new Gsprt(0, 0.5, 0.05, 0.05, Gsprt.Model.NORMALIZED);
+        double deviation = 0.3;
+        double t1 = 0.5 / (800 / Math.log(10)) * Math.sqrt(2);
+        ExpectedLength found = ExpectedLength.of(test, 0.5 + t1 * deviation, deviation, 2, 0);
+        assertEquals(0.95, found.chance(), 1e-3);
+        assertEquals((0.95 * Math.log(19) - 0.05 * Math.log(19)) / (t1 * t1 / 2) / found.observations(), 1, 2e-3);
+        ExpectedLength middle = ExpectedLength.of(test, 0.5 + t1 / 2 * deviation, deviation, 2, 0);
+        assertEquals(0.5, middle.chance(), 1e-6);
+        assertTrue(middle.observations() > found.observations());
+        ExpectedLength left = ExpectedLength.of(test, 0.5 + t1 * deviation, deviation, 2, 2.9);
+        assertTrue(left.observations() < found.observations() / 10);
+    }
+}
