@@ -18,9 +18,10 @@ import steward.cli.shared.RunProgress;
 import steward.cli.shared.Streams;
 import steward.files.InputException;
 import steward.files.OutputFiles;
+import steward.lab.timing.Machine;
+import steward.lab.timing.Timing;
 import steward.lab.tradeoff.TradeoffEffort;
 import steward.lab.tradeoff.TradeoffHeadings;
-import steward.lab.tradeoff.TradeoffMachine;
 import steward.lab.tradeoff.TradeoffMeasurement;
 import steward.lab.tradeoff.TradeoffRow;
 import steward.lab.tradeoff.TradeoffScene;
@@ -96,7 +97,7 @@ public final class TradeoffCommand implements Callable<Integer> {
 
     private TradeoffReport files(Path folder) {
         return tables.start(folder, TradeoffReport.ALL, TradeoffReport.ALL,
-            () -> new TradeoffReport(folder, TradeoffMachine.line(), LocalDate.now(ZoneOffset.UTC).toString()));
+            () -> new TradeoffReport(folder, Machine.line(), LocalDate.now(ZoneOffset.UTC).toString()));
     }
 
     private void measure(List<TradeoffScene> chosen, boolean headings, TradeoffReport files) {
@@ -105,7 +106,8 @@ public final class TradeoffCommand implements Callable<Integer> {
         RunProgress progress = new RunProgress(streams, seconds(chosen, headings));
         ProgressLine.announce(streams, TextFormat.about(progress.total()));
         for (TradeoffScene scene : chosen) {
-            TradeoffMeasurement measurement = new TradeoffMeasurement(scene, effort);
+            TradeoffMeasurement measurement = new TradeoffMeasurement(scene, effort,
+                Timing.inJvms(effort.timing(), TimingMain.class));
             progress.begin(scene.name());
             List<TradeoffRow> rows;
             try {
