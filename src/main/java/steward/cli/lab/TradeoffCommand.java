@@ -46,7 +46,8 @@ public final class TradeoffCommand implements Callable<Integer> {
         + "trigonometry costs.")
     private List<String> scenes = new ArrayList<>();
 
-    @Option(names = "--quick", description = "Measures few states and rounds: rough figures, soon.")
+    @Option(names = "--quick", description = "Measures few states, in one JVM a rung: rough figures, soon, that may "
+        + "not be quoted.")
     private boolean quick;
 
     @Option(names = "--out", paramLabel = "DIR", description = "Writes " + TradeoffReport.CSV + " and "
@@ -59,12 +60,22 @@ public final class TradeoffCommand implements Callable<Integer> {
     @Mixin
     private final CalibrateOptions calibrate = new CalibrateOptions();
 
+    @Mixin
+    private final PartsOption parts = new PartsOption();
+
     public TradeoffCommand(Streams streams) {
         this.streams = streams;
     }
 
     @Override
     public Integer call() throws InterruptedException {
+        if (parts.isAsked()) {
+            if (quick || out != null || !scenes.isEmpty() || calibrate.isAsked()) {
+                throw new InputException("--parts: found " + (quick ? "--quick" : out != null ? "--out"
+                    : scenes.isEmpty() ? "--calibrate" : "--scene") + " with it, expected nothing but --overwrite");
+            }
+            return parts.run(streams, tables.overwrite());
+        }
         if (calibrate.isAsked()) {
             if (quick || !scenes.isEmpty()) {
                 throw new InputException("--calibrate: found " + (quick ? "--quick" : "--scene")
@@ -135,7 +146,7 @@ public final class TradeoffCommand implements Callable<Integer> {
             table.add(row);
         }
         if (!chosen.isEmpty()) {
-            table.end();
+            table.end(quick);
         }
     }
 

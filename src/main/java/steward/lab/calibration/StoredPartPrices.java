@@ -28,7 +28,8 @@ public record StoredPartPrices(List<Row> rows, boolean exact) {
     public static final List<String> COLUMNS = List.of("scene", "game", "key", "rung", "part", "in", "share", "error",
         "date", "machine");
 
-    private static final String SEPARATOR = ";";
+    /** Between the cells of a line. */
+    public static final String SEPARATOR = ";";
 
     /**
      * A line of the file.

@@ -29,6 +29,9 @@ public record TradeoffRow(String scene, String rung, int states, long impacts, i
                           double energyError, int freeTurns, int freeBound, long differing, long compared,
                           boolean onFront) {
 
+    /** The demand by which a rung is chosen for pages and pictures: 99% of the turns are off by at most so many u. */
+    public static final double DEMAND = 0.01;
+
     /** The rung that the others' cost is compared with. */
     public static final String DEFAULT_RUNG = "event/double";
 
