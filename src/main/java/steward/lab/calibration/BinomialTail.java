@@ -64,7 +64,7 @@ public final class BinomialTail {
      * @param share  that should have none, above 0, below 1
      * @param level  of the interval, as 0.999
      */
-    static boolean refuted(int seen, int states, double share, double level) {
+    public static boolean refuted(int seen, int states, double share, double level) {
         return seen > 0 && 1 - atMost(seen - 1, states, 1 - share) < (1 - level) / 2;
     }
 }
