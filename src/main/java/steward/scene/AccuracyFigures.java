@@ -46,8 +46,8 @@ public record AccuracyFigures(String source, String physics, String key, String 
     /** The highest of them: no demand may go beyond it. */
     static final double MOST_SHARE = 0.9999;
     /**
-     * A rung that costs less than another by no more than this share does not count as cheaper: measurements of the same
-     * rung differ by as much.
+     * A rung that costs less than another by no more than this share does not count as cheaper: measurements of the
+     * same rung differ by as much.
      */
     public static final double SAME_COST = 0.05;
     /**
@@ -67,8 +67,8 @@ public record AccuracyFigures(String source, String physics, String key, String 
      * @param rung    on the ladder
      * @param cost    time of a turn, as a multiple of that on {@code event/double}
      * @param work    pair tests and impacts, counted per turn
-     * @param errors  in u, for each of {@link #SHARES}: shown with 99% confidence that this share of all states of seeded
-     *                play does not exceed it
+     * @param errors  in u, for each of {@link #SHARES}: shown with 99% confidence that this share of all states of
+     *                seeded play does not exceed it
      * @param largest of all errors that were seen, in u
      */
     public record OfRung(Accuracy rung, double cost, double work, List<Double> errors, double largest) {
@@ -162,8 +162,8 @@ public record AccuracyFigures(String source, String physics, String key, String 
      *
      * @param scene  the whole file
      * @param figures where its own figures may be
-     * @throws SceneException if there are no figures, if they belong to another scene or physics, or if no rung is known
-     *                        to meet the demand
+     * @throws SceneException if there are no figures, if they belong to another scene or physics, or if no rung is
+     *                        known to meet the demand
      */
     static AccuracyChoice choose(AccuracyDemand demand, Block scene, Optional<Path> figures) {
         if (demand.share() > MOST_SHARE) {
@@ -177,17 +177,18 @@ public record AccuracyFigures(String source, String physics, String key, String 
         }
         OfRung best = found.best(demand.share());
         if (best.error(demand.share()) == Double.POSITIVE_INFINITY) {
-            throw scene.block("accuracy").error("share", Wording.number(demand.share()), "a smaller one: nothing is known "
-                + "of this share from " + found.states + " states (" + found.source + ")");
+            throw scene.block("accuracy").error("share", Wording.number(demand.share()), "a smaller one: nothing is "
+                + "known of this share from " + found.states + " states (" + found.source + ")");
         }
         OfRung rung = found.cheapest(demand).orElseThrow(() -> scene.block("accuracy").error("maxPositionError",
             Wording.number(demand.maxPositionError()) + ", which no rung meets",
             "at least " + Wording.number(best.error(demand.share())) + ", the error of the best one, "
-                + best.rung().text() + ", in " + AccuracyDemand.percent(demand.share()) + " of states, shown by " + found.states
+                + best.rung().text() + ", in " + AccuracyDemand.percent(demand.share()) + " of states, shown by "
+                + found.states
                 + " (" + found.source + ")"));
         return new AccuracyChoice(rung.rung, false, "the cheapest that is off by " + demand.text() + ": by "
-            + Wording.number(rung.error(demand.share())) + " u, shown by " + found.states + " (" + found.source + "), at "
-            + String.format(Locale.ROOT, "%.2f", rung.cost) + " times the cost of event/double");
+            + Wording.number(rung.error(demand.share())) + " u, shown by " + found.states + " (" + found.source
+            + "), at " + String.format(Locale.ROOT, "%.2f", rung.cost) + " times the cost of event/double");
     }
 
     /** Figures with the scene's key: those beside the scene file, else those of a shipped scene with the same key. */

@@ -34,7 +34,8 @@ final class House {
         "replay.sign", "replay", "replay.verify", "replay.feed", "replay.page", "contest", "live", "codingame",
         "league", "league.rating", "league.store", "league.play", "league.page",
         "lab.oracle", "lab.trial", "lab.stability.pairs", "lab.stability.crowds", "lab.stability",
-        "lab.timing", "lab.calibration", "lab.tradeoff", "lab.tradeoff.report", "bench", "bench.textbook", "bench.section",
+        "lab.timing", "lab.calibration", "lab.tradeoff", "lab.tradeoff.report",
+        "bench", "bench.textbook", "bench.section",
         "cli.shared", "cli.options", "cli.bench", "cli.lab", "cli.replay", "cli.play", "cli.league",
         "cli.setup", "cli");
 

@@ -97,7 +97,8 @@ class AccuracyFiguresTest {
         Path kept = calibrated();
         Scene scene = load(write(demand("0.01", "0.999")));
         assertEquals(new AccuracyChoice(Accuracy.parse("event/double"), false, "the cheapest that is off by at most "
-            + "0.01 u in 99.9% of states: by 1e-5 u, shown by 100000 (" + kept + "), at 1.00 times the cost of event/double"), scene.choice());
+            + "0.01 u in 99.9% of states: by 1e-5 u, shown by 100000 (" + kept
+            + "), at 1.00 times the cost of event/double"), scene.choice());
         assertTrue(scene.json().endsWith("\"accuracy\":{\"advance\":\"event\",\"arithmetic\":\"double\"}}"),
             scene.json());
         Scene again = SceneReader.read(scene.json(), "header");
@@ -151,8 +152,8 @@ class AccuracyFiguresTest {
     void aDemandBeyondWhatASampleShowsIsRefused() throws IOException {
         calibrated();
         Path file = write(demand("1", "1"));
-        assertEquals(file + ":3:48: accuracy.share: found 1, expected at most 0.9999: what no state of a sample exceeds, "
-            + "others may", refusal(file));
+        assertEquals(file + ":3:48: accuracy.share: found 1, expected at most 0.9999: what no state of a sample "
+            + "exceeds, others may", refusal(file));
     }
 
     @Test
@@ -161,8 +162,8 @@ class AccuracyFiguresTest {
         Path kept = Files.writeString(folder.resolve("s.accuracy.json"), figures(key, PhysicsFingerprint.text(),
             EVENT.replace("2e-5", "\"unknown\"")));
         Path file = write(demand("1", "0.9995"));
-        assertEquals(file + ":3:48: accuracy.share: found 0.9995, expected a smaller one: nothing is known of this share "
-            + "from 100000 states (" + kept + ")", refusal(file));
+        assertEquals(file + ":3:48: accuracy.share: found 0.9995, expected a smaller one: nothing is known of this "
+            + "share from 100000 states (" + kept + ")", refusal(file));
     }
 
     /** Whatever is demanded, no other rung is both cheaper and more accurate than the one that is taken. */

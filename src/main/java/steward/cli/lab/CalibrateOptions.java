@@ -32,7 +32,8 @@ final class CalibrateOptions {
     private final CallCheck check = CallCheck.brief();
 
     @Option(names = "--calibrate", paramLabel = "SCENE", description = "Instead: measures how far off each rung is in "
-        + "this scene, and what it costs, and writes it to NAME.accuracy.json beside the file (or into --out), where a scene that states "
+        + "this scene, and what it costs, and writes it to NAME.accuracy.json beside the file (or into --out), where a "
+        + "scene that states "
         + "\"accuracy\": {\"maxPositionError\": 0.01, \"share\": 0.999} finds it. Can be repeated.")
     private List<String> scenes = new ArrayList<>();
 

@@ -86,7 +86,8 @@ final class TradeoffTable {
     }
 
     private static String time(double nanos) {
-        return nanos < 100 ? format("%.1f ns", nanos) : nanos < 1e4 ? format("%.0f ns", nanos) : nanos < 1e7 ? format("%.1f us", nanos / 1e3)
+        return nanos < 100 ? format("%.1f ns", nanos) : nanos < 1e4 ? format("%.0f ns", nanos)
+            : nanos < 1e7 ? format("%.1f us", nanos / 1e3)
             : Double.isNaN(nanos) ? "-" : format("%.0f ms", nanos / 1e6);
     }
 }

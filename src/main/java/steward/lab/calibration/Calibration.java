@@ -218,8 +218,8 @@ public final class Calibration {
     }
 
     /**
-     * Figures of all blocks that are complete without a gap from the first on; of 0 states if there are none, or nothing
-     * was timed.
+     * Figures of all blocks that are complete without a gap from the first on; of 0 states if there are none, or
+     * nothing was timed.
      */
     public Figures figures() {
         List<Block> done;

@@ -102,7 +102,7 @@ final class PartSlices {
             new HalfPlane(far, 0, -1, 0, 1), new HalfPlane(0, far, 0, -1, 1));
     }
 
-    /** Turns of one set of bodies after the other in the same place, as in a match; each begins by copying its state. */
+    /** Turns of one set of bodies after the other in the same place, as in a match; each copies its state first. */
     private TimedTurns flights(Advance advance, Motion motion) {
         Bodies[] played = alike();
         TurnLog log = new TurnLog();

@@ -61,7 +61,7 @@ public final class TimingChild {
             TimedPlace place = new TurnTimer(job.open(new DataInputStream(new ByteArrayInputStream(bytes))));
             out.writeByte(DONE);
             return place;
-        } catch (IOException | RuntimeException problem) {
+        } catch (IOException | RuntimeException | LinkageError problem) {
             out.writeByte(FAILED);
             out.writeUTF(problem.toString());
             return null;

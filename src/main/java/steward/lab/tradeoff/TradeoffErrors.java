@@ -70,7 +70,8 @@ final class TradeoffErrors {
 
     TradeoffRow row(String scene, String rung, long impacts, TimingSamples samples, TradeoffRow.Cost cost,
                     double ratio, int freeTurns, int freeBound, boolean onFront) {
-        return new TradeoffRow(scene, rung, states, impacts, samples.repeats(), samples.rounds(), cost, ratio, quantile(0.5), quantile(0.99),
-            quantile(1), missed, invented, energy, freeTurns, freeBound, differing, compared, onFront);
+        return new TradeoffRow(scene, rung, states, impacts, samples.repeats(), samples.rounds(), cost, ratio,
+            quantile(0.5), quantile(0.99), quantile(1), missed, invented, energy, freeTurns, freeBound, differing,
+            compared, onFront);
     }
 }

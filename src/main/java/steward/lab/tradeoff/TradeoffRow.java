@@ -25,9 +25,9 @@ package steward.lab.tradeoff;
  * @param onFront     whether no rung of the scene is both cheaper and more accurate (by {@code most99})
  */
 public record TradeoffRow(String scene, String rung, int states, long impacts, int jvms, int rounds,
-                          Cost cost, double costRatio, double median, double most99, double worst, long missed, long invented,
-                          double energyError, int freeTurns, int freeBound, long differing, long compared,
-                          boolean onFront) {
+                          Cost cost, double costRatio, double median, double most99, double worst, long missed,
+                          long invented, double energyError, int freeTurns, int freeBound, long differing,
+                          long compared, boolean onFront) {
 
     /** The demand by which a rung is chosen for pages and pictures: 99% of the turns are off by at most so many u. */
     public static final double DEMAND = 0.01;

@@ -87,8 +87,8 @@ class DemandsTest {
         assertEquals(DEMANDS, seen.size());
         List<String> missed = seen.stream().filter(Seen::isMissed).map(Seen::line).toList();
         List<String> refuted = seen.stream().filter(Seen::isRefuted).map(Seen::line).toList();
-        report.publishEntry("demands", "seed " + SEED + ": " + missed.size() + " of " + DEMANDS + " missed by the share "
-            + "that was seen, " + refuted.size() + " beyond its interval of 99.9%");
+        report.publishEntry("demands", "seed " + SEED + ": " + missed.size() + " of " + DEMANDS + " missed by the "
+            + "share that was seen, " + refuted.size() + " beyond its interval of 99.9%");
         assertEquals(List.of(), refuted, () -> "seed " + SEED);
         assertTrue(missed.size() <= MOST_MISSED, () -> "seed " + SEED + ":\n" + String.join("\n", missed));
     }
@@ -109,7 +109,8 @@ class DemandsTest {
         AccuracyFigures figures = figures(scene);
         GameSetup setup = Games.open(scene, Calibration.PLAYED_ON);
         PhysicsParts parts = setup.physics();
-        List<AccuracyFigures.OfRung> rungs = demands.stream().map(figures::cheapest).map(Optional::orElseThrow).toList();
+        List<AccuracyFigures.OfRung> rungs = demands.stream().map(figures::cheapest).map(Optional::orElseThrow)
+            .toList();
         List<Advance> advances = rungs.stream()
             .map(of -> of.rung().advance(parts.withArithmetic(of.rung().arithmetic()))).toList();
         int[] larger = new int[demands.size()];
@@ -122,7 +123,9 @@ class DemandsTest {
             for (int n = 0; n < larger.length; n++) {
                 bodies.copyFrom(start);
                 advances.get(n).turn(bodies, TurnSink.NONE);
-                larger[n] += !truth.limited() && truth.positionError(bodies) <= demands.get(n).maxPositionError() ? 0 : 1;
+                boolean met = !truth.limited()
+                    && truth.positionError(bodies) <= demands.get(n).maxPositionError();
+                larger[n] += met ? 0 : 1;
             }
         }
         List<Seen> seen = new ArrayList<>();

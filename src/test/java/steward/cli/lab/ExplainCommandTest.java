@@ -118,11 +118,12 @@ class ExplainCommandTest {
         List<String> lines = cli.out().lines().filter(line -> line.matches("(in|out) .*")).toList();
         assertEquals(parts.size(), lines.size(), cli.out());
         for (String line : lines) {
-            assertTrue(line.matches("in +<?-?[0-9]+%  [a-z].*|out +\\(<?-?[0-9]+%\\)  [a-z].*|out +broad phase .*"), line);
+            assertTrue(line.matches("in +<?-?[0-9]+%  [a-z].*|out +\\(<?-?[0-9]+%\\)  [a-z].*|out +broad phase .*"),
+                line);
         }
         String told = cli.out().replaceAll("\\s+", " ");
-        assertTrue(told.matches(".* Stored for " + scene + " on event/(official|double), measured 20[0-9-]{8}: .* JDK .*"),
-            told);
+        assertTrue(told.matches(".* Stored for " + scene + " on event/(official|double), measured 20[0-9-]{8}: .* "
+            + "JDK .*"), told);
     }
 
     /** The file is of the scenes as they are: a change of a scene or of its parts needs new figures. */

@@ -155,8 +155,9 @@ class CalibrationTest {
     }
 
     /**
-     * Of 1..1000, in order: 1000 states show that one half of all have at most an error that 462 exceed, by the tables of
-     * Clopper and Pearson at 99%; they show nothing of 99.9%, for which 4,603 are needed: 0.999^4603 = 0.01.
+     * Of 1..1000, in order: 1000 states show that one half of all have at most an error that 462 exceed, by the sum of
+     * binomial probabilities in whole numbers (99%); they show nothing of 99.9%, for which 4,603 are needed:
+     * 0.999^4603 = 0.01.
      */
     @ParameterizedTest
     @CsvSource({"0.5, 538", "0.9, 922", "0.99, 998", "0.999, Infinity"})

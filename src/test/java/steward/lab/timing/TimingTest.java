@@ -29,7 +29,8 @@ class TimingTest {
     private static final TimingEffort EFFORT = new TimingEffort(2, 3, 0.5, 0.25, 4);
 
     /** A place that tells what it is asked to do, and takes as many nanoseconds as its list says, round by round. */
-    private record Told(String name, Consumer<String> told, AtomicInteger rounds, double... nanos) implements TimedPlace {
+    private record Told(String name, Consumer<String> told, AtomicInteger rounds, double... nanos)
+        implements TimedPlace {
 
         @Override
         public boolean warmUp(double least, double most) {
@@ -94,7 +95,7 @@ class TimingTest {
             told.stream().filter(line -> line.equals("a closed")).count(), told.toString());
     }
 
-    /** Turns whose cost falls until the twelfth stretch, as when code is compiled late: 5 alike follow 5 alike at 20. */
+    /** Turns whose cost falls until the twelfth, as when code is compiled late: 5 alike follow 5 alike at 20. */
     @Test
     void warmingUpGoesOnUntilTimesAreSteady() {
         AtomicInteger runs = new AtomicInteger();
@@ -213,7 +214,8 @@ class TimingTest {
     void aJvmThatFailsSaysWhy() {
         assertEquals("the JVM for timing has failed: java.lang.IllegalArgumentException: no such job",
             assertThrows(IllegalStateException.class, () -> new TimingJvm(TimingTest.class, job(0))).getMessage());
-        String other = assertThrows(IllegalStateException.class, () -> new TimingJvm(String.class, job(1))).getMessage();
+        String other = assertThrows(IllegalStateException.class,
+            () -> new TimingJvm(String.class, job(1))).getMessage();
         assertTrue(other.startsWith("the JVM for timing has failed: ") && other.contains("java.lang.String"), other);
         assertEquals(0, ProcessHandle.current().children().filter(ProcessHandle::isAlive).count());
     }

@@ -210,7 +210,8 @@ class TradeoffTest {
             files.add(ladder("a \"quoted\" scene"));
             List<String> csv = Files.readAllLines(folder.resolve("tradeoff.csv"));
             assertEquals(7, csv.size());
-            assertTrue(csv.get(1).startsWith("\"a \"\"quoted\"\" scene\",\"step/1\",100,50,3,21,40.0,39.0,42.0,,0.0,0.5,"),
+            assertTrue(
+                csv.get(1).startsWith("\"a \"\"quoted\"\" scene\",\"step/1\",100,50,3,21,40.0,39.0,42.0,,0.0,0.5,"),
                 csv.get(1));
             JsonNode json = JsonMapper.shared().readTree(Files.readString(folder.resolve("tradeoff.json")));
             assertEquals("a machine", json.get("machine").asString());

@@ -9,8 +9,8 @@ import steward.lab.tradeoff.TradeoffResult;
 import steward.lab.tradeoff.TradeoffRow;
 
 /**
- * The page with the picture, sentences on how to choose, and the tables. All numbers are measured, and a sentence stands
- * only where they bear it out.
+ * The page with the picture, sentences on how to choose, and the tables. All numbers are measured, and a sentence
+ * stands only where they bear it out.
  */
 public final class TradeoffPage {
 
@@ -185,8 +185,8 @@ public final class TradeoffPage {
         boolean rounds = first.compared() > 0;
         out.append(String.format(Locale.ROOT, "%n### %s%n%n%,d states with %,d impacts, %d rounds.%n%n", scene,
             first.states(), first.impacts(), first.rounds()));
-        out.append("| rung | a turn | four in five rounds | an impact | bytes | ratio | error, median | 99% | worst | missed | invented "
-            + "| energy | free run |").append(rounds ? " ends |\n" : "\n");
+        out.append("| rung | a turn | four in five rounds | an impact | bytes | ratio | error, median "
+            + "| 99% | worst | missed | invented | energy | free run |").append(rounds ? " ends |\n" : "\n");
         out.append("|---|").append("---:|".repeat(rounds ? 13 : 12)).append('\n');
         for (TradeoffRow row : rows) {
             out.append(String.join(" | ", "| " + row.rung() + (row.onFront() ? " *" : ""),
@@ -220,7 +220,8 @@ public final class TradeoffPage {
 
     /** With three digits or more. */
     static String time(double nanos) {
-        return Double.isNaN(nanos) ? "-" : nanos < 100 ? number("%.1f ns", nanos) : nanos < 1e4 ? number("%.0f ns", nanos)
+        return Double.isNaN(nanos) ? "-" : nanos < 100 ? number("%.1f ns", nanos)
+            : nanos < 1e4 ? number("%.0f ns", nanos)
             : nanos < 1e5 ? number("%.1f us", nanos / 1e3) : nanos < 1e7 ? number("%.0f us", nanos / 1e3)
             : number("%.1f ms", nanos / 1e6);
     }

@@ -76,7 +76,8 @@ final class TradeoffPanel {
         List<TradeoffRow> rows = result.of(scene).stream().filter(row -> row.costRatio() <= MOST_COST).toList();
         double demand = Math.log10(TradeoffRow.DEMAND);
         panel.line("demand", axes.least, demand, axes.most, demand, colours.ink())
-            .setLineStyle(new BasicStroke(THIN, BasicStroke.CAP_BUTT, BasicStroke.JOIN_MITER, 10, new float[] {3, 3}, 0));
+            .setLineStyle(new BasicStroke(THIN, BasicStroke.CAP_BUTT, BasicStroke.JOIN_MITER, 10, new float[] {3, 3},
+                0));
         panel.names(usual, result.chosen(scene));
         for (TradeoffRow row : rows) {
             panel.line("spread " + row.rung(), cost(row, row.cost().low()), error(row), cost(row, row.cost().high()),
@@ -167,7 +168,8 @@ final class TradeoffPanel {
         style.setXAxisTickMarkSpacingHint(TICKS);
         style.setYAxisTickMarkSpacingHint(TICKS / 3);
         style.setXAxisTickLabelsFormattingFunction(decade -> number(decade));
-        style.setYAxisTickLabelsFormattingFunction(decade -> decade <= Math.log10(FLOOR) ? "0" : "1e" + Math.round(decade));
+        style.setYAxisTickLabelsFormattingFunction(decade -> decade <= Math.log10(FLOOR) ? "0"
+            : "1e" + Math.round(decade));
     }
 
     /** The number that a tick stands for, with two digits. */
