@@ -24,7 +24,8 @@ class GameNamesTest {
 
     /** Where every game has a line. */
     private static final List<String> LISTS = List.of("java/steward/cli/shared/Games.java",
-        "java/steward/scene/SceneFiles.java", "java/steward/replay/page/PageTemplate.java");
+        "java/steward/scene/SceneFiles.java", "java/steward/replay/page/PageTemplate.java",
+        "resources/steward/part-prices.csv");
 
     /** The ids of the games, as their rooms are called: without the hyphen. */
     private static List<String> games() throws IOException {

@@ -48,6 +48,11 @@ public final class TimingJvm implements TimedPlace {
         }, () -> true);
     }
 
+    /** Whether it has not ended. */
+    boolean isAlive() {
+        return process.isAlive();
+    }
+
     /** Something that is written to the other JVM. */
     private interface Question {
 
