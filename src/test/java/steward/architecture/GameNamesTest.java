@@ -14,7 +14,8 @@ import org.junit.jupiter.api.Test;
 
 /**
  * No file of the program names a game other than the first, but for its own room and resources, its bots, the list of
- * games, the names of the shipped scenes, and one view file with its entry in the list of scripts.
+ * games, the names of the shipped scenes, what was measured on these, and one view file with its entry in the list of
+ * scripts.
  */
 class GameNamesTest {
 

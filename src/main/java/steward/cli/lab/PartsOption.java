@@ -56,7 +56,7 @@ final class PartsOption {
         Path target = OutputFiles.path(file);
         OutputFiles.check(target, overwrite);
         Path unfinished = target.resolveSibling(target.getFileName() + ".part");
-        begin(unfinished);
+        begin(unfinished, target);
         String date = LocalDate.now(ZoneOffset.UTC).toString();
         RunProgress progress = new RunProgress(streams, scenes.stream().map(scene -> SECONDS).toList());
         try (Interruption interruption = new Interruption(streams, "the scenes so far are in " + unfinished)) {
@@ -85,11 +85,11 @@ final class PartsOption {
         return ExitStatus.DONE;
     }
 
-    private static void begin(Path unfinished) {
+    private static void begin(Path unfinished, Path target) {
         try {
             Files.writeString(unfinished, String.join(StoredPartPrices.SEPARATOR, StoredPartPrices.COLUMNS) + "\n");
         } catch (IOException problem) {
-            throw new InputException(unfinished + ": cannot be written: " + OutputFiles.reason(unfinished, problem));
+            throw new InputException(target + ": cannot be written: " + OutputFiles.reason(target, problem));
         }
     }
 }
