@@ -7,6 +7,7 @@ import java.util.Locale;
 import steward.lab.tradeoff.TradeoffHeadings;
 import steward.lab.tradeoff.TradeoffResult;
 import steward.lab.tradeoff.TradeoffRow;
+import steward.text.TextFormat;
 
 /**
  * The page with the picture, sentences on how to choose, and the tables. All numbers are measured, and a sentence
@@ -27,7 +28,7 @@ public final class TradeoffPage {
     private static final String MEANING = """
         ## What was measured
 
-        Cost is CPU time of one thread. Each rung was timed in %d JVMs of its own, one after the other, in rounds that
+        Cost is CPU time of one thread. Each rung was timed in %s of its own, one after the other, in rounds that
         go from rung to rung; a turn's time is the median of all its rounds, four in five of which are in the range
         beside it, and a ratio is that of two such times. Compare ratios rather than nanoseconds. Errors are against the
         oracle (64 decimal digits) after one turn from the same states that were timed: the farthest that any body's
@@ -63,7 +64,7 @@ public final class TradeoffPage {
             out.append(number == 1 ? "## How to choose\n\n" : "").append(number++).append(". ").append(sentence)
                 .append('\n');
         }
-        out.append(number == 1 ? "" : "\n").append(String.format(Locale.ROOT, MEANING, jvms));
+        out.append(number == 1 ? "" : "\n").append(String.format(Locale.ROOT, MEANING, TextFormat.count(jvms, "JVM")));
         for (String scene : result.scenes()) {
             page.table(scene, out);
         }

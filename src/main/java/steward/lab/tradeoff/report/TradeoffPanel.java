@@ -34,8 +34,9 @@ final class TradeoffPanel {
      * Names stand right of all marks with exact times, at this share of the axis, so many decades above or below their
      * mark, and below the marks of steps.
      */
-    private static final double NAMES_AT = 0.83;
-    private static final double LEADER_TO = 0.66;
+    private static final double NAMES_AT = 0.76;
+    /** About half the width of a letter, as a share of the axis. */
+    private static final double HALF_LETTER = 0.0125;
     private static final double NAME_OFF = 1.4;
     private static final double HIGHEST_NAME = -2.8;
     /** How far apart ticks are, about, in pixels. */
@@ -104,9 +105,10 @@ final class TradeoffPanel {
     private void name(TradeoffRow row, String more, boolean above) {
         double y = above ? Math.min(HIGHEST_NAME, error(row) + NAME_OFF)
             : Math.max(Math.log10(FLOOR), error(row) - NAME_OFF);
-        line("leader " + row.rung(), cost(row, row.cost().nanosPerTurn()), error(row), axes.at(LEADER_TO), y,
-            colours.faint()).setLineStyle(new BasicStroke(THIN));
-        chart.addAnnotation(new AnnotationText(row.rung().replace("event/", "") + more, axes.at(NAMES_AT), y, false));
+        String name = row.rung().replace("event/", "") + more;
+        line("leader " + row.rung(), cost(row, row.cost().nanosPerTurn()), error(row),
+            axes.at(NAMES_AT - HALF_LETTER * name.length()), y, colours.faint()).setLineStyle(new BasicStroke(THIN));
+        chart.addAnnotation(new AnnotationText(name, axes.at(NAMES_AT), y, false));
     }
 
     private XYSeries line(String name, double x1, double y1, double x2, double y2, Color colour) {
