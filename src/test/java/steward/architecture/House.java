@@ -32,9 +32,11 @@ final class House {
         "game.pokerchiprace", "game.pokerchiprace.protocol", "game.searchrace", "game.searchrace.protocol",
         "bot", "bot.command", "bot.isolation", "bot.accounting", "bot.process", "match",
         "replay.sign", "replay", "replay.verify", "replay.feed", "replay.page", "contest", "live", "codingame",
-        "league", "league.rating", "league.sequential", "league.pairing", "league.selfcheck", "league.store", "league.play", "league.page",
+        "league", "league.rating", "league.sequential", "league.pairing", "league.selfcheck",
+        "league.store", "league.play", "league.page",
         "lab.oracle", "lab.trial", "lab.stability.pairs", "lab.stability.crowds", "lab.stability",
-        "lab.calibration", "lab.tradeoff", "lab.tradeoff.report", "bench", "bench.textbook", "bench.section",
+        "lab.timing", "lab.calibration", "lab.tradeoff", "lab.tradeoff.report",
+        "bench", "bench.textbook", "bench.section",
         "cli.shared", "cli.options", "cli.bench", "cli.lab", "cli.replay", "cli.play", "cli.sequential", "cli.league",
         "cli.setup", "cli");
 
@@ -169,9 +171,9 @@ final class House {
             .should().dependOnClassesThat(resideInAPackage(in("replay")));
     }
 
-    /** But for the browser that shows a match. */
+    /** But for the browser that shows a match, and JVMs that time one kind of turns each. */
     ArchRule onlyBotsAreProcesses() {
-        return noClasses().that().resideOutsideOfPackages(in("bot"), in("live"))
+        return noClasses().that().resideOutsideOfPackages(in("bot"), in("live"), in("lab.timing"))
             .should().dependOnClassesThat().haveFullyQualifiedName(ProcessBuilder.class.getName())
             .orShould().dependOnClassesThat().haveFullyQualifiedName(Process.class.getName());
     }
