@@ -12,8 +12,8 @@ import steward.Internal;
 
 /**
  * A file that is made when something is first written to it, so that a process which is killed before leaves no empty
- * one, and one that is to be replaced stays until then. What can be known before is checked when this is made. Devices
- * and pipes, which are there already, are opened at once.
+ * one, and one that is to be replaced stays until then. What can be known before is found out when this is made: whether
+ * a new file can be made is tried. Devices and pipes, which are there already, are opened at once.
  *
  * <p>One thread at a time may use it.
  */
@@ -40,7 +40,7 @@ public final class LateFile extends OutputStream {
         }
     }
 
-    /** Why a file could not be made or replaced, as far as one can tell without doing it; {@code null} if nothing. */
+    /** Why a file could not be made or replaced, {@code null} if nothing is in the way. */
     private static String problem(Path path) {
         Path folder = path.toAbsolutePath().getParent();
         try {
@@ -48,9 +48,20 @@ public final class LateFile extends OutputStream {
             return Files.isWritable(path) ? null : "no permission";
         } catch (NoSuchFileException missing) {
             return folder != null && Files.isDirectory(folder) && !Files.isWritable(folder) ? "no permission"
-                : folder != null && Files.isDirectory(folder) ? null : OutputFiles.reason(path, missing);
+                : triedProblem(path);
         } catch (IOException unusable) {
             return OutputFiles.reason(path, unusable);
+        }
+    }
+
+    /** Makes the file and removes it at once: some file systems refuse what permissions allow. */
+    private static String triedProblem(Path path) {
+        try {
+            Files.createFile(path);
+            Files.delete(path);
+            return null;
+        } catch (IOException problem) {
+            return OutputFiles.reason(path, problem);
         }
     }
 
