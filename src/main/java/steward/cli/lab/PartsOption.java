@@ -82,6 +82,7 @@ final class PartsOption {
             throw new FailedException(unfinished + ": cannot be written: " + OutputFiles.reason(unfinished, problem));
         }
         streams.out().println("written to " + target);
+        streams.out().flush();
         return ExitStatus.DONE;
     }
 

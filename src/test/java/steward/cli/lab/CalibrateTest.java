@@ -14,7 +14,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
-import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -31,11 +30,13 @@ import steward.game.GameSetup;
 import steward.game.Pilot;
 import steward.lab.calibration.Calibration;
 import steward.lab.calibration.SeededPlay;
+import steward.lab.timing.RungJob;
 import steward.lab.timing.Stretch;
 import steward.lab.timing.TimedPlace;
 import steward.lab.timing.Timing;
 import steward.lab.timing.TimingEffort;
 import steward.lab.timing.TurnTimer;
+import steward.scene.Accuracy;
 import steward.scene.AccuracyFigures;
 import steward.scene.PhysicsFingerprint;
 import steward.scene.SceneFiles;
@@ -52,6 +53,27 @@ class CalibrateTest {
     static final Timing HERE = new Timing(new TimingEffort(1, 1, 0, 0, 0), bytes -> {
         try (DataInputStream job = new DataInputStream(new ByteArrayInputStream(bytes))) {
             return new TurnTimer(TimingMain.open(job));
+        } catch (IOException impossible) {
+            throw new UncheckedIOException(impossible);
+        }
+    });
+
+    /** A rung costs the more the farther up it stands, from step/1 on. */
+    private static final Timing MADE_TIMES = new Timing(new TimingEffort(1, 1, 0, 0, 0), bytes -> {
+        try (DataInputStream job = new DataInputStream(new ByteArrayInputStream(bytes))) {
+            job.readUTF();
+            int nanos = 30 + 30 * Accuracy.ladder().indexOf(RungJob.read(job).rung());
+            return new TimedPlace() {
+                @Override
+                public boolean warmUp(double least, double most) {
+                    return true;
+                }
+
+                @Override
+                public Stretch round(double least) {
+                    return new Stretch(nanos, 0);
+                }
+            };
         } catch (IOException impossible) {
             throw new UncheckedIOException(impossible);
         }
@@ -99,28 +121,13 @@ class CalibrateTest {
             Cli.run("replay", replay.toString(), "--verify").out());
     }
 
-    /** Where a step costs a third of event/double, as on the official race. */
+    /** Where a step costs less than exact times. */
     @Test
     void aRougherDemandHasACheaperRung() throws Exception {
         Path scene = scene("{ \"maxPositionError\": 400, \"share\": 0.99 }");
-        AtomicInteger rung = new AtomicInteger();
-        Timing costs = new Timing(new TimingEffort(1, 1, 0, 0, 0), job -> new TimedPlace() {
-
-            private final int nanos = 30 * (1 + rung.getAndIncrement() % 12);
-
-            @Override
-            public boolean warmUp(double least, double most) {
-                return true;
-            }
-
-            @Override
-            public Stretch round(double least) {
-                return new Stretch(nanos, 0);
-            }
-        });
         CalibrationRun.of(new Streams(new ByteArrayOutputStream(), new ByteArrayOutputStream(), false, false),
-            Games.open(scene.toString(), Calibration.PLAYED_ON), folder.resolve("mine.accuracy.json"), 1000, costs)
-            .run();
+            Games.open(scene.toString(), Calibration.PLAYED_ON), folder.resolve("mine.accuracy.json"), 1000,
+            MADE_TIMES).run();
         String explained = Cli.run("explain", scene.toString(), "--no-prices").out();
         assertTrue(explained.contains("\nAccuracy: step/1, the cheapest"), explained);
         assertTrue(explained.contains("\n  accuracy: advance step, steps 1, arithmetic double\n"), explained);
@@ -217,7 +224,7 @@ class CalibrateTest {
         GameSetup setup = Games.open(name, Calibration.PLAYED_ON);
         AccuracyFigures figures = shipped(name);
         Calibration sample = new Calibration(setup, seed -> race(setup, seed), Calibration.BLOCK);
-        sample.time(HERE, () -> { });
+        sample.time(MADE_TIMES, () -> { });
         sample.run(2, () -> { });
         assertEquals(sample.figures().sample(), figures.sample());
     }

@@ -110,9 +110,10 @@ class TradeoffCommandTest {
         assertTrue(lines.stream().anyMatch(line -> line.matches(
             "duel;pod-race;[0-9a-f]{16};event/official;headings;true;-?[0-9]+\\.[0-9]{4};0\\.0000;20.*;.*JDK.*")),
             String.join("\n", lines));
-        assertTrue(lines.stream().anyMatch(line -> line.startsWith("mean-max;")));
+        assertTrue(lines.stream().anyMatch(line -> line.startsWith("mean-max;")), String.join("\n", lines));
         assertFalse(Files.exists(folder.resolve("parts.csv.part")));
-        assertTrue(out.toString(StandardCharsets.UTF_8).endsWith("written to " + file + "\n"));
+        String said = out.toString(StandardCharsets.UTF_8);
+        assertTrue(said.endsWith("written to " + file + "\n"), said);
     }
 
     /** An interrupted run leaves the scenes that were measured, in files that are whole. */

@@ -1,8 +1,5 @@
 package steward.lab.tradeoff.report;
 
-import de.erichseifert.vectorgraphics2d.VectorGraphics2D;
-import de.erichseifert.vectorgraphics2d.svg.SVGProcessor;
-import de.erichseifert.vectorgraphics2d.util.PageSize;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
@@ -15,6 +12,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import javax.imageio.ImageIO;
+import org.knowm.xchart.ChartEncoder;
+import org.knowm.xchart.XYChart;
+import org.knowm.xchart.XYChartBuilder;
 import steward.lab.tradeoff.TradeoffResult;
 import steward.lab.tradeoff.TradeoffRow;
 
@@ -78,12 +78,16 @@ final class TradeoffPlot {
         }
     }
 
+    /** All panels as one chart of XChart, whose own encoder writes drawings. */
     private static void writeSvg(TradeoffResult result, TradeoffColours colours, Path file) throws IOException {
-        VectorGraphics2D pen = new VectorGraphics2D();
-        paint(result, colours, pen);
+        XYChart grid = new XYChart(new XYChartBuilder().width(width(result)).height(height(result))) {
+            @Override
+            public void paint(Graphics2D pen, int width, int height) {
+                TradeoffPlot.paint(result, colours, pen);
+            }
+        };
         try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(file))) {
-            new SVGProcessor().getDocument(pen.getCommands(), new PageSize(0, 0, width(result), height(result)))
-                .writeTo(out);
+            ChartEncoder.saveChart(grid, out, "svg");
         }
     }
 
