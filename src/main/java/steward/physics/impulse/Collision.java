@@ -89,13 +89,15 @@ public final class Collision {
         double vay = bodies.vy[a];
         double vbx = bodies.vx[b];
         double vby = bodies.vy[b];
+        double massA = bodies.mass[a];
+        double massB = bodies.mass[b];
         solver.exchange(bodies, a, b, restitutionRule.betweenBodies(bodies, a, b), pairImpulse, solved);
         if (separates) {
             solver.separate(bodies, a, b, solved.normalX, solved.normalY,
                 Math.abs(vax) + Math.abs(vay) + Math.abs(vbx) + Math.abs(vby));
         }
         sink.impact(time, bodies.id(a), bodies.id(b), ax, ay, bx, by, solved.normalX, solved.normalY, solved.impulse,
-            solved.energy, bodies.mass[a], bodies.mass[b], vax, vay, bodies.vx[a], bodies.vy[a], vbx, vby,
+            solved.energy, massA, massB, vax, vay, bodies.vx[a], bodies.vy[a], vbx, vby,
             bodies.vx[b], bodies.vy[b]);
         sink.knot(bodies.id(a), time, ax, ay);
         sink.knot(bodies.id(b), time, bx, by);
