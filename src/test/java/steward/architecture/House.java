@@ -32,7 +32,7 @@ final class House {
         "game.pokerchiprace", "game.pokerchiprace.protocol", "game.searchrace", "game.searchrace.protocol",
         "bot", "bot.command", "bot.isolation", "bot.accounting", "bot.process", "match",
         "replay.sign", "replay", "replay.verify", "replay.feed", "replay.page", "contest", "live", "codingame",
-        "league", "league.rating", "league.sequential", "league.pairing", "league.selfcheck", "league.store", "league.play", "league.page",
+        "league", "league.rating", "league.sequential", "league.pairing", "league.tune", "league.selfcheck", "league.store", "league.play", "league.page",
         "lab.oracle", "lab.trial", "lab.stability.pairs", "lab.stability.crowds", "lab.stability",
         "lab.calibration", "lab.tradeoff", "lab.tradeoff.report", "bench", "bench.textbook", "bench.section",
         "cli.shared", "cli.options", "cli.bench", "cli.lab", "cli.replay", "cli.play", "cli.sequential", "cli.league",
