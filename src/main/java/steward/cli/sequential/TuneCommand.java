@@ -40,8 +40,8 @@ import steward.text.TextFormat;
 @Command(name = "tune", description = "Finds good values for parameters in a bot's command.",
     footer = {"",
         "A parameter is written {name:0.5..2} for a real number, {name:1..9} for a whole",
-        "one, {name:one|other} for a choice; {name:1..9@3} begins at 3, otherwise it is the",
-        "middle. Each step tries two sets of values against the same bots on the same",
+        "one, {name:one|other} for a choice; {name:1..9@3} begins at 3, otherwise it is",
+        "the middle. Each step tries two sets of values against the same bots on the same",
         "seeds from all seats, and goes on towards the better one (SPSA). At the end the",
         "result is tested against the start. With --into the same command goes on after",
         "an interruption.",
@@ -63,11 +63,12 @@ public final class TuneCommand implements Callable<Integer> {
     @Mixin
     private final SceneOptions scene = new SceneOptions();
 
-    @Option(names = "--bot", paramLabel = "BOT", required = true, description = "The bot, with parameters in its command.")
+    @Option(names = "--bot", paramLabel = "BOT", required = true,
+        description = "The bot, with parameters in its command.")
     private String bot;
 
     @Option(names = "--against", paramLabel = "BOT", required = true, completionCandidates = BuiltinBotWords.class,
-        description = "Whom it plays; can be repeated.")
+        description = "A bot that it plays; can be repeated.")
     private List<String> against = new ArrayList<>();
 
     @Option(names = "--games", paramLabel = "N", defaultValue = "2000",
@@ -79,7 +80,7 @@ public final class TuneCommand implements Callable<Integer> {
     private Integer seeds;
 
     @Option(names = "--test-games", paramLabel = "N", defaultValue = "1000",
-        description = "At most so many games test the result against the start; 0 for none "
+        description = "Tests the result against the start with at most N games; 0 for none "
             + "(default: ${DEFAULT-VALUE}).")
     private Integer testGames;
 
@@ -98,7 +99,8 @@ public final class TuneCommand implements Callable<Integer> {
         description = "Stores the games in this league, and takes those that it has; its table does not list them.")
     private String into;
 
-    @Option(names = "--plots", paramLabel = "DIR", description = "Writes the path of the parameters into this folder, as "
+    @Option(names = "--plots", paramLabel = "DIR",
+        description = "Writes the path of the parameters into this folder, as "
         + "PNG and SVG.")
     private String plots;
 

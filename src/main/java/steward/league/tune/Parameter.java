@@ -35,8 +35,8 @@ public record Parameter(String name, double low, double high, boolean whole, Lis
         int colon = text.indexOf(':');
         String name = colon < 0 ? text : text.substring(0, colon);
         if (colon < 0 || !name.matches("[A-Za-z_][A-Za-z0-9_-]*")) {
-            throw new IllegalArgumentException("found '{" + text + "}', expected {name:low..high}, {name:one|other}, or "
-                + "{name:low..high@start}");
+            throw new IllegalArgumentException("found '{" + text + "}', expected {name:low..high}, {name:one|other}, "
+                + "or {name:low..high@start}");
         }
         String rest = text.substring(colon + 1);
         int at = rest.lastIndexOf('@');
@@ -76,8 +76,8 @@ public record Parameter(String name, double low, double high, boolean whole, Lis
         }
         double first = value(start);
         if (!(first >= low && first <= high) || whole && !isWhole(start)) {
-            throw new IllegalArgumentException("{" + text + "}: found the start '" + start + "', expected a number from "
-                + range.replace("..", " to "));
+            throw new IllegalArgumentException("{" + text + "}: found the start '" + start + "', expected a number "
+                + "from " + range.replace("..", " to "));
         }
         return new Parameter(name, low, high, whole, List.of(), parameter.place(first));
     }
