@@ -9,21 +9,26 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import steward.Internal;
 import steward.files.InputException;
-import steward.files.OutputFiles;
+import steward.files.LateFile;
 import steward.replay.WriteBehind;
 
-/** The replay of one game as a file: it remembers what went wrong with it, and leaves nothing empty behind. */
+/**
+ * The replay of one game as a file: it remembers what went wrong with it, and leaves nothing empty behind. The file is
+ * made with its first line, so that also after {@code kill -9} every file there is can be verified up to its cut.
+ */
 @Internal
 public final class ReplayFile extends OutputStream {
 
     private final Path path;
+    private final LateFile file;
     private final OutputStream stream;
     private IOException problem;
 
     /** @throws InputException if it cannot be opened, or exists and is not to be overwritten */
     public ReplayFile(Path path, boolean overwrite) {
         this.path = path;
-        stream = new WriteBehind(OutputFiles.open(path, overwrite));
+        file = new LateFile(path, overwrite);
+        stream = new WriteBehind(file);
     }
 
     @Override
@@ -85,17 +90,17 @@ public final class ReplayFile extends OutputStream {
         }
     }
 
-    /** Whether the file was made here: devices and links were there before, and stay. */
+    /** Whether the file was made here: what others have made, devices and links stay. */
     private boolean isOurs() {
-        return Files.isRegularFile(path, LinkOption.NOFOLLOW_LINKS);
+        return file.isMade() && Files.isRegularFile(path, LinkOption.NOFOLLOW_LINKS);
     }
 
     /** Whether there is a complete line after that of the header. */
     private boolean hasTurn() {
         byte[] bytes = new byte[1 << 13];
         int lines = 0;
-        try (InputStream file = Files.newInputStream(path)) {
-            for (int count = file.read(bytes); count >= 0; count = file.read(bytes)) {
+        try (InputStream written = Files.newInputStream(path)) {
+            for (int count = written.read(bytes); count >= 0; count = written.read(bytes)) {
                 for (int k = 0; k < count; k++) {
                     lines += bytes[k] == '\n' ? 1 : 0;
                 }
@@ -135,8 +140,9 @@ public final class ReplayFile extends OutputStream {
         }
     }
 
-    boolean exists() {
-        return Files.exists(path);
+    /** Whether there is a replay: the file was made, and has not been removed. */
+    public boolean exists() {
+        return file.isMade() && Files.exists(path);
     }
 
     Path path() {

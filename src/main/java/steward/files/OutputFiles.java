@@ -41,17 +41,22 @@ public final class OutputFiles {
      */
     public static OutputStream open(Path file, boolean overwrite) {
         check(file, overwrite);
-        OpenOption[] options = overwrite
-            ? new OpenOption[] {StandardOpenOption.WRITE, StandardOpenOption.CREATE,
-                StandardOpenOption.TRUNCATE_EXISTING}
-            : new OpenOption[] {StandardOpenOption.WRITE, StandardOpenOption.CREATE_NEW};
         try {
-            return Files.newOutputStream(file, options);
+            return create(file, overwrite);
         } catch (FileAlreadyExistsException problem) {
             throw exists(file);
         } catch (IOException problem) {
             throw new InputException(file + ": cannot be written: " + reason(file, problem));
         }
+    }
+
+    /** @throws IOException also if it exists and is not to be overwritten */
+    static OutputStream create(Path file, boolean overwrite) throws IOException {
+        OpenOption[] options = overwrite
+            ? new OpenOption[] {StandardOpenOption.WRITE, StandardOpenOption.CREATE,
+                StandardOpenOption.TRUNCATE_EXISTING}
+            : new OpenOption[] {StandardOpenOption.WRITE, StandardOpenOption.CREATE_NEW};
+        return Files.newOutputStream(file, options);
     }
 
     /**

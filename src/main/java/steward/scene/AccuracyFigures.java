@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import steward.Internal;
@@ -17,7 +18,7 @@ import steward.scene.json.SceneException;
 import steward.scene.json.Wording;
 
 /**
- * The measured position errors and the work of each rung in the states of a scene's calibration. Read from JSON, to
+ * The measured position errors and the cost of each rung in the states of a scene's calibration. Read from JSON, to
  * find the rung that meets a demand. Figures belong to a scene by its {@link SceneKey} and to a version of the physics
  * by its {@link PhysicsFingerprint}.
  *
@@ -36,13 +37,23 @@ public record AccuracyFigures(String source, String physics, String key, String 
                               List<OfRung> rungs) {
 
     /** The format that is read and written. */
-    public static final int FORMAT = 1;
+    public static final int FORMAT = 2;
     /**
      * The shares of states for which an error is kept, as fields are named; a demand for a share between two of them is
      * compared with the next higher one.
      */
-    public static final List<String> SHARES = List.of("0.5", "0.9", "0.99", "0.999", "0.9999", "1");
-    /** In place of an error: in a state the rung, or the oracle it was compared with, did not finish. */
+    public static final List<String> SHARES = List.of("0.5", "0.9", "0.99", "0.999", "0.9999");
+    /** The highest of them: no demand may go beyond it. */
+    static final double MOST_SHARE = 0.9999;
+    /**
+     * A rung that costs less than another by no more than this share does not count as cheaper: measurements of the
+     * same rung differ by as much.
+     */
+    public static final double SAME_COST = 0.05;
+    /**
+     * In place of an error: in too many states the rung, or the oracle it was compared with, did not finish, or there
+     * are too few states to show anything of this share.
+     */
     public static final String UNKNOWN = "unknown";
 
     /** What the file is called in errors. */
@@ -53,14 +64,17 @@ public record AccuracyFigures(String source, String physics, String key, String 
     /**
      * Figures of one rung.
      *
-     * @param rung   on the ladder
-     * @param work   counted per turn, in units of one pair test of the cheapest kind
-     * @param errors in u, for each of {@link #SHARES}: the error that this share of the states does not exceed
+     * @param rung    on the ladder
+     * @param cost    time of a turn, as a multiple of that on {@code event/double}
+     * @param work    pair tests and impacts, counted per turn
+     * @param errors  in u, for each of {@link #SHARES}: shown with 99% confidence that this share of all states of
+     *                seeded play does not exceed it
+     * @param largest of all errors that were seen, in u
      */
-    public record OfRung(Accuracy rung, double work, List<Double> errors) {
+    public record OfRung(Accuracy rung, double cost, double work, List<Double> errors, double largest) {
 
-        /** The error at a share, or at the next higher one that is kept. */
-        double error(double share) {
+        /** The error at a share up to {@link #MOST_SHARE}, or at the next higher one that is kept. */
+        public double error(double share) {
             int k = 0;
             while (Double.parseDouble(SHARES.get(k)) < share) {
                 k++;
@@ -90,7 +104,9 @@ public record AccuracyFigures(String source, String physics, String key, String 
         Block root = new Block(source, "", JsonTree.read(text, source, WHAT));
         int format = root.integer("format", 0, Integer.MAX_VALUE);
         if (format != FORMAT) {
-            throw root.error("format", Integer.toString(format), FORMAT + ", the one that this version reads");
+            throw root.error("format", Integer.toString(format), FORMAT + (format < FORMAT
+                ? "; figures of an earlier version have no costs: steward tradeoff --calibrate SCENE --overwrite makes "
+                    + "them anew" : ", the one that this version reads"));
         }
         List<OfRung> rungs = new ArrayList<>();
         for (Block rung : root.blocks("rungs")) {
@@ -99,7 +115,7 @@ public record AccuracyFigures(String source, String physics, String key, String 
         if (rungs.isEmpty()) {
             throw root.error("rungs", "none", "at least one");
         }
-        rungs.sort(Comparator.comparingDouble(OfRung::work));
+        rungs.sort(Comparator.comparingDouble(OfRung::cost));
         return new AccuracyFigures(source, root.text("physics"), root.text("key"),
             root.text("sample"), root.integer("states", 1, Integer.MAX_VALUE), List.copyOf(rungs));
     }
@@ -109,20 +125,31 @@ public record AccuracyFigures(String source, String physics, String key, String 
         List<Double> values = new ArrayList<>();
         for (String share : SHARES) {
             double least = values.isEmpty() ? 0 : values.get(values.size() - 1);
-            boolean unknown = errors.isText(share) && errors.choice(share, Map.of(UNKNOWN, true));
-            values.add(unknown ? Double.POSITIVE_INFINITY : errors.number(share, least, Double.POSITIVE_INFINITY));
+            values.add(errorOrUnknown(errors, share, least));
         }
         try {
             return new OfRung(Accuracy.parse(block.text("rung")),
-                block.number("work", 0, Double.POSITIVE_INFINITY), List.copyOf(values));
+                block.number("cost", 0, Double.POSITIVE_INFINITY), block.number("work", 0, Double.POSITIVE_INFINITY),
+                List.copyOf(values), errorOrUnknown(block, "largestError", 0));
         } catch (IllegalArgumentException problem) {
             throw block.error("rung", block.shown("rung"), "a rung of the ladder");
         }
     }
 
-    /** The cheapest rung that meets a demand, if there is one. */
-    Optional<OfRung> cheapest(AccuracyDemand demand) {
-        return rungs.stream().filter(rung -> rung.error(demand.share()) <= demand.maxPositionError()).findFirst();
+    private static double errorOrUnknown(Block block, String field, double least) {
+        boolean unknown = block.isText(field) && block.choice(field, Map.of(UNKNOWN, true));
+        return unknown ? Double.POSITIVE_INFINITY : block.number(field, least, Double.POSITIVE_INFINITY);
+    }
+
+    /**
+     * The cheapest rung that meets a demand, if there is one; of several that cost the same within
+     * {@link #SAME_COST}, the most accurate. So no other rung beats it in both cost and error.
+     */
+    public Optional<OfRung> cheapest(AccuracyDemand demand) {
+        List<OfRung> meeting = rungs.stream()
+            .filter(rung -> rung.error(demand.share()) <= demand.maxPositionError()).toList();
+        return meeting.stream().filter(rung -> rung.cost <= meeting.get(0).cost * (1 + SAME_COST))
+            .min(Comparator.comparingDouble(rung -> rung.error(demand.share())));
     }
 
     /** The rung with the smallest error at a share; of several, the cheapest. */
@@ -135,23 +162,33 @@ public record AccuracyFigures(String source, String physics, String key, String 
      *
      * @param scene  the whole file
      * @param figures where its own figures may be
-     * @throws SceneException if there are no figures, if they belong to another scene or physics, or if no rung meets
-     *                        the demand
+     * @throws SceneException if there are no figures, if they belong to another scene or physics, or if no rung is
+     *                        known to meet the demand
      */
     static AccuracyChoice choose(AccuracyDemand demand, Block scene, Optional<Path> figures) {
+        if (demand.share() > MOST_SHARE) {
+            throw scene.block("accuracy").error("share", Wording.number(demand.share()), "at most " + MOST_SHARE
+                + ": what no state of a sample exceeds, others may");
+        }
         AccuracyFigures found = find(scene, figures);
         if (!found.physics.equals(PhysicsFingerprint.text())) {
             throw unusable(scene, "figures in " + found.source + " that another version of the physics has measured",
                 figures, true);
         }
         OfRung best = found.best(demand.share());
+        if (best.error(demand.share()) == Double.POSITIVE_INFINITY) {
+            throw scene.block("accuracy").error("share", Wording.number(demand.share()), "a smaller one: nothing is "
+                + "known of this share from " + found.states + " states (" + found.source + ")");
+        }
         OfRung rung = found.cheapest(demand).orElseThrow(() -> scene.block("accuracy").error("maxPositionError",
             Wording.number(demand.maxPositionError()) + ", which no rung meets",
             "at least " + Wording.number(best.error(demand.share())) + ", the error of the best one, "
-                + best.rung().text() + ", in " + AccuracyDemand.percent(demand.share()) + " of " + found.states
-                + " states (" + found.source + ")"));
+                + best.rung().text() + ", in " + AccuracyDemand.percent(demand.share()) + " of states, shown by "
+                + found.states
+                + " (" + found.source + ")"));
         return new AccuracyChoice(rung.rung, false, "the cheapest that is off by " + demand.text() + ": by "
-            + Wording.number(rung.error(demand.share())) + " u, seen in " + found.states + " (" + found.source + ")");
+            + Wording.number(rung.error(demand.share())) + " u, shown by " + found.states + " (" + found.source
+            + "), at " + String.format(Locale.ROOT, "%.2f", rung.cost) + " times the cost of event/double");
     }
 
     /** Figures with the scene's key: those beside the scene file, else those of a shipped scene with the same key. */

@@ -14,7 +14,8 @@ import org.junit.jupiter.api.Test;
 
 /**
  * No file of the program names a game other than the first, but for its own room and resources, its bots, the list of
- * games, the names of the shipped scenes, and one view file with its entry in the list of scripts.
+ * games, the names of the shipped scenes, what was measured on these, and one view file with its entry in the list of
+ * scripts.
  */
 class GameNamesTest {
 
@@ -24,7 +25,8 @@ class GameNamesTest {
 
     /** Where every game has a line. */
     private static final List<String> LISTS = List.of("java/steward/cli/shared/Games.java",
-        "java/steward/scene/SceneFiles.java", "java/steward/replay/page/PageTemplate.java");
+        "java/steward/scene/SceneFiles.java", "java/steward/replay/page/PageTemplate.java",
+        "resources/steward/part-prices.csv");
 
     /** The ids of the games, as their rooms are called: without the hyphen. */
     private static List<String> games() throws IOException {

@@ -35,7 +35,8 @@ final class House {
         "league", "league.rating", "league.sequential", "league.pairing", "league.tune", "league.selfcheck",
         "league.store", "league.play", "league.page",
         "lab.oracle", "lab.trial", "lab.stability.pairs", "lab.stability.crowds", "lab.stability",
-        "lab.calibration", "lab.tradeoff", "lab.tradeoff.report", "bench", "bench.textbook", "bench.section",
+        "lab.timing", "lab.calibration", "lab.tradeoff", "lab.tradeoff.report",
+        "bench", "bench.textbook", "bench.section",
         "cli.shared", "cli.options", "cli.bench", "cli.lab", "cli.replay", "cli.play", "cli.sequential", "cli.league",
         "cli.setup", "cli");
 
@@ -170,9 +171,9 @@ final class House {
             .should().dependOnClassesThat(resideInAPackage(in("replay")));
     }
 
-    /** But for the browser that shows a match. */
+    /** But for the browser that shows a match, and JVMs that time one kind of turns each. */
     ArchRule onlyBotsAreProcesses() {
-        return noClasses().that().resideOutsideOfPackages(in("bot"), in("live"))
+        return noClasses().that().resideOutsideOfPackages(in("bot"), in("live"), in("lab.timing"))
             .should().dependOnClassesThat().haveFullyQualifiedName(ProcessBuilder.class.getName())
             .orShould().dependOnClassesThat().haveFullyQualifiedName(Process.class.getName());
     }

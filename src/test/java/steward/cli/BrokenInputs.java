@@ -33,6 +33,7 @@ import steward.match.Seat;
 import steward.match.TimeControl;
 import steward.replay.Forge;
 import steward.scene.SceneFiles;
+import steward.scene.SceneReader;
 
 /**
  * Files, answers and commands that are broken in ways nobody has thought of, see {@link Mutations}: which kinds there
@@ -86,10 +87,13 @@ final class BrokenInputs {
         }
     }
 
-    /** What is broken; made once. */
+    /** What is broken; made once. The replays are short, so that more are tried; two of their turns have impacts. */
     private static final class Originals {
-        static final byte[] REPLAY = Recorded.duel(7).bytes();
-        static final byte[] FAULTY = Recorded.play(Games.open("duel"), 7, "df", 9).bytes();
+        static final GameSetup DUEL = Games.open("duel");
+        static final GameSetup SHORT = Games.types().open(SceneReader.read(
+            text("duel").replaceFirst("\"maximumTurns\": [0-9]+", "\"maximumTurns\": 12"), "duel.json"));
+        static final byte[] REPLAY = Recorded.play(SHORT, 7, "dd", 0).bytes();
+        static final byte[] FAULTY = Recorded.play(SHORT, 7, "df", 9).bytes();
         static final byte[] RECORDING = OfficialGame.play(12).sketch(12).getBytes(StandardCharsets.UTF_8);
         static final String DEMAND = text("duel").replace("\"advance\": \"event\", \"arithmetic\": \"official\"",
             "\"maxPositionError\": 0.01, \"share\": 0.999");
@@ -246,7 +250,7 @@ final class BrokenInputs {
     boolean answer(Protocol protocol, String original, int number) throws InterruptedException {
         byte[] broken = new Mutations(random(number)).of(original.getBytes(StandardCharsets.UTF_8));
         String answer = new String(broken, StandardCharsets.UTF_8);
-        String fault = fault(Games.open("duel"), protocol, answer);
+        String fault = fault(Originals.DUEL, protocol, answer);
         if (fault == null) {
             return false;
         }

@@ -30,8 +30,10 @@ public final class KilledSeries {
 
     private static final String HEAD = "%-7s %-7s %5s  %9s %5s  %7s %5s %7s %6s  %-18s %s%n";
 
-    /** The latest moment, in milliseconds after the start of the JVM: then the series has played for a second. */
+    /** The latest moment, in milliseconds after the start of the JVM, or after the first replay was made. */
     private static final int LATEST_MS = 1500;
+    /** For the first replay. */
+    private static final int PATIENCE_MS = 60_000;
 
     private final Path work;
     private final Programs programs;
@@ -75,7 +77,9 @@ public final class KilledSeries {
             for (SandboxLevel level : levels) {
                 Row row = new Row();
                 for (int round = levels.indexOf(level); round < times; round += levels.size()) {
-                    series.round(signal, level, 100 + random.nextInt(LATEST_MS), row);
+                    // By turns from the start on, and while it surely plays, however slow the machine is.
+                    boolean playing = round / levels.size() % 2 == 1;
+                    series.round(signal, level, playing, (playing ? 0 : 100) + random.nextInt(LATEST_MS), row);
                 }
                 System.out.printf(HEAD, signal, level.word(), row.rounds, row.processes, row.files, row.replays,
                     row.whole, row.cut, row.empty, row.statuses, row.longestMs + " ms");
@@ -96,7 +100,7 @@ public final class KilledSeries {
             .anyMatch(line -> (Long.parseUnsignedLong(line.substring("SigIgn:".length()).strip(), 16) & 2) != 0);
     }
 
-    private void round(String signal, SandboxLevel level, int millis, Row row) throws IOException,
+    private void round(String signal, SandboxLevel level, boolean playing, int millis, Row row) throws IOException,
             InterruptedException {
         String mark = "killed" + Long.toUnsignedString(System.nanoTime(), 36);
         Path temporary = Files.createDirectory(work.resolve(mark));
@@ -107,6 +111,9 @@ public final class KilledSeries {
             programs.honest(mark), "--bot", programs.honest(mark)));
         Process process = new ProcessBuilder(words).redirectErrorStream(true)
             .redirectOutput(work.resolve("out").toFile()).start();
+        for (int waited = 0; playing && waited < PATIENCE_MS && replays.toFile().list().length == 0; waited++) {
+            process.waitFor(1, TimeUnit.MILLISECONDS);
+        }
         process.waitFor(millis, TimeUnit.MILLISECONDS);
         new ProcessBuilder("kill", "-s", signal, "" + process.pid()).start().waitFor();
         long sent = System.nanoTime();
@@ -114,7 +121,7 @@ public final class KilledSeries {
             problems.add(signal + ", " + level.word() + ": the referee does not end after " + millis + " ms");
             process.destroyForcibly();
         }
-        String when = signal + " after " + millis + " ms, " + level.word() + ": ";
+        String when = signal + " after " + millis + " ms" + (playing ? " of play, " : ", ") + level.word() + ": ";
         row.rounds++;
         row.statuses.merge(process.waitFor(), 1, Integer::sum);
         // The sentinel has the folder for temporary files in its command line, and so the mark.
@@ -138,7 +145,8 @@ public final class KilledSeries {
         row.replays++;
         try {
             if (Files.size(replay) == 0) {
-                row.empty++;                                        // killed between the file and its first line
+                row.empty++;
+                problems.add(when + replay.getFileName() + " is empty");
                 return;
             }
             ByteArrayOutputStream out = new ByteArrayOutputStream();

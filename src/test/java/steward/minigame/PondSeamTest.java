@@ -5,13 +5,22 @@ import static org.junit.jupiter.api.Assertions.assertNotSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.ByteArrayInputStream;
+import java.io.DataInputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import org.junit.jupiter.api.Test;
 import steward.game.Game;
 import steward.game.GameSetup;
 import steward.game.Pilot;
 import steward.lab.calibration.Calibration;
+import steward.lab.calibration.PartJob;
 import steward.lab.calibration.PartPrices;
 import steward.lab.calibration.SeededPlay;
+import steward.lab.timing.RungJob;
+import steward.lab.timing.Timing;
+import steward.lab.timing.TimingEffort;
+import steward.lab.timing.TurnTimer;
 import steward.numerics.SplitMix64;
 import steward.scene.json.SceneException;
 
@@ -19,6 +28,16 @@ import steward.scene.json.SceneException;
 class PondSeamTest {
 
     private static final GameSetup POND = PondMatches.changed();
+
+    /** Times in this JVM. */
+    private static final Timing HERE = new Timing(new TimingEffort(1, 1, 0, 0, 0), bytes -> {
+        try (DataInputStream job = new DataInputStream(new ByteArrayInputStream(bytes))) {
+            return new TurnTimer(job.readUTF().equals(PartJob.KIND) ? PartJob.read(job).open(PondMatches.TYPES)
+                : RungJob.read(job).open(POND.physics()));
+        } catch (IOException impossible) {
+            throw new UncheckedIOException(impossible);
+        }
+    });
 
     private static void command(GameSetup setup, Game game, SplitMix64 random) {
         for (int player = 0; player < game.players(); player++) {
@@ -51,11 +70,9 @@ class PondSeamTest {
 
     @Test
     void aPilotPlaysAndItsPartsHavePrices() {
-        SeededPlay play = new SeededPlay(POND, POND.pilot(Pilot.Aim.WIN), 1);
-        long[] clock = {0};
-        PartPrices.Prices prices = PartPrices.measure(POND.scene(), PondMatches.TYPES, play,
-            POND.pilot(Pilot.Aim.WIN), () -> clock[0] += 1000, () -> clock[0], 1, share -> { });
+        PartPrices.Prices prices = new PartPrices(POND.scene(), PondMatches.TYPES).measure(HERE, () -> { });
         assertTrue(prices.prices().size() > 1, prices.toString());
+        assertTrue(prices.turn().nanos() > 0, prices.toString());
     }
 
     /** Contacts that ask are measured with the reaction that the setup offers for it. */
@@ -63,6 +80,7 @@ class PondSeamTest {
     void aGameWithReactionsIsCalibrated() throws InterruptedException {
         Calibration calibration = new Calibration(POND,
             seed -> new SeededPlay(POND, POND.pilot(Pilot.Aim.WIN), seed), 5);
+        calibration.time(HERE, () -> { });
         calibration.run(1, () -> { });
         assertEquals(5, calibration.figures().states());
     }

@@ -8,10 +8,16 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import steward.numerics.SplitMix64;
 import steward.scene.json.Block;
 import steward.scene.json.JsonTree;
 import steward.scene.json.SceneException;
@@ -20,18 +26,22 @@ import steward.scene.json.SceneException;
 class AccuracyFiguresTest {
 
     private static final String STEP = """
-        { "rung": "step/2", "work": 2,
-          "positionErrors": { "0.5": 0, "0.9": 1, "0.99": 10, "0.999": 50, "0.9999": 90, "1": "unknown" } }""";
+        { "rung": "step/2", "cost": 0.4, "work": 2, "largestError": "unknown",
+          "positionErrors": { "0.5": 0, "0.9": 1, "0.99": 10, "0.999": 50, "0.9999": "unknown" } }""";
     private static final String EVENT = """
-        { "rung": "event/double", "work": 3.5,
-          "positionErrors": { "0.5": 0, "0.9": 0, "0.99": 1e-9, "0.999": 1e-5, "0.9999": 2e-5, "1": 3e-5 } }""";
+        { "rung": "event/double", "cost": 1, "work": 3.5, "largestError": 3e-5,
+          "positionErrors": { "0.5": 0, "0.9": 0, "0.99": 1e-9, "0.999": 1e-5, "0.9999": 2e-5 } }""";
     private static final String EXACT = """
-        { "rung": "exact", "work": 5.5,
-          "positionErrors": { "0.5": 0, "0.9": 0, "0.99": 1e-12, "0.999": 2e-12, "0.9999": 2e-12, "1": 4e-12 } }""";
-    /** Dearer than the event rungs, and worse: it must never be taken. */
-    private static final String MANY_STEPS = """
-        { "rung": "step/1024", "work": 1024,
-          "positionErrors": { "0.5": 0, "0.9": 0.1, "0.99": 0.2, "0.999": 0.3, "0.9999": 0.4, "1": 0.5 } }""";
+        { "rung": "exact", "cost": 1.5, "work": 3.5, "largestError": 4e-12,
+          "positionErrors": { "0.5": 0, "0.9": 0, "0.99": 1e-12, "0.999": 2e-12, "0.9999": 2e-12 } }""";
+    /** By counted work it would be the cheapest; it costs more than event/double and is worse: it is never taken. */
+    private static final String BEATEN = """
+        { "rung": "step/4", "cost": 1.4, "work": 1, "largestError": 0.5,
+          "positionErrors": { "0.5": 0, "0.9": 0.1, "0.99": 0.2, "0.999": 0.3, "0.9999": 0.4 } }""";
+    /** Costs less than event/double by less than measurements differ, and is worse. */
+    private static final String HARDLY_CHEAPER = """
+        { "rung": "event/official", "cost": 0.97, "work": 3.5, "largestError": 0.5,
+          "positionErrors": { "0.5": 0, "0.9": 1e-4, "0.99": 1e-3, "0.999": 0.01, "0.9999": 0.04 } }""";
 
     @TempDir
     private Path folder;
@@ -52,7 +62,7 @@ class AccuracyFiguresTest {
     }
 
     private String figures(String key, String physics, String... rungs) {
-        return "{ \"format\": 1, \"key\": \"" + key + "\", \"physics\": \"" + physics
+        return "{ \"format\": 2, \"key\": \"" + key + "\", \"physics\": \"" + physics
             + "\", \"sample\": \"0\", \"states\": 100000, \"rungs\": [ " + String.join(", ", rungs) + " ] }";
     }
 
@@ -60,7 +70,7 @@ class AccuracyFiguresTest {
     private Path calibrated() throws IOException {
         String key = SceneKey.of(SceneReader.read(text("\"advance\": \"step\", \"steps\": 1"), "s"));
         return Files.writeString(folder.resolve("s.accuracy.json"),
-            figures(key, PhysicsFingerprint.text(), EXACT, MANY_STEPS, EVENT, STEP));
+            figures(key, PhysicsFingerprint.text(), EXACT, BEATEN, HARDLY_CHEAPER, EVENT, STEP));
     }
 
     private static Scene load(Path file) {
@@ -74,8 +84,8 @@ class AccuracyFiguresTest {
     /** Shares between two that are kept are held against the next higher one. */
     @ParameterizedTest
     @CsvSource({"50, 0.999, step/2", "50, 0.9991, event/double", "10, 0.95, step/2", "9.9, 0.95, event/double",
-        "1000, 1, event/double", "0.01, 0.999, event/double", "1e-5, 0.999, event/double", 
-        "0.99e-5, 0.999, event/exact", "4e-12, 1, event/exact", "0.001, 0.1, step/2"})
+        "1000, 0.9999, event/double", "0.01, 0.999, event/double", "1e-5, 0.999, event/double",
+        "0.99e-5, 0.999, event/exact", "2e-12, 0.9999, event/exact", "0.001, 0.1, step/2"})
     void theCheapestRungThatMeetsTheDemandIsTaken(String error, String share, String rung) throws IOException {
         calibrated();
         Scene scene = load(write(demand(error, share)));
@@ -87,7 +97,8 @@ class AccuracyFiguresTest {
         Path kept = calibrated();
         Scene scene = load(write(demand("0.01", "0.999")));
         assertEquals(new AccuracyChoice(Accuracy.parse("event/double"), false, "the cheapest that is off by at most "
-            + "0.01 u in 99.9% of states: by 1e-5 u, seen in 100000 (" + kept + ")"), scene.choice());
+            + "0.01 u in 99.9% of states: by 1e-5 u, shown by 100000 (" + kept
+            + "), at 1.00 times the cost of event/double"), scene.choice());
         assertTrue(scene.json().endsWith("\"accuracy\":{\"advance\":\"event\",\"arithmetic\":\"double\"}}"),
             scene.json());
         Scene again = SceneReader.read(scene.json(), "header");
@@ -132,8 +143,53 @@ class AccuracyFiguresTest {
         Path kept = calibrated();
         Path file = write(demand("1e-15", "0.999"));
         assertEquals(file + ":3:36: accuracy.maxPositionError: found 1e-15, which no rung meets, expected at least "
-            + "2e-12, the error of the best one, event/exact, in 99.9% of 100000 states (" + kept + ")",
+            + "2e-12, the error of the best one, event/exact, in 99.9% of states, shown by 100000 (" + kept + ")",
             refusal(file));
+    }
+
+    /** No sample shows that nothing exceeds an error. */
+    @Test
+    void aDemandBeyondWhatASampleShowsIsRefused() throws IOException {
+        calibrated();
+        Path file = write(demand("1", "1"));
+        assertEquals(file + ":3:48: accuracy.share: found 1, expected at most 0.9999: what no state of a sample "
+            + "exceeds, others may", refusal(file));
+    }
+
+    @Test
+    void aShareThatTooFewStatesShowIsSaidToBeUnknown() throws IOException {
+        String key = SceneKey.of(SceneReader.read(text("\"advance\": \"step\", \"steps\": 1"), "s"));
+        Path kept = Files.writeString(folder.resolve("s.accuracy.json"), figures(key, PhysicsFingerprint.text(),
+            EVENT.replace("2e-5", "\"unknown\"")));
+        Path file = write(demand("1", "0.9995"));
+        assertEquals(file + ":3:48: accuracy.share: found 0.9995, expected a smaller one: nothing is known of this "
+            + "share from 100000 states (" + kept + ")", refusal(file));
+    }
+
+    /** Whatever is demanded, no other rung is both cheaper and more accurate than the one that is taken. */
+    @Test
+    void noRungIsOfferedThatAnotherBeats() {
+        SplitMix64 random = new SplitMix64(19);
+        for (int n = 0; n < 2000; n++) {
+            List<AccuracyFigures.OfRung> rungs = new ArrayList<>();
+            for (Accuracy rung : Accuracy.ladder()) {
+                double[] errors = random(random, 5).sorted().toArray();
+                rungs.add(new AccuracyFigures.OfRung(rung, 0.5 + random.nextDouble(), 1,
+                    Arrays.stream(errors).boxed().toList(), errors[4]));
+            }
+            rungs.sort(Comparator.comparingDouble(AccuracyFigures.OfRung::cost));
+            AccuracyDemand demand = new AccuracyDemand(random.nextDouble(), 0.9999 * (1 - random.nextDouble()));
+            String seed = "case " + n;
+            new AccuracyFigures("s", "", "", "", 1, rungs).cheapest(demand).ifPresent(taken -> {
+                assertTrue(taken.error(demand.share()) <= demand.maxPositionError(), seed);
+                assertTrue(rungs.stream().noneMatch(other -> other.cost() < taken.cost()
+                    && other.error(demand.share()) < taken.error(demand.share())), seed);
+            });
+        }
+    }
+
+    private static DoubleStream random(SplitMix64 random, int count) {
+        return DoubleStream.generate(random::nextDouble).limit(count);
     }
 
     @ParameterizedTest
@@ -156,9 +212,13 @@ class AccuracyFiguresTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-        "\"format\": 1 | \"format\": 2 | format: found 2, expected 1, the one that this version reads",
-        "\"1\": 3e-5 | \"1\": 1e-5 | positionErrors.1: found 1e-5, expected a number of at least 2e-5",
-        "\"1\": 3e-5 | \"2\": 3e-5 | positionErrors.1: found nothing, expected a number of at least 2e-5",
+        "\"format\": 2 | \"format\": 3 | format: found 3, expected 2, the one that this version reads",
+        "\"format\": 2 | \"format\": 1 | format: found 1, expected 2; figures of an earlier version have no costs: "
+            + "steward tradeoff --calibrate SCENE --overwrite makes them anew",
+        "\"cost\": 1.5 | \"cots\": 1.5 | cost: found nothing, expected a number of at least 0",
+        "\"largestError\": 3e-5 | \"largestError\": -1 | largestError: found -1, expected a number of at least 0",
+        "\"0.9999\": 2e-5 | \"0.9999\": 1e-6 | positionErrors.0.9999: found 1e-6, expected a number of at least 1e-5",
+        "\"0.9999\": 2e-5 | \"2\": 3e-5 | positionErrors.0.9999: found nothing, expected a number of at least 1e-5",
         "\"event/double\" | \"event/dubble\" | rung: found \"event/dubble\", expected a rung of the ladder",
         "\"states\": 100000 | \"states\": 0 | states: found 0, expected a whole number"})
     void damagedFiguresAreRefusedWithTheirPlace(String right, String wrong, String message) throws IOException {

@@ -62,7 +62,7 @@ public class PartBenchmark {
         states = new Bodies[STATES];
         Arrays.setAll(states, k -> state(random));
         now = new Bodies(BODIES);
-        step = PartByPartPhysics.of(setup, PartPrices.box(states)).stream().filter(each -> each.part().equals(part))
+        step = PartByPartPhysics.of(setup, PartSlices.box(states)).stream().filter(each -> each.part().equals(part))
             .findFirst().orElseThrow();
     }
 

@@ -41,8 +41,8 @@ final class LeagueSection implements Section {
     private static final int MOST_GAMES = 1_000_000;
     private static final int MOST_QUICK = 100_000;
     /** Games of a round: each starts two programs, so that more take minutes. */
-    private static final int SERIES = 8;
-    private static final int ROUNDS = 3;
+    private static final int GAMES = 20;
+    private static final int QUICK_GAMES = 8;
     private static final double NANOS = 1e9;
     private static final double NANOS_PER_MS = 1e6;
     private static final List<String> PAIR = List.of("builtin:racer", "builtin:regular");
@@ -64,17 +64,17 @@ final class LeagueSection implements Section {
     public String about() {
         return "Leagues, by the clock: storing made-up games, then opening the league and rating its " + BOTS
             + " bots, and finding out what is to be played next; and games between two bundled bots as a series and "
-            + "in a league, in turns, the best of " + ROUNDS + " rounds.";
+            + "in a league, in turns, the best round of each.";
     }
 
     @Override
     public int steps(Effort effort) {
-        return 3 * sizes(effort).size() + 2 * ROUNDS;
+        return 3 * sizes(effort).size() + 2 * effort.rounds();
     }
 
     private static List<Integer> sizes(Effort effort) {
         List<Integer> sizes = new ArrayList<>();
-        for (int games = LEAST_GAMES; games <= (effort.rounds() > ROUNDS ? MOST_GAMES : MOST_QUICK); games *= 10) {
+        for (int games = LEAST_GAMES; games <= (effort == Effort.QUICK ? MOST_QUICK : MOST_GAMES); games *= 10) {
             sizes.add(games);
         }
         return sizes;
@@ -87,7 +87,7 @@ final class LeagueSection implements Section {
             for (int games : sizes(effort)) {
                 grow(new LeagueFolder(Files.createDirectory(folder.resolve("made-" + games))), games, about, rows);
             }
-            compare(folder, about, rows);
+            compare(effort, folder, about, rows);
         } finally {
             delete(folder);
         }
@@ -142,15 +142,21 @@ final class LeagueSection implements Section {
             String.format(Locale.ROOT, "%.0f ms in all", nanos / NANOS_PER_MS));
     }
 
-    private void compare(Path folder, Consumer<String> about, Consumer<Row> rows) throws InterruptedException,
-            IOException {
-        double[] series = new double[ROUNDS];
-        double[] league = new double[ROUNDS];
-        for (int round = 0; round < ROUNDS; round++) {
-            about.accept("games of a series");
-            series[round] = series();
-            about.accept("games of a league");
-            league[round] = league(new LeagueFolder(Files.createDirectory(folder.resolve("played-" + round))));
+    private void compare(Effort effort, Path folder, Consumer<String> about, Consumer<Row> rows)
+            throws InterruptedException, IOException {
+        int games = effort == Effort.QUICK ? QUICK_GAMES : GAMES;
+        double[] series = new double[effort.rounds()];
+        double[] league = new double[effort.rounds()];
+        for (int step = 0; step < 2 * effort.rounds(); step++) {
+            int round = step / 2;
+            if (step % 4 == 0 || step % 4 == 3) {      // neither is always the first of a round
+                about.accept("games of a series");
+                series[round] = series(games);
+            } else {
+                about.accept("games of a league");
+                league[round] = league(new LeagueFolder(Files.createDirectory(folder.resolve("played-" + round))),
+                    games);
+            }
         }
         double best = Arrays.stream(series).max().orElseThrow();
         double other = Arrays.stream(league).max().orElseThrow();
@@ -159,15 +165,15 @@ final class LeagueSection implements Section {
             threads + " threads"));
     }
 
-    private double series() throws InterruptedException {
+    private double series(int games) throws InterruptedException {
         Contest contest = Contest.of(fixture.setup(), PAIR, Protocol.JSON, Double.POSITIVE_INFINITY);
-        SeriesPlay play = new SeriesPlay(new Series(contest, 1, SERIES / 2, true, null, KeptReplays.NONE), false);
+        SeriesPlay play = new SeriesPlay(new Series(contest, 1, games / 2, true, null, KeptReplays.NONE), false);
         long began = System.nanoTime();
         play.play(threads, () -> { });
-        return SERIES * NANOS / (System.nanoTime() - began);
+        return games * NANOS / (System.nanoTime() - began);
     }
 
-    private double league(LeagueFolder folder) throws InterruptedException {
+    private double league(LeagueFolder folder, int games) throws InterruptedException {
         LeagueSettings settings = LeagueSettings.usual(fixture.setup().scene().name(), 1)
             .with(null, Double.POSITIVE_INFINITY, KeptReplays.NONE)
             .withBots(PAIR.stream().map(bot -> new LeagueBot(bot.substring(bot.indexOf(':') + 1), bot, null, false,
@@ -181,13 +187,13 @@ final class LeagueSection implements Section {
                 System::currentTimeMillis);
             long began = System.nanoTime();
             LeagueRun run = new LeagueRun(folder, store, number, season, contest, reader, reader.read(settings),
-                new LeagueRun.Limits(threads, SERIES, Long.MAX_VALUE), "bench", what -> { }, game -> { });
+                new LeagueRun.Limits(threads, games, Long.MAX_VALUE), "bench", what -> { }, game -> { });
             run.play();
             double nanos = System.nanoTime() - began;
-            if (store.games(number) != SERIES) {
-                throw new IllegalStateException("found " + store.games(number) + " games, expected " + SERIES);
+            if (store.games(number) != games) {
+                throw new IllegalStateException("found " + store.games(number) + " games, expected " + games);
             }
-            return SERIES * NANOS / nanos;
+            return games * NANOS / nanos;
         }
     }
 

@@ -109,12 +109,17 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
 
     /** A single word without a prefix, before {@code =} and a known prefix, can only be meant as a name. */
     private static void checkName(String text, boolean named) {
-        int equals = text.indexOf('=');
-        if (!named && equals >= 0 && writtenPrefix(text) == null && !text.substring(0, equals).contains(" ")
-            && writtenPrefix(text.substring(equals + 1)) != null) {
-            throw new IllegalArgumentException("bot '" + text + "': found the name '" + text.substring(0, equals)
-                + "', expected one of letters, digits, dots, underscores and hyphens");
+        if (!named && isMisnamed(text)) {
+            throw new IllegalArgumentException("bot '" + text + "': found the name '"
+                + text.substring(0, text.indexOf('=')) + "', expected one of letters, digits, dots, underscores and "
+                + "hyphens");
         }
+    }
+
+    private static boolean isMisnamed(String text) {
+        int equals = text.indexOf('=');
+        return equals >= 0 && writtenPrefix(text) == null && !text.substring(0, equals).contains(" ")
+            && writtenPrefix(text.substring(equals + 1)) != null;
     }
 
     private static Prefix writtenPrefix(String text) {
@@ -193,7 +198,8 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
     @Override
     public String toString() {
         String line = CommandLine.quote(words);
-        boolean clear = prefix == Prefix.JSON && writtenPrefix(line) == null && !NAMED.matcher(line).matches();
+        boolean clear = prefix == Prefix.JSON && writtenPrefix(line) == null && !NAMED.matcher(line).matches()
+            && !isMisnamed(line);
         return (name == null ? "" : name + "=") + (clear ? "" : prefix.written()) + line;
     }
 }

@@ -26,7 +26,7 @@ import steward.cli.shared.RunProgress;
 import steward.cli.shared.Streams;
 import steward.files.InputException;
 import steward.files.OutputFiles;
-import steward.lab.tradeoff.TradeoffMachine;
+import steward.lab.timing.Machine;
 import steward.text.TextFormat;
 
 /** {@code steward bench}: how fast pod turns, matches, frames, replays, bot processes and crowds are. */
@@ -114,7 +114,7 @@ public final class BenchCommand implements Callable<Integer> {
         }
         Path folder = OutputFiles.path(out);
         try (BenchFiles files = tables.start(folder, BenchFiles.ALL, List.of(BenchFiles.PAGE),
-                    () -> new BenchFiles(folder, TradeoffMachine.line(), LocalDate.now(ZoneOffset.UTC).toString()));
+                    () -> new BenchFiles(folder, Machine.line(), LocalDate.now(ZoneOffset.UTC).toString()));
                 Interruption interruption = new Interruption(streams,
                     () -> stopped("the rows so far are in " + folder))) {
             int status = measure(sections, files);
@@ -169,7 +169,7 @@ public final class BenchCommand implements Callable<Integer> {
         if (games == null && bodies.isEmpty()) {
             ProgressLine.announce(streams, TextFormat.about(progress.total()));
         }
-        streams.out().println(TradeoffMachine.line());
+        streams.out().println(Machine.line());
         int status = ExitStatus.DONE;
         for (Section section : sections) {
             table.begin(section);

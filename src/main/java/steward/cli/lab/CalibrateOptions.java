@@ -24,18 +24,21 @@ final class CalibrateOptions {
     private static final int MOST_STATES = 10_000_000;
     /** How long a state takes, approximately: 2000 of mad-pod-racing 1 s of CPU, on two processors. */
     private static final double STATE_SECONDS = 3e-4;
+    /** How long the costs of a scene take, approximately. */
+    private static final double COST_SECONDS = 30;
     /** From so many seconds on a run says beforehand how long it takes. */
     private static final double ANNOUNCED = 5;
 
     private final CallCheck check = CallCheck.brief();
 
     @Option(names = "--calibrate", paramLabel = "SCENE", description = "Instead: measures how far off each rung is in "
-        + "this scene and writes it to NAME.accuracy.json beside the file (or into --out), where a scene that states "
+        + "this scene, and what it costs, and writes it to NAME.accuracy.json beside the file (or into --out), where a "
+        + "scene that states "
         + "\"accuracy\": {\"maxPositionError\": 0.01, \"share\": 0.999} finds it. Can be repeated.")
     private List<String> scenes = new ArrayList<>();
 
     @Option(names = "--states", paramLabel = "N", description = "With --calibrate: measures on this many states "
-        + "(default: 100000).")
+        + "(default: 100000). With fewer than 10000 costs are measured roughly, too.")
     private Integer states;
 
     /** Whether any scene is to be calibrated. */
@@ -70,7 +73,7 @@ final class CalibrateOptions {
         for (CalibrationRun each : all) {
             each.begin();
         }
-        double seconds = all.size() * (states == null ? Calibration.STATES : states) * STATE_SECONDS;
+        double seconds = all.size() * (COST_SECONDS + (states == null ? Calibration.STATES : states) * STATE_SECONDS);
         if (seconds >= ANNOUNCED) {
             ProgressLine.announce(streams, TextFormat.about(seconds));
         }

@@ -6,6 +6,8 @@ import java.math.MathContext;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.time.LocalDate;
+import java.time.ZoneOffset;
 import java.util.Locale;
 import steward.cli.shared.FailedException;
 import steward.cli.shared.ProgressLine;
@@ -16,6 +18,9 @@ import steward.game.GameSetup;
 import steward.game.Pilot;
 import steward.lab.calibration.Calibration;
 import steward.lab.calibration.SeededPlay;
+import steward.lab.timing.Machine;
+import steward.lab.timing.Timing;
+import steward.lab.timing.TimingEffort;
 import steward.scene.AccuracyFigures;
 import steward.text.TextFormat;
 
@@ -26,6 +31,8 @@ import steward.text.TextFormat;
  */
 final class CalibrationRun {
 
+    /** From so many states on a calibration is meant to last, and its costs are timed with all care. */
+    private static final int FIRST_LOOK = 10_000;
     private static final int RUNG = 19;
     private static final int COLUMN = 11;
     private static final double LEAST_PLAIN = 1e-3;
@@ -35,13 +42,17 @@ final class CalibrationRun {
     private final Path file;
     private final Path unfinished;
     private final Calibration calibration;
+    private final Timing timing;
+    private final String date = LocalDate.now(ZoneOffset.UTC).toString();
     private boolean written;
 
     /**
      * @param file        for the figures
      * @param calibration of the scene
+     * @param timing      times the rungs
      */
-    CalibrationRun(Streams streams, GameSetup setup, Path file, Calibration calibration) {
+    CalibrationRun(Streams streams, GameSetup setup, Path file, Calibration calibration, Timing timing) {
+        this.timing = timing;
         this.streams = streams;
         this.setup = setup;
         this.file = file;
@@ -49,11 +60,17 @@ final class CalibrationRun {
         unfinished = file.resolveSibling(file.getFileName() + ".part");
     }
 
-    /** @param states how many states */
+    /** @param states how many states; fewer than {@link #FIRST_LOOK} are timed in one JVM a rung only */
     static CalibrationRun of(Streams streams, GameSetup setup, Path file, int states) {
+        return of(streams, setup, file, states, Timing.inJvms(states < FIRST_LOOK ? TimingEffort.QUICK
+            : TimingEffort.NORMAL, TimingMain.class));
+    }
+
+    static CalibrationRun of(Streams streams, GameSetup setup, Path file, int states, Timing timing) {
         try {
             return new CalibrationRun(streams, setup, file,
-                new Calibration(setup, seed -> new SeededPlay(setup, setup.pilot(Pilot.Aim.WIN), seed), states));
+                new Calibration(setup, seed -> new SeededPlay(setup, setup.pilot(Pilot.Aim.WIN), seed), states),
+                timing);
         } catch (IllegalArgumentException problem) {
             throw new InputException("--calibrate: " + setup.scene().name() + ": " + problem.getMessage());
         }
@@ -72,13 +89,13 @@ final class CalibrationRun {
     void run() throws InterruptedException {
         Thread hook = new Thread(this::interrupted, "interruption");
         Runtime.getRuntime().addShutdownHook(hook);
+        int steps = timing.steps(calibration.jobs());
+        try (ProgressLine progress = ProgressLine.watched(streams, setup.scene().name() + ", costs", steps)) {
+            calibration.time(timing, () -> ProgressLine.step(progress));
+        }
         int threads = Math.min(Runtime.getRuntime().availableProcessors(), calibration.blocks());
-        if (streams.errTerminal()) {
-            try (ProgressLine progress = new ProgressLine(streams.err(), setup.scene().name(), calibration.blocks())) {
-                calibration.run(threads, progress::step);
-            }
-        } else {
-            calibration.run(threads, () -> { });
+        try (ProgressLine progress = ProgressLine.watched(streams, setup.scene().name(), calibration.blocks())) {
+            calibration.run(threads, () -> ProgressLine.step(progress));
         }
         Calibration.Figures figures = calibration.figures();
         write(figures, file);
@@ -100,7 +117,7 @@ final class CalibrationRun {
             return;
         }
         try {
-            Files.writeString(unfinished, calibration.text(figures));
+            Files.writeString(unfinished, calibration.text(figures, date, Machine.line()));
             if (!place.equals(unfinished)) {
                 Files.move(unfinished, place, StandardCopyOption.REPLACE_EXISTING);
             }
@@ -124,17 +141,23 @@ final class CalibrationRun {
     private void show(Calibration.Figures figures) {
         StringBuilder head = new StringBuilder(TextFormat.left("  off by at most u in", RUNG + COLUMN));
         AccuracyFigures.SHARES.forEach(share -> head.append(TextFormat.right(percent(share), COLUMN)));
+        head.append(TextFormat.right("largest", COLUMN));
         streams.out().println(setup.scene().name() + ": one turn from each of " + figures.states() + " states, "
             + figures.withImpacts() + " of them with impacts");
         streams.out().println();
         streams.out().println(head);
-        streams.out().println(TextFormat.left("  rung", RUNG) + TextFormat.right("work", COLUMN));
+        streams.out().println(TextFormat.left("  rung", RUNG) + TextFormat.right("cost", COLUMN));
         for (AccuracyFigures.OfRung rung : figures.rungs()) {
             StringBuilder line = new StringBuilder(TextFormat.left("  " + rung.rung(), RUNG));
-            line.append(TextFormat.right(String.format(Locale.ROOT, "%.1f", rung.work()), COLUMN));
+            line.append(TextFormat.right(String.format(Locale.ROOT, "%.2f", rung.cost()), COLUMN));
             rung.errors().forEach(error -> line.append(TextFormat.right(error(error), COLUMN)));
+            line.append(TextFormat.right(error(rung.largest()), COLUMN));
             streams.out().println(line);
         }
+        streams.out().println();
+        streams.out().println("cost: of a turn, event/double is 1. The shares are of all such states, with 99% "
+            + "confidence;");
+        streams.out().println("the largest error is of those that were played.");
         streams.out().println();
         streams.out().println("written to " + file);
         streams.out().println("'steward explain' says which rung a scene gets by them that states, say,");

@@ -10,6 +10,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import steward.cli.options.AccuracyOption;
+import steward.cli.options.CallCheck;
 import steward.cli.options.ShippedScenes;
 import steward.cli.shared.Colour;
 import steward.cli.shared.ExitStatus;
@@ -26,7 +27,7 @@ import steward.text.TextFormat;
 /** {@code steward explain}: what a scene contains, and which parts of the engine it needs. */
 @Command(name = "explain", description = "Prints what a scene says, which parts of the engine it needs and why, and "
     + "what each adds to the time of a turn.",
-    footer = {"", "Examples:", "  steward explain walled-race",
+    footer = {"", "Examples:", "  steward explain walled-race", "  steward explain my-scene.json --measure",
         "  steward explain my-scene.json --json --no-prices"})
 public final class ExplainCommand implements Callable<Integer> {
 
@@ -42,8 +43,12 @@ public final class ExplainCommand implements Callable<Integer> {
     @Mixin
     private final AccuracyOption accuracy = new AccuracyOption();
 
-    @Option(names = "--no-prices", description = "Leaves out what the parts cost: to measure it takes two seconds.")
+    @Option(names = "--no-prices", description = "Leaves out what the parts cost.")
     private boolean noPrices;
+
+    @Option(names = "--measure", description = "Measures on this machine what the parts cost, in place of the stored "
+        + "shares: takes about half a minute.")
+    private boolean measure;
 
     @Option(names = "--json", description = "Prints one JSON object instead: parts, accuracy, warnings.")
     private boolean json;
@@ -54,8 +59,9 @@ public final class ExplainCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
+        CallCheck.brief().that(!measure || !noPrices, "--measure: found --no-prices with it, expected one of them");
         GameSetup setup = accuracy.open(scene, streams);
-        PriceList prices = noPrices ? null : PriceList.measure(streams, setup);
+        PriceList prices = noPrices ? null : measure ? PriceList.measure(streams, setup) : PriceList.stored(setup);
         if (json) {
             ExplainJson.print(streams, setup, prices);
             return ExitStatus.DONE;

@@ -15,7 +15,10 @@ final class ExplainJson {
     private ExplainJson() {
     }
 
-    /** @param prices {@code null} if none were measured; the fields {@code nanosPerTurn} are absent then */
+    /**
+     * @param prices {@code null} for none; otherwise each part that has one has a field, {@code nanosPerTurn} if they
+     *               were measured here, {@code shareOfTurn} if they are stored
+     */
     static void print(Streams streams, GameSetup setup, PriceList prices) {
         Scene scene = setup.scene();
         Json.print(streams, out -> {
@@ -45,9 +48,9 @@ final class ExplainJson {
         out.writeBooleanProperty("in", part.in());
         out.writeStringProperty("why", part.why());
         out.writeStringProperty("when", part.when().name().toLowerCase(Locale.ROOT));
-        double nanos = prices == null ? Double.NaN : prices.nanos(part);
-        if (!Double.isNaN(nanos)) {
-            out.writeNumberProperty("nanosPerTurn", nanos);
+        double price = prices == null ? Double.NaN : prices.number(part);
+        if (!Double.isNaN(price)) {
+            out.writeNumberProperty(prices.isMeasured() ? "nanosPerTurn" : "shareOfTurn", price);
         }
         out.writeEndObject();
     }

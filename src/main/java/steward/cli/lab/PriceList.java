@@ -1,92 +1,113 @@
 package steward.cli.lab;
 
-import java.lang.management.ManagementFactory;
-import java.lang.management.ThreadMXBean;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.function.LongSupplier;
 import steward.cli.shared.Games;
+import steward.cli.shared.ProgressLine;
 import steward.cli.shared.Streams;
 import steward.game.GameSetup;
-import steward.game.Pilot;
 import steward.lab.calibration.PartByPartPhysics;
 import steward.lab.calibration.PartPrices;
 import steward.lab.calibration.PartPrices.Price;
-import steward.lab.calibration.SeededPlay;
+import steward.lab.calibration.StoredPartPrices;
+import steward.lab.timing.Timing;
+import steward.lab.timing.TimingEffort;
 import steward.scene.Part;
 
-/** What each part of a scene adds to a turn, measured on this machine. */
+/** What each part of a scene adds to a turn: as stored with the program, or measured on this machine. */
 final class PriceList {
 
-    /** Long enough for stable medians, short enough to wait for. */
-    private static final long BUDGET_NANOS = 1_800_000_000;
-    private static final long SEED = 1;
-    private static final String CLEAR = "\r" + " ".repeat(40) + "\r";
+    private static final double PERCENT = 100;
 
-    private final GameSetup setup;
-    private final PartPrices.Prices prices;
     private final Map<String, Price> byPart = new HashMap<>();
+    private final String legend;
+    private final boolean measured;
 
-    private PriceList(GameSetup setup, PartPrices.Prices prices) {
-        this.setup = setup;
-        this.prices = prices;
-        prices.prices().forEach(price -> byPart.put(price.part(), price));
+    private PriceList(boolean measured, String legend) {
+        this.measured = measured;
+        this.legend = legend;
     }
 
-    /** Measures for about two seconds; progress is shown on a terminal. */
-    static PriceList measure(Streams streams, GameSetup setup) {
-        ThreadMXBean threads = ManagementFactory.getThreadMXBean();
-        return measure(streams, setup, threads.isCurrentThreadCpuTimeSupported()
-            ? threads::getCurrentThreadCpuTime : System::nanoTime, System::nanoTime);
-    }
-
-    /** With two clocks in nanoseconds: one for the prices, and the wall clock. */
-    static PriceList measure(Streams streams, GameSetup setup, LongSupplier work, LongSupplier wall) {
-        int[] told = {-1};
-        Pilot pilot = setup.pilot(Pilot.Aim.WIN);
-        PartPrices.Prices prices = PartPrices.measure(setup.scene(), Games.types(),
-            new SeededPlay(setup, pilot, SEED), pilot, work, wall, BUDGET_NANOS, share -> {
-                int percent = (int) (100 * share);
-                if (streams.errTerminal() && percent > told[0]) {
-                    streams.err().print("\rmeasuring prices: " + percent + "%");
-                    streams.err().flush();
-                    told[0] = percent;
-                }
-            });
-        if (streams.errTerminal()) {
-            streams.err().print(CLEAR);
-            streams.err().flush();
+    /** Shares of a turn, from the measurements that come with the program. */
+    static PriceList stored(GameSetup setup) {
+        StoredPartPrices stored = StoredPartPrices.of(setup.scene());
+        StoredPartPrices.Row row = stored.rows().get(0);
+        List<String> rungs = stored.rows().stream().map(StoredPartPrices.Row::rung).distinct().toList();
+        PriceList list = new PriceList(false, "What a part adds, as a share of a turn (below 0: it saves); parts left "
+            + "out would add what is in brackets; < is less than could be told apart. "
+            + (stored.exact() ? "Stored for " + row.scene()
+                : "Stored, the medians of " + String.join(", ", stored.scenes()))
+            + " on " + String.join(", ", rungs) + ", measured " + row.date() + ": " + row.machine()
+            + ". --measure measures this scene here.");
+        for (Part part : setup.plan().parts()) {
+            Price price = stored.price(part);
+            if (price != null) {
+                list.byPart.put(part.name(), new Price(part.name(), part.in(), PERCENT * price.nanos(),
+                    PERCENT * price.error()));
+            }
         }
-        return new PriceList(setup, prices);
+        return list;
     }
 
-    /** The price of a part in nanoseconds a turn, in brackets for a part that is left out; empty without a price. */
+    /** Measures, each step in JVMs of its own; progress is shown on a terminal. */
+    static PriceList measure(Streams streams, GameSetup setup) {
+        return measure(streams, setup, Timing.inJvms(TimingEffort.SOON, TimingMain.class));
+    }
+
+    static PriceList measure(Streams streams, GameSetup setup, Timing timing) {
+        PartPrices parts = new PartPrices(setup.scene(), Games.types());
+        ProgressLine progress = ProgressLine.watched(streams, "measuring", timing.steps(parts.jobs()));
+        PartPrices.Prices prices;
+        try {
+            prices = parts.measure(timing, () -> ProgressLine.step(progress));
+        } finally {
+            if (progress != null) {
+                progress.close();
+            }
+        }
+        Map<String, Price> byPart = new HashMap<>();
+        prices.prices().forEach(price -> byPart.put(price.part(), price));
+        PriceList list = new PriceList(true, "");
+        PriceList told = new PriceList(true, "A turn takes " + list.text(prices.turn()) + " here, "
+            + list.text(byPart.get(PartByPartPhysics.EMPTY)) + " of them to fly straight; a part adds its price (below "
+            + "0: it saves), parts left out would add what is in brackets. Measured now on "
+            + setup.scene().accuracy() + ", each part in JVMs of its own, medians of " + prices.rounds()
+            + " rounds; < is less than can be told apart.");
+        told.byPart.putAll(byPart);
+        return told;
+    }
+
+    /** The price of a part, in brackets for a part that is left out; empty without a price. */
     String of(Part part) {
         Price price = byPart.get(part.name());
-        return price == null ? "" : part.in() ? text(price) + " ns" : "(" + text(price) + " ns)";
+        return price == null ? "" : part.in() ? text(price) : "(" + text(price) + ")";
     }
 
-    /** The price of a part in nanoseconds a turn, {@code NaN} if it has none. */
-    double nanos(Part part) {
+    /** The price of a part in nanoseconds a turn, or as a share of a turn; {@code NaN} if it has none. */
+    double number(Part part) {
         Price price = byPart.get(part.name());
-        return price == null ? Double.NaN : price.nanos();
+        return price == null ? Double.NaN : measured ? price.nanos() : price.nanos() / PERCENT;
+    }
+
+    /** Whether the prices are in nanoseconds and of this machine. */
+    boolean isMeasured() {
+        return measured;
     }
 
     /** A number, or a text that it is below the measurable difference. */
-    private static String text(Price price) {
+    private String text(Price price) {
         double least = Math.max(1, price.error());
-        boolean saves = price.part().equals(Part.BROAD_PHASE) && -price.nanos() >= least;
-        return saves || price.nanos() >= least ? String.format(Locale.ROOT, "%.0f", price.nanos())
-            : "<" + (long) Math.ceil(least);
+        return Math.abs(price.nanos()) >= least ? unit(price.nanos()) : "<" + unit(Math.ceil(least));
+    }
+
+    private String unit(double value) {
+        return String.format(Locale.ROOT, measured ? "%.0f ns" : "%.0f%%", value);
     }
 
     /** The meaning of the numbers. */
     String legend() {
-        return "A turn takes " + text(prices.turn()) + " ns here, " + text(byPart.get(PartByPartPhysics.EMPTY))
-            + " ns of them to fly straight; the parts add their prices (a broad phase saves), those left out would add "
-            + "what is in brackets. "
-            + "Measured now on " + setup.scene().accuracy() + ", medians of " + prices.rounds()
-            + " rounds; < is less than can be told apart.";
+        return legend;
     }
 }

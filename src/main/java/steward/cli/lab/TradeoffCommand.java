@@ -18,9 +18,10 @@ import steward.cli.shared.RunProgress;
 import steward.cli.shared.Streams;
 import steward.files.InputException;
 import steward.files.OutputFiles;
+import steward.lab.timing.Machine;
+import steward.lab.timing.Timing;
 import steward.lab.tradeoff.TradeoffEffort;
 import steward.lab.tradeoff.TradeoffHeadings;
-import steward.lab.tradeoff.TradeoffMachine;
 import steward.lab.tradeoff.TradeoffMeasurement;
 import steward.lab.tradeoff.TradeoffRow;
 import steward.lab.tradeoff.TradeoffScene;
@@ -45,7 +46,8 @@ public final class TradeoffCommand implements Callable<Integer> {
         + "trigonometry costs.")
     private List<String> scenes = new ArrayList<>();
 
-    @Option(names = "--quick", description = "Measures few states and rounds: rough figures, soon.")
+    @Option(names = "--quick", description = "Measures few states, in one JVM a rung: rough figures, soon, that may "
+        + "not be quoted.")
     private boolean quick;
 
     @Option(names = "--out", paramLabel = "DIR", description = "Writes " + TradeoffReport.CSV + " and "
@@ -58,12 +60,22 @@ public final class TradeoffCommand implements Callable<Integer> {
     @Mixin
     private final CalibrateOptions calibrate = new CalibrateOptions();
 
+    @Mixin
+    private final PartsOption parts = new PartsOption();
+
     public TradeoffCommand(Streams streams) {
         this.streams = streams;
     }
 
     @Override
     public Integer call() throws InterruptedException {
+        if (parts.isAsked()) {
+            if (quick || out != null || !scenes.isEmpty() || calibrate.isAsked()) {
+                throw new InputException("--parts: found " + (quick ? "--quick" : out != null ? "--out"
+                    : scenes.isEmpty() ? "--calibrate" : "--scene") + " with it, expected nothing but --overwrite");
+            }
+            return parts.run(streams, tables.overwrite());
+        }
         if (calibrate.isAsked()) {
             if (quick || !scenes.isEmpty()) {
                 throw new InputException("--calibrate: found " + (quick ? "--quick" : "--scene")
@@ -96,7 +108,7 @@ public final class TradeoffCommand implements Callable<Integer> {
 
     private TradeoffReport files(Path folder) {
         return tables.start(folder, TradeoffReport.ALL, TradeoffReport.ALL,
-            () -> new TradeoffReport(folder, TradeoffMachine.line(), LocalDate.now(ZoneOffset.UTC).toString()));
+            () -> new TradeoffReport(folder, Machine.line(), LocalDate.now(ZoneOffset.UTC).toString()));
     }
 
     private void measure(List<TradeoffScene> chosen, boolean headings, TradeoffReport files) {
@@ -105,7 +117,8 @@ public final class TradeoffCommand implements Callable<Integer> {
         RunProgress progress = new RunProgress(streams, seconds(chosen, headings));
         ProgressLine.announce(streams, TextFormat.about(progress.total()));
         for (TradeoffScene scene : chosen) {
-            TradeoffMeasurement measurement = new TradeoffMeasurement(scene, effort);
+            TradeoffMeasurement measurement = new TradeoffMeasurement(scene, effort,
+                Timing.inJvms(effort.timing(), TimingMain.class));
             progress.begin(scene.name());
             List<TradeoffRow> rows;
             try {
@@ -133,7 +146,7 @@ public final class TradeoffCommand implements Callable<Integer> {
             table.add(row);
         }
         if (!chosen.isEmpty()) {
-            table.end();
+            table.end(quick);
         }
     }
 

@@ -117,8 +117,8 @@ final class TradeoffScenes {
         int movable = movable(setup.create(SEED).bodies());
         int states = Math.max(LEAST_STATES, (int) (STATES * Math.min(1, 16.0 / (movable * movable))));
         SeededPlay play = new SeededPlay(setup, setup.pilot(aim), SEED);
-        return new TradeoffScene(name, about, setup.physics(), rounds ? motion : null, play::next, states,
-            FREE_RUNS, FREE_TURNS, STEPS);
+        return new TradeoffScene(name, about, setup.scene().json(), setup.physics(), rounds ? motion : null,
+            play::next, states, FREE_RUNS, FREE_TURNS, STEPS);
     }
 
     private static int movable(Bodies bodies) {

@@ -5,16 +5,13 @@ import java.util.Map;
 /** How long the scenes of {@code steward tradeoff} take, approximately. */
 final class TradeoffSeconds {
 
-    /**
-     * With {@code --quick} and without: each measured once on two busy processors but for the last two without it, and
-     * those without it scaled to the 288 s that all took together.
-     */
-    private static final Map<String, int[]> SECONDS = Map.of("official-race", new int[] {7, 32},
-        "brawl", new int[] {7, 32}, "dense-box", new int[] {6, 59}, "gas", new int[] {20, 50},
-        "bullets", new int[] {10, 39}, "grazing", new int[] {7, 42}, "walled-race", new int[] {10, 30},
+    /** With {@code --quick} and without, on two processors. */
+    private static final Map<String, int[]> SECONDS = Map.of("official-race", new int[] {9, 50},
+        "brawl", new int[] {9, 50}, "dense-box", new int[] {12, 90}, "gas", new int[] {20, 80},
+        "bullets", new int[] {14, 70}, "grazing", new int[] {9, 50}, "walled-race", new int[] {12, 60},
         "headings", new int[] {2, 4});
     /** Another scene takes about as long as the walled race. */
-    private static final int[] OTHER = {10, 30};
+    private static final int[] OTHER = {12, 60};
 
     private TradeoffSeconds() {
     }

@@ -28,7 +28,7 @@ final class TradeoffTable {
         streams.out().println(scene.name() + ": " + scene.about() + ";");
         streams.out().println("  " + TextFormat.count(first.states(), "state") + " with "
             + TextFormat.count(first.impacts(), "impact") + ", " + TextFormat.count(first.rounds(), "round")
-            + " of timing");
+            + " of timing in " + TextFormat.count(first.jvms(), "JVM") + " of each rung's own");
         for (String[] header : HEADER) {
             line("", header);
         }
@@ -65,13 +65,20 @@ final class TradeoffTable {
         streams.out().flush();
     }
 
-    /** Prints the meaning of the columns. */
-    void end() {
+    /**
+     * Prints the meaning of the columns.
+     *
+     * @param quick whether the figures are rough
+     */
+    void end(boolean quick) {
         streams.out().println();
         streams.out().println("* on the Pareto front: no rung is both cheaper and nearer to the truth. Errors in u; "
             + "energy as a share;");
         streams.out().println("free run: turns without commands until a body is off by 1 u. Times are CPU time of one "
             + "thread.");
+        if (quick) {
+            streams.out().println("--quick: few states, and one JVM a rung. These figures may not be quoted.");
+        }
     }
 
     private static String format(String format, double value) {
@@ -79,7 +86,8 @@ final class TradeoffTable {
     }
 
     private static String time(double nanos) {
-        return nanos < 1e4 ? format("%.0f ns", nanos) : nanos < 1e7 ? format("%.1f us", nanos / 1e3)
+        return nanos < 100 ? format("%.1f ns", nanos) : nanos < 1e4 ? format("%.0f ns", nanos)
+            : nanos < 1e7 ? format("%.1f us", nanos / 1e3)
             : Double.isNaN(nanos) ? "-" : format("%.0f ms", nanos / 1e6);
     }
 }

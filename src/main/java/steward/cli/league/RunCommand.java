@@ -90,6 +90,7 @@ final class RunCommand implements Callable<Integer> {
     }
 
     @Override
+    @SuppressWarnings("try")                           // the lock is only closed, never used
     public Integer call() throws InterruptedException {
         threads.check();
         watch.check();

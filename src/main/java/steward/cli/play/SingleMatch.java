@@ -67,7 +67,8 @@ record SingleMatch(Streams streams, Contest contest, Verbosity report, boolean s
             if (show != null) {
                 show.awaitViewer();
             }
-            try (Interruption hint = new Interruption(streams, path)) {
+            try (Interruption hint = new Interruption(streams, recording == null ? null : () -> recording.exists()
+                    ? "the turns so far are in " + path : "no turn was played")) {
                 OutputStream file = piped ? new UnclosedOutputStream(streams.out()) : recording;
                 OutputStream written = show == null ? file : show.with(file);
                 result = contest.play(seed, 0, written, new TeeListener(log, follower(seed)));

@@ -11,8 +11,12 @@ import java.util.StringJoiner;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.LongFunction;
+import java.util.stream.Stream;
 import steward.game.GameSetup;
 import steward.lab.oracle.TurnTruth;
+import steward.lab.timing.RungJob;
+import steward.lab.timing.Timing;
+import steward.lab.timing.TimingSamples;
 import steward.lab.trial.Probe;
 import steward.numerics.StateHash;
 import steward.physics.Advance;
@@ -25,10 +29,9 @@ import steward.scene.PhysicsFingerprint;
 import steward.scene.SceneKey;
 
 /*
- * Work is counted, not timed, so that the figures are the same on every machine. A turn scans all pairs, and all bodies
- * and walls, once per step, or once more than there are moments with impacts; each scan costs a weight per pair, each
- * impact another. The weights are the costs relative to a scan for overlaps, as `steward tradeoff` shows them, rounded:
- * they only have to give the order of the rungs.
+ * Work is counted: the same on every machine, but a pair test of one rung is not that of another, so the order of the
+ * rungs comes from costs that are timed. A turn scans all pairs, and all bodies and walls, once per step, or once more
+ * than there are moments with impacts. What is counted are pair tests and impacts.
  */
 
 /**
@@ -46,13 +49,12 @@ public final class Calibration {
     /** States per play; the first block is also the sample that shows whether stored figures still hold. */
     public static final int BLOCK = 1000;
 
-    /** Weight of a pair in a step's scan, the unit of all weights. */
-    private static final double STEP_WEIGHT = 1;
-    private static final double[] EVENT_WEIGHTS = {3, 3, 4, 5};
     private static final int DIGITS = 3;
     private static final double LEAST_PLAIN = 1e-3;
-    /** Weight of an impact. */
-    private static final double IMPACT_WEIGHT = 5;
+    /** How many of the first states are timed. */
+    private static final int TIMED = 512;
+    /** The rung whose cost is 1. */
+    private static final Accuracy UNIT = Accuracy.event(Arithmetic.DOUBLE);
 
     private final GameSetup setup;
     private final LongFunction<SeededPlay> plays;
@@ -61,6 +63,7 @@ public final class Calibration {
     private final int states;
     private final Block[] blocks;
     private final AtomicInteger next = new AtomicInteger();
+    private TimingSamples samples;
 
     /** The results of a block of states. */
     private record Block(double[][] errors, double[] work, int withImpacts) {
@@ -125,6 +128,28 @@ public final class Calibration {
         }
     }
 
+    /** How many jobs {@link #time} times. */
+    public int jobs() {
+        return rungs.size();
+    }
+
+    /**
+     * Times the rungs on the first states; before this there are no figures.
+     *
+     * @param timing times a {@link RungJob} for each
+     * @param step   called after each step of it
+     */
+    public void time(Timing timing, Runnable step) {
+        SeededPlay play = plays.apply(0);
+        List<Bodies> timed = Stream.generate(play::next).limit(Math.min(TIMED, states)).toList();
+        String scene = setup.scene().json();
+        TimingSamples measured = timing.run(rungs.stream()
+            .map(rung -> new RungJob(scene, rung, setup.plan().bodies(), timed).bytes()).toList(), step);
+        synchronized (blocks) {
+            samples = measured;
+        }
+    }
+
     /** How many blocks there are. */
     public int blocks() {
         return blocks.length;
@@ -165,9 +190,8 @@ public final class Calibration {
     }
 
     private static double work(Accuracy rung, Moments moments, int tests) {
-        double looks = rung.way() == Accuracy.Way.STEP ? rung.steps() * STEP_WEIGHT
-            : (moments.moments + 1) * EVENT_WEIGHTS[rung.arithmetic().ordinal()];
-        return looks * tests + moments.impacts * IMPACT_WEIGHT;
+        double looks = rung.way() == Accuracy.Way.STEP ? rung.steps() : moments.moments + 1;
+        return looks * tests + moments.impacts;
     }
 
     /** Counts impacts, and the distinct times at which there are any. */
@@ -193,11 +217,16 @@ public final class Calibration {
         }
     }
 
-    /** Figures of all blocks that are complete without a gap from the first on; of 0 states if there are none. */
+    /**
+     * Figures of all blocks that are complete without a gap from the first on; of 0 states if there are none, or
+     * nothing was timed.
+     */
     public Figures figures() {
         List<Block> done;
+        TimingSamples timed;
         synchronized (blocks) {
-            done = Arrays.stream(blocks).takeWhile(block -> block != null).toList();
+            done = samples == null ? List.of() : Arrays.stream(blocks).takeWhile(block -> block != null).toList();
+            timed = samples;
         }
         int count = done.stream().mapToInt(block -> block.errors[0].length).sum();
         List<AccuracyFigures.OfRung> figures = new ArrayList<>();
@@ -209,18 +238,21 @@ public final class Calibration {
             for (Block block : done) {
                 work += block.work[r];
             }
-            figures.add(new AccuracyFigures.OfRung(rungs.get(r), work / count,
-                AccuracyFigures.SHARES.stream().map(share -> atShare(errors, share)).toList()));
+            figures.add(new AccuracyFigures.OfRung(rungs.get(r), timed.ratio(r, rungs.indexOf(UNIT)), work / count,
+                AccuracyFigures.SHARES.stream().map(share -> atShare(errors, share)).toList(),
+                errors[errors.length - 1]));
         }
         return new Figures(count, done.stream().mapToInt(Block::withImpacts).sum(), figures,
             done.isEmpty() ? "" : sample(done.get(0)));
     }
 
-    /** The least error that at least this share of the states does not exceed. */
+    /**
+     * The least error seen that at least this share of all states does not exceed, shown with
+     * {@link BinomialTail#CONFIDENCE}; infinite if there are too few states to show it.
+     */
     static double atShare(double[] sorted, String share) {
-        int count = new BigDecimal(share).multiply(BigDecimal.valueOf(sorted.length))
-            .setScale(0, RoundingMode.CEILING).intValueExact();
-        return sorted[Math.max(1, count) - 1];
+        int allowed = BinomialTail.allowed(sorted.length, Double.parseDouble(share));
+        return allowed < 0 ? Double.POSITIVE_INFINITY : sorted[sorted.length - 1 - allowed];
     }
 
     private static String sample(Block block) {
@@ -233,21 +265,28 @@ public final class Calibration {
         return StateHash.toHex(hash.value());
     }
 
-    /** The figures as a file that {@link AccuracyFigures} reads; errors are rounded up to three digits. */
-    public String text(Figures figures) {
+    /**
+     * The figures as a file that {@link AccuracyFigures} reads; errors are rounded up to three digits.
+     *
+     * @param date    of the measurement, as year-month-day
+     * @param machine on which the rungs were timed
+     */
+    public String text(Figures figures, String date, String machine) {
         StringJoiner rungs = new StringJoiner(",\n    ", "[\n    ", "\n  ]");
         for (AccuracyFigures.OfRung rung : figures.rungs) {
             StringJoiner errors = new StringJoiner(", ", "{ ", " }");
             for (int k = 0; k < rung.errors().size(); k++) {
                 errors.add("\"" + AccuracyFigures.SHARES.get(k) + "\": " + number(rung.errors().get(k)));
             }
-            rungs.add("{ \"rung\": \"" + rung.rung() + "\", \"work\": " + number(rung.work())
+            rungs.add("{ \"rung\": \"" + rung.rung() + "\", \"cost\": " + number(rung.cost()) + ", \"work\": "
+                + number(rung.work()) + ", \"largestError\": " + number(rung.largest())
                 + ",\n      \"positionErrors\": " + errors + " }");
         }
         return "{\n  \"format\": " + AccuracyFigures.FORMAT + ",\n  \"key\": \"" + SceneKey.of(setup.scene())
             + "\",\n  \"physics\": \"" + PhysicsFingerprint.text() + "\",\n  \"sample\": \"" + figures.sample
             + "\",\n  \"states\": " + figures.states + ",\n  \"statesWithImpacts\": " + figures.withImpacts
-            + ",\n  \"rungs\": " + rungs + "\n}\n";
+            + ",\n  \"timed\": { \"date\": \"" + date + "\", \"machine\": \"" + machine.replaceAll("[\"\\\\]", "'")
+            + "\" },\n  \"rungs\": " + rungs + "\n}\n";
     }
 
     private static String number(double value) {

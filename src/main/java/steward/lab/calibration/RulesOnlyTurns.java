@@ -5,6 +5,7 @@ import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
 import steward.game.Pilot;
+import steward.lab.timing.TimedTurns;
 import steward.numerics.SplitMix64;
 
 /** One turn of many games whose bodies do not move: only the game's own rules are timed. */

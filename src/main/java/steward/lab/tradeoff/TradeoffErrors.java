@@ -3,6 +3,7 @@ package steward.lab.tradeoff;
 import java.util.Arrays;
 import steward.lab.oracle.TurnError;
 import steward.lab.oracle.TurnTruth;
+import steward.lab.timing.TimingSamples;
 import steward.physics.Advance;
 import steward.physics.Bodies;
 import steward.physics.Motion;
@@ -62,9 +63,15 @@ final class TradeoffErrors {
         return computed;
     }
 
-    TradeoffRow row(String scene, String rung, long impacts, int rounds, TradeoffRow.Cost cost, double ratio,
-                    int freeTurns, int freeBound, boolean onFront) {
-        return new TradeoffRow(scene, rung, states, impacts, rounds, cost, ratio, quantile(0.5), quantile(0.99),
-            quantile(1), missed, invented, energy, freeTurns, freeBound, differing, compared, onFront);
+    /** How many states there were. */
+    int states() {
+        return states;
+    }
+
+    TradeoffRow row(String scene, String rung, long impacts, TimingSamples samples, TradeoffRow.Cost cost,
+                    double ratio, int freeTurns, int freeBound, boolean onFront) {
+        return new TradeoffRow(scene, rung, states, impacts, samples.repeats(), samples.rounds(), cost, ratio,
+            quantile(0.5), quantile(0.99), quantile(1), missed, invented, energy, freeTurns, freeBound, differing,
+            compared, onFront);
     }
 }

@@ -1,5 +1,7 @@
 package steward.lab.tradeoff;
 
+import steward.lab.timing.TimingSamples;
+import steward.lab.timing.WorkClock;
 import steward.numerics.SineCosine;
 import steward.numerics.SplitMix64;
 
@@ -67,7 +69,7 @@ public record TradeoffHeadings(String headings, long podTurns, long differing, d
      */
     public static TradeoffHeadings measure(boolean aligned, int podTurns, Runnable step) {
         SplitMix64 random = new SplitMix64(SEED);
-        TradeoffClock clock = new TradeoffClock();
+        WorkClock clock = new WorkClock();
         Block block = new Block();
         int blocks = steps(podTurns);
         double[] angles = new double[blocks];
@@ -92,7 +94,7 @@ public record TradeoffHeadings(String headings, long podTurns, long differing, d
             step.run();
         }
         return new TradeoffHeadings(aligned ? AXIS : RANDOM, (long) blocks * BLOCK, differing,
-            TradeoffCosts.median(angles), TradeoffCosts.median(vectors));
+            TimingSamples.median(angles), TimingSamples.median(vectors));
     }
 
     /**

@@ -4,6 +4,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import steward.lab.oracle.TurnTruth;
+import steward.lab.timing.RungJob;
+import steward.lab.timing.Timing;
+import steward.lab.timing.TimingSamples;
 import steward.physics.Advance;
 import steward.physics.Bodies;
 import steward.physics.PhysicsParts;
@@ -13,21 +16,23 @@ import steward.scene.Accuracy;
 public final class TradeoffMeasurement {
 
     private static final int LEAST_STATES = 3;
-    private static final int LEAST_ROUNDS = 3;
     /** States whose true turn reaches the law's limit on impacts are replaced, this many times at most. */
     private static final int TRIES = 10;
 
     private final TradeoffScene scene;
-    private final TradeoffEffort effort;
+    private final Timing timing;
     private final List<Accuracy> ladder;
     private final int states;
     private final int freeRuns;
     private final int freeTurns;
 
-    /** @param effort how much of the scene's states, rounds and free runs */
-    public TradeoffMeasurement(TradeoffScene scene, TradeoffEffort effort) {
+    /**
+     * @param effort how much of the scene's states and free runs
+     * @param timing times a {@link RungJob} for each rung
+     */
+    public TradeoffMeasurement(TradeoffScene scene, TradeoffEffort effort, Timing timing) {
         this.scene = scene;
-        this.effort = effort;
+        this.timing = timing;
         ladder = Accuracy.ladder().stream().filter(rung -> rung.steps() <= scene.mostSteps()).toList();
         states = effort.of(scene.states(), LEAST_STATES);
         freeRuns = effort.of(scene.freeRuns(), 1);
@@ -36,10 +41,10 @@ public final class TradeoffMeasurement {
 
     /** How many steps of progress {@link #run} makes. */
     public int steps() {
-        return states + weight() * (freeRuns + ladder.size() + effort.rounds());
+        return states + weight() * (freeRuns + timing.steps(ladder.size()));
     }
 
-    /** How many states take about as long as a free run, a warm-up or a round. */
+    /** How many states take about as long as a free run, a warm-up or a round of timing. */
     private int weight() {
         return 1 + states / 20;
     }
@@ -77,35 +82,29 @@ public final class TradeoffMeasurement {
             throw new IllegalStateException(scene.name() + ": every turn came to the bound on impacts");
         }
         int[] free = freeRuns(starts, rungs, step);
-        TradeoffCosts costs = new TradeoffCosts(starts, rungs, effort.rounds());
-        for (int rung = 0; rung < rungs.size(); rung++) {
-            costs.warmUp(rung, effort.warmUp());
-            big(step);
-        }
-        for (int round = 0; round < effort.rounds(); round++) {
-            if (round < LEAST_ROUNDS || costs.seconds() < effort.budget()) {
-                costs.round(effort.round());
-            }
-            big(step);
-        }
-        return rows(errors, costs, impacts, free);
+        List<byte[]> jobs = ladder.stream()
+            .map(rung -> new RungJob(scene.inChild(), rung, first.size(), starts).bytes()).toList();
+        TimingSamples samples = timing.run(jobs, () -> big(step));
+        return rows(errors, samples, impacts, free);
     }
 
-    private List<TradeoffRow> rows(List<TradeoffErrors> errors, TradeoffCosts costs, long impacts, int[] free) {
+    private List<TradeoffRow> rows(List<TradeoffErrors> errors, TimingSamples samples, long impacts, int[] free) {
         TradeoffRow.Cost[] cost = new TradeoffRow.Cost[errors.size()];
         double[] nanos = new double[cost.length];
         double[] off = new double[cost.length];
         int usual = ladder.stream().map(Accuracy::text).toList().indexOf(TradeoffRow.DEFAULT_RUNG);
         for (int r = 0; r < cost.length; r++) {
-            cost[r] = costs.cost(r, errors.get(r).computed());
-            nanos[r] = cost[r].nanosPerTurn();
+            long computed = errors.get(r).computed();
+            nanos[r] = samples.median(r);
+            cost[r] = new TradeoffRow.Cost(nanos[r], samples.low(r), samples.high(r),
+                computed == 0 ? Double.NaN : nanos[r] * errors.get(r).states() / computed, samples.bytes(r));
             off[r] = errors.get(r).quantile(0.99);
         }
         boolean[] front = ParetoFront.of(nanos, off);
         List<TradeoffRow> rows = new ArrayList<>();
         for (int r = 0; r < cost.length; r++) {
-            rows.add(errors.get(r).row(scene.name(), ladder.get(r).text(), impacts, costs.rounds(), cost[r],
-                costs.ratio(r, usual), free[r], freeTurns, front[r]));
+            rows.add(errors.get(r).row(scene.name(), ladder.get(r).text(), impacts, samples, cost[r],
+                nanos[r] / nanos[usual], free[r], freeTurns, front[r]));
         }
         return rows;
     }

@@ -1,6 +1,8 @@
 package steward.lab.tradeoff;
 
+import java.util.Comparator;
 import java.util.List;
+import steward.scene.AccuracyFigures;
 
 /**
  * The results of a run.
@@ -26,6 +28,18 @@ public record TradeoffResult(String machine, String date, List<TradeoffRow> rows
     /** The rows of a scene, in the order of the ladder. */
     public List<TradeoffRow> of(String scene) {
         return rows.stream().filter(row -> row.scene().equals(scene)).toList();
+    }
+
+    /**
+     * The rung that is chosen on a scene: the cheapest of which 99% of the turns are off by at most
+     * {@link TradeoffRow#DEMAND}; of several that cost the same within {@link AccuracyFigures#SAME_COST}, the most
+     * accurate. {@code null} if there is none.
+     */
+    public TradeoffRow chosen(String scene) {
+        List<TradeoffRow> meeting = of(scene).stream().filter(row -> row.most99() <= TradeoffRow.DEMAND).toList();
+        double least = meeting.stream().mapToDouble(TradeoffRow::costRatio).min().orElse(Double.NaN);
+        return meeting.stream().filter(row -> row.costRatio() <= least * (1 + AccuracyFigures.SAME_COST))
+            .min(Comparator.comparingDouble(TradeoffRow::most99)).orElse(null);
     }
 
     /** The row of a rung on a scene, or {@code null}. */

@@ -31,6 +31,11 @@ public final class TradeoffWorlds {
         return List.of(denseBox(), gas(), bullets(), grazing());
     }
 
+    /** @throws java.util.NoSuchElementException if there is none of this name */
+    public static TradeoffScene named(String name) {
+        return all().stream().filter(world -> world.name().equals(name)).findFirst().orElseThrow();
+    }
+
     private static PhysicsParts elastic(Wall... walls) {
         return new PhysicsParts(ImpactLaw.PHYSICS, Arithmetic.DOUBLE, new Contacts(1), List.of(walls), null, false);
     }
@@ -67,7 +72,7 @@ public final class TradeoffWorlds {
             state.copyFrom(bodies);
             return state;
         };
-        return new TradeoffScene(name, about, parts, null, source, states, freeRuns, freeTurns, mostSteps);
+        return new TradeoffScene(name, about, name, parts, null, source, states, freeRuns, freeTurns, mostSteps);
     }
 
     /** 10 small bodies fly 2,000 to 4,000 u a turn among 30 big ones; each state is a new world. */
@@ -85,7 +90,7 @@ public final class TradeoffWorlds {
             return bodies;
         };
         return new TradeoffScene("bullets", "10 bodies of radius 5 at 2,000 to 4,000 u a turn among 30 of radius 60, "
-            + "elastic", elastic(Wall.box(side, side, 1)), null, source, 200, 5, 20, ALL_STEPS);
+            + "elastic", "bullets", elastic(Wall.box(side, side, 1)), null, source, 200, 5, 20, ALL_STEPS);
     }
 
     /** Adds a body at a random free place, if one is found. */
@@ -127,6 +132,6 @@ public final class TradeoffWorlds {
                 16_000 * random.nextDouble(), 9_000 * random.nextDouble());
         };
         return new TradeoffScene("grazing", "two bodies that pass each other at R (1 -+ 10^-k), k = 1..16, or tangent",
-            elastic(), null, source, 4000, 5, 20, ALL_STEPS);
+            "grazing", elastic(), null, source, 4000, 5, 20, ALL_STEPS);
     }
 }

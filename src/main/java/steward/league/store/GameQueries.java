@@ -6,7 +6,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.HashSet;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -29,14 +28,9 @@ public final class GameQueries {
         + "g.problem, g.played, m.name, g.replay, s.version, s.rank, s.score, s.fault, s.answers, s.mean_nanos, "
         + "s.worst_nanos, s.first_nanos FROM game g JOIN machine m ON m.id = g.machine JOIN seat s ON s.game = g.id ";
 
-    /**
-     * The games of each seed, with the part of time in which the last of them came, and the seed where a game may be
-     * still to come. Parameters: the first number of a part, how many numbers a part has, the season.
-     */
-    private static final String CLUSTERS = "SELECT (max(id) - ?) / ? part, group_concat(lineup || ':' || ranks, ';') "
-        + "pattern, CASE WHEN count(*) % players = 0 THEN NULL ELSE seed END open FROM (SELECT g.id, g.seed, "
-        + "g.lineup, g.ranks, s.players FROM game g JOIN season s ON s.id = g.season WHERE g.season = ? "
-        + "AND g.counts = 1 ORDER BY g.seed, g.lineup) GROUP BY seed";
+    /** In the order in which the games were stored; a lineup and the ranks as one number, which is fetched at once. */
+    private static final String CLUSTERED = "SELECT seed, lineup << 32 | CAST(replace(ranks, ' ', '') AS INTEGER), "
+        + "id FROM game NOT INDEXED WHERE season = ? AND counts = 1 ORDER BY id";
 
     private final Database database;
     private final int season;
@@ -77,34 +71,14 @@ public final class GameQueries {
     }
 
     private void addGroups(Results results) throws SQLException {
-        try (ResultSet row = database.query("SELECT 0, pattern, open, count(*) FROM (" + CLUSTERS
-            + ") GROUP BY pattern, open", 0L, 1L, season)) {
-            Map<Integer, int[]> lineups = lineups();
+        ClusterCounts clusters = new ClusterCounts(lineups(), false);
+        try (ResultSet row = database.query(CLUSTERED, season)) {
             while (row.next()) {
-                addClusters(results, row, lineups);
+                clusters.add(row.getLong(1), row.getLong(2));
             }
         }
-    }
-
-    /** Adds what a row tells: games of a seed, and the seed if some may be still to come; otherwise how many. */
-    private static void addClusters(Results results, ResultSet row, Map<Integer, int[]> lineups) throws SQLException {
-        Map<List<Integer>, List<int[][]>> groups = new LinkedHashMap<>();
-        long seed = row.getLong(3);
-        boolean open = !row.wasNull();
-        for (String game : row.getString(2).split(";")) {
-            int colon = game.indexOf(':');
-            int[] lineup = lineups.get(Integer.parseInt(game.substring(0, colon)));
-            int[] ranks = numbers(game.substring(colon + 1));
-            if (open) {
-                results.addGame(seed, lineup, ranks);
-            } else {
-                groups.computeIfAbsent(Arrays.stream(lineup).sorted().boxed().toList(), key -> new ArrayList<>())
-                    .add(new int[][] {lineup, ranks});
-            }
-        }
-        long count = row.getLong(4);
-        groups.values().forEach(games -> results.addClusters(games.stream().map(game -> game[0]).toList(),
-            games.stream().map(game -> game[1]).toList(), count));
+        clusters.giveWhole(results);
+        clusters.giveOpen(results);
     }
 
     /** The versions of all lineups, by number. */
@@ -186,45 +160,52 @@ public final class GameQueries {
             if (last == 0) {
                 return null;
             }
-            Results results = new Results(key);
-            String source = key.players() == 1
-                ? "SELECT (g.id - ?) / ? part, s.version, g.seed, s.score, 1 FROM game g JOIN seat s ON s.game = g.id "
-                    + "WHERE g.season = ? AND g.counts = 1 ORDER BY part"
-                : "SELECT part, pattern, open, count(*) FROM (" + CLUSTERS
-                    + ") GROUP BY part, pattern, open ORDER BY part";
-            Map<Integer, int[]> lineups = lineups();
-            try (ResultSet row = database.query(source, first, step, season)) {
-                long part = -1;
-                while (row.next()) {
-                    if (row.getLong(1) != part && part >= 0) {
-                        path.take(results);
-                    }
-                    part = row.getLong(1);
-                    take(row, results, lineups);
-                }
-                if (part >= 0) {
-                    path.take(results);
-                }
+            if (key.players() == 1) {
+                pathAlone(path, first, step);
+            } else {
+                pathOfClusters(path, first, step);
             }
             return null;
         });
         return path.path();
     }
 
-    private void take(ResultSet row, Results results, Map<Integer, int[]> lineups) throws SQLException {
-        if (key.players() == 1) {
-            results.addAlone(row.getLong(3), row.getInt(2), row.getDouble(4));
-            results.addAloneGames(1);
-            results.addSums(row.getInt(2), 1, 0, 0, 0, 0, 0);
-            return;
-        }
-        addClusters(results, row, lineups);
-        long count = row.getLong(4);
-        for (String game : row.getString(2).split(";")) {
-            for (int version : lineups.get(Integer.parseInt(game.substring(0, game.indexOf(':'))))) {
-                results.addSums(version, count, 0, 0, 0, 0, 0);
+    private void pathAlone(RatingPath.Collector path, long first, long step) throws SQLException {
+        Results results = new Results(key);
+        try (ResultSet row = database.query("SELECT g.id, s.version, g.seed, s.score FROM game g JOIN seat s "
+            + "ON s.game = g.id WHERE g.season = ? AND g.counts = 1 ORDER BY g.id", season)) {
+            long end = first + step;
+            while (row.next()) {
+                if (row.getLong(1) >= end) {
+                    path.take(results);
+                    end += (row.getLong(1) - end) / step * step + step;
+                }
+                results.addAlone(row.getLong(3), row.getInt(2), row.getDouble(4));
+                results.addAloneGames(1);
+                results.addSums(row.getInt(2), 1, 0, 0, 0, 0, 0);
             }
         }
+        path.take(results);
+    }
+
+    /** A cluster is in the path from its last game on. */
+    private void pathOfClusters(RatingPath.Collector path, long first, long step) throws SQLException {
+        ClusterCounts clusters = new ClusterCounts(lineups(), true);
+        Results results = new Results(key);
+        try (ResultSet row = database.query(CLUSTERED, season)) {
+            long end = first + step;
+            while (row.next()) {
+                if (row.getLong(3) >= end) {
+                    clusters.giveWhole(results);
+                    path.take(results);
+                    end += (row.getLong(3) - end) / step * step + step;
+                }
+                clusters.add(row.getLong(1), row.getLong(2));
+            }
+        }
+        clusters.giveWhole(results);
+        clusters.giveOpen(results);
+        path.take(results);
     }
 
     private long number(String sql, Object... values) throws SQLException {

@@ -8,7 +8,6 @@ import steward.physics.TurnSink;
 import steward.physics.Wall;
 import steward.physics.impulse.Collision;
 import steward.physics.impulse.ContactResponse;
-import steward.physics.impulse.ExactCollision;
 import steward.physics.time.ExactPairs;
 import steward.physics.time.ExactWalls;
 import steward.physics.time.LowParts;
@@ -40,7 +39,7 @@ final class BatchLoop {
             scans = Scan.of(parts, pairs, wallTimes);
             queue = refining;
             flight = new ExactFlight(refining, lows);
-            collision = ExactCollision.of(law, walls, pairs, wallTimes, lows);
+            collision = Collision.ofExact(law, walls, pairs, wallTimes, lows);
         } else {
             scans = Scan.of(parts, former ? PairTime.ofFormerReplays(law, parts.arithmetic())
                 : PairTime.of(law, parts.arithmetic()));

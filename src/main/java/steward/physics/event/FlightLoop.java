@@ -2,14 +2,12 @@ package steward.physics.event;
 
 import steward.physics.Arithmetic;
 import steward.physics.Bodies;
-import steward.physics.Contacts;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.TurnSink;
 import steward.physics.Wall;
 import steward.physics.impulse.Collision;
 import steward.physics.impulse.ContactResponse;
-import steward.physics.impulse.ExactCollision;
 import steward.physics.impulse.Rest;
 import steward.physics.time.ExactPairs;
 import steward.physics.time.ExactWalls;
@@ -27,7 +25,6 @@ final class FlightLoop {
     private final Flights flights;
     private final FlightSearch search;
     private final ContactResponse response;
-    private final Contacts asking;
     private final Rest rest;
     private final Standstill standstill;
     /** Starts of flights while all bodies are where they are now, for a reaction of the scene. */
@@ -38,7 +35,6 @@ final class FlightLoop {
         Wall[] walls = parts.walls().toArray(new Wall[0]);
         law = parts.law();
         descending = law.scanOrder() == ImpactLaw.ScanOrder.DESCENDING;
-        asking = parts.reaction() == null ? null : parts.contacts();
         if (parts.arithmetic() == Arithmetic.EXACT) {
             ExactPairs pairs = new ExactPairs(law);
             ExactWalls wallTimes = new ExactWalls(walls);
@@ -46,7 +42,7 @@ final class FlightLoop {
             Flights.Precise precise = new Flights.Precise(lows);
             flights = precise;
             search = new PreciseFlightSearch(parts, precise, walls, pairs, wallTimes);
-            response = ContactResponse.of(parts, ExactCollision.of(law, walls, pairs, wallTimes, lows), walls);
+            response = ContactResponse.of(parts, Collision.ofExact(law, walls, pairs, wallTimes, lows), walls);
         } else {
             flights = new Flights();
             search = new FlightSearch(parts, flights, walls);
@@ -105,9 +101,7 @@ final class FlightLoop {
             sink)) {
             return;
         }
-        if (asking == null) {
-            response.react(bodies, a, b, now, sink);
-        } else if (!ask(bodies, a, b, now, sink)) {
+        if (!respond(bodies, a, b, now, sink)) {
             if (rest != null) {
                 rest.follow(bodies);
             }
@@ -119,22 +113,17 @@ final class FlightLoop {
     }
 
     /**
-     * Responds in a scene with {@code ASK} contacts: all bodies are moved to the present time if the reaction may look
-     * at them, and their flights go on afterwards.
+     * Responds to a contact: all bodies are moved to the present time if a reaction of the scene may look at them, and
+     * their flights go on afterwards.
      *
      * @return false if all flights begin anew at the present time
      */
-    private boolean ask(Bodies bodies, int a, int b, double now, TurnSink sink) {
-        Contacts.Meaning meaning = b < 0 ? asking.withWall(bodies.kind[a])
-            : asking.between(bodies.kind[a], bodies.kind[b]);
-        int passing = bodies.passing().size();
-        if (meaning != Contacts.Meaning.ASK && passing == 0) {
+    private boolean respond(Bodies bodies, int a, int b, double now, TurnSink sink) {
+        if (!response.needsAll(bodies, a, b)) {
             return response.react(bodies, a, b, now, sink);
         }
         moveAll(bodies, a, b, now);
-        response.releaseSeparatedPairs(bodies);
-        boolean alone = bodies.passing().size() == passing;
-        if (!response.react(bodies, a, b, now, sink) || response.hasAlteredOthers() || !alone) {
+        if (!response.reactAlone(bodies, a, b, now, sink)) {
             return false;
         }
         moveBack(bodies, a, b);

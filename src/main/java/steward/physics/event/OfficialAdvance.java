@@ -6,6 +6,7 @@ import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.TurnSink;
+import steward.physics.Wall;
 import steward.physics.impulse.Collision;
 import steward.physics.time.CircleTime;
 import steward.physics.time.Magnitudes;
@@ -18,8 +19,6 @@ import steward.physics.time.Magnitudes;
  * {@link EventAdvance}).
  *
  * <p>Caveat: at most {@value #MOST_BODIES} bodies; more, or of different sizes, are left to {@link EventAdvance}.
- *
- * <p>A little over 400 lines: a third of them is the proof that belongs beside the filter.
  */
 public final class OfficialAdvance implements Advance {
 
@@ -42,14 +41,12 @@ public final class OfficialAdvance implements Advance {
 
     private final ImpactLaw law = ImpactLaw.OFFICIAL_POD_RACE;
     private final double window = law.batchWindow();
-    private final double minimum = law.minimumImpulse();
-    private final double pushOut = law.pushOut();
+    private final Collision collision = Collision.of(law, Arithmetic.OFFICIAL, new Wall[0]);
     private final PhysicsParts parts;
     private final Standstill standstill;
     private final EventAdvance general;
 
     private double radius;
-    private double touch;
     private double touchSquare;
     private double greatestTouching;
 
@@ -84,7 +81,7 @@ public final class OfficialAdvance implements Advance {
 
     private void setRadius(double ofAll) {
         radius = ofAll;
-        touch = radius + radius;
+        double touch = radius + radius;
         touchSquare = touch * touch;
         double greatest = touchSquare;
         while (Math.sqrt(greatest) > touch) {
@@ -275,7 +272,7 @@ public final class OfficialAdvance implements Advance {
             for (int k = 0; k < found && times[k] - now <= window; k++, left--) {
                 int a = scan.first(pairs[k]);
                 int b = scan.second(pairs[k]);
-                react(bodies, a, b, times[k], sink);
+                collision.reactPair(bodies, a, b, times[k], sink);
                 changed |= scan.pairsOf(a) | scan.pairsOf(b);
                 small &= isSmall(bodies, a) && isSmall(bodies, b);
             }
@@ -343,48 +340,6 @@ public final class OfficialAdvance implements Advance {
         }
         times[k] = time;
         pairs[k] = pair;
-    }
-
-    /** As {@link Collision#reactPair} under this law, operation by operation. */
-    private void react(Bodies bodies, int a, int b, double time, TurnSink sink) {
-        double ax = bodies.x[a];
-        double ay = bodies.y[a];
-        double bx = bodies.x[b];
-        double by = bodies.y[b];
-        double dx = bx - ax;
-        double dy = by - ay;
-        double distance = Math.sqrt(dx * dx + dy * dy);
-        double nx = distance == 0 ? 1 : dx / distance;
-        double ny = distance == 0 ? 0 : dy / distance;
-        double vax = bodies.vx[a];
-        double vay = bodies.vy[a];
-        double vbx = bodies.vx[b];
-        double vby = bodies.vy[b];
-        double massA = bodies.mass[a];
-        double massB = bodies.mass[b];
-        double inverse = bodies.inverseMass[a] + bodies.inverseMass[b];
-        double step = (nx * (vax - vbx) + ny * (vay - vby)) / inverse;
-        double back = Math.max(minimum, step);
-        double impulse = step + back;
-        bodies.vx[a] = vax - nx * impulse * bodies.inverseMass[a];
-        bodies.vy[a] = vay - ny * impulse * bodies.inverseMass[a];
-        bodies.vx[b] = vbx + nx * impulse * bodies.inverseMass[b];
-        bodies.vy[b] = vby + ny * impulse * bodies.inverseMass[b];
-        sink.impact(time, bodies.id(a), bodies.id(b), ax, ay, bx, by, nx, ny, impulse,
-            inverse * (back * back - step * step) / 2, massA, massB,
-            vax, vay, bodies.vx[a], bodies.vy[a], vbx, vby, bodies.vx[b], bodies.vy[b]);
-        sink.knot(bodies.id(a), time, ax, ay);
-        sink.knot(bodies.id(b), time, bx, by);
-        double overlap = touch - distance;
-        if (overlap >= 0) {
-            double each = overlap / 2 + pushOut;
-            bodies.x[a] = ax + nx * -each;
-            bodies.y[a] = ay + ny * -each;
-            sink.knot(bodies.id(a), time, bodies.x[a], bodies.y[a]);
-            bodies.x[b] = bx + nx * each;
-            bodies.y[b] = by + ny * each;
-            sink.knot(bodies.id(b), time, bodies.x[b], bodies.y[b]);
-        }
     }
 
     private void setSize(int bodies) {

@@ -23,10 +23,7 @@ public final class Standstill {
 
     /** Plays the rest of the turn from {@code now}; velocities are restored afterwards. */
     void finish(Bodies bodies, double now, TurnSink sink) {
-        int size = bodies.size();
-        double[] vx = Arrays.copyOf(bodies.vx, size);
-        double[] vy = Arrays.copyOf(bodies.vy, size);
-        boolean[] stopped = new boolean[size];
+        Stopped stopped = new Stopped(bodies);
         double time = now;
         for (;;) {
             queue.clear();
@@ -44,28 +41,51 @@ public final class Standstill {
             }
         }
         EventAdvance.fly(bodies, 1 - time);
-        System.arraycopy(vx, 0, bodies.vx, 0, size);
-        System.arraycopy(vy, 0, bodies.vy, 0, size);
-        sink.impactLimit(now, ids(bodies, stopped));
+        stopped.end(bodies, now, sink);
     }
 
-    private static void stop(Bodies bodies, int body, double time, boolean[] stopped, TurnSink sink) {
-        if (!stopped[body]) {
-            stopped[body] = true;
+    private static void stop(Bodies bodies, int body, double time, Stopped stopped, TurnSink sink) {
+        if (stopped.add(body)) {
             bodies.vx[body] = 0;
             bodies.vy[body] = 0;
             sink.knot(bodies.id(body), time, bodies.x[body], bodies.y[body]);
         }
     }
 
-    private static int[] ids(Bodies bodies, boolean[] stopped) {
-        int[] ids = new int[stopped.length];
-        int count = 0;
-        for (int i = 0; i < stopped.length; i++) {
-            if (stopped[i]) {
-                ids[count++] = bodies.id(i);
-            }
+    /** The bodies that have stopped, and the velocities that all get back in the end. */
+    public static final class Stopped {
+
+        private final double[] vx;
+        private final double[] vy;
+        private final boolean[] stopped;
+        private int count;
+
+        /** @param bodies with the velocities that they have when the impacts have reached their bound */
+        public Stopped(Bodies bodies) {
+            vx = Arrays.copyOf(bodies.vx, bodies.size());
+            vy = Arrays.copyOf(bodies.vy, bodies.size());
+            stopped = new boolean[bodies.size()];
         }
-        return Arrays.copyOf(ids, count);
+
+        /** Counts a body. @return whether it is new */
+        public boolean add(int body) {
+            boolean isNew = !stopped[body];
+            stopped[body] = true;
+            count += isNew ? 1 : 0;
+            return isNew;
+        }
+
+        /** At the end of the turn: restores the velocities and tells the sink who has stopped. */
+        public void end(Bodies bodies, double since, TurnSink sink) {
+            System.arraycopy(vx, 0, bodies.vx, 0, vx.length);
+            System.arraycopy(vy, 0, bodies.vy, 0, vy.length);
+            int[] ids = new int[count];
+            for (int i = 0, k = 0; i < stopped.length; i++) {
+                if (stopped[i]) {
+                    ids[k++] = bodies.id(i);
+                }
+            }
+            sink.impactLimit(since, ids);
+        }
     }
 }

@@ -1,9 +1,9 @@
 package steward.physics.impulse;
 
 import steward.numerics.DoubleDouble;
-import steward.numerics.ErrorFree;
 import steward.numerics.Expansion;
 import steward.physics.Bodies;
+import steward.physics.time.CircleSums;
 
 /*
  * With v = va - vb, d from a to b and k = (1 + e) mb / (ma + mb), the velocity after an impact is
@@ -77,10 +77,8 @@ final class CentralImpact {
             sum.clear().addProduct(vx, dy).subtractProduct(vy, dx).roundTo(cross);
             return;
         }
-        double errors = ErrorFree.sumError(xvy, -yvx, rounded) + (ErrorFree.productError(vx.high(), dy.high(), xvy)
-            - ErrorFree.productError(vy.high(), dx.high(), yvx));
-        double lows = (vx.high() * dy.low() + vx.low() * dy.high()) - (vy.high() * dx.low() + vy.low() * dx.high());
-        cross.setSum(rounded, errors + lows);
+        cross.setSum(rounded, CircleSums.cross(vx.high(), vx.low(), dy.high(), dy.low(), vy.high(), vy.low(), dx.high(),
+            dx.low(), xvy, yvx, rounded));
     }
 
     /** Stores the velocities after the impact; {@link #isCentral} has been asked. */

@@ -15,9 +15,18 @@ public abstract sealed class ContactResponse {
     /** Responds to a contact. @return false if the bodies were altered, so that all predictions are out of date */
     public abstract boolean react(Bodies bodies, int a, int b, double time, TurnSink sink);
 
-    /** Whether the last {@link #react} that answered true has altered anything but its two partners. */
-    public boolean hasAlteredOthers() {
+    /** Whether the response to a contact needs all bodies where they are now, and not only the two. */
+    public boolean needsAll(Bodies bodies, int a, int b) {
         return false;
+    }
+
+    /**
+     * Ends the passing of pairs that have separated, and responds to a contact.
+     *
+     * @return whether nothing but the two has changed, so that all other predictions hold
+     */
+    public boolean reactAlone(Bodies bodies, int a, int b, double time, TurnSink sink) {
+        return react(bodies, a, b, time, sink);
     }
 
     /** Called after each free flight: ends the passing of pairs that have separated. */
@@ -65,17 +74,27 @@ public abstract sealed class ContactResponse {
             distance = contacts.hasReaches() ? new ContactDistance(contacts) : null;
         }
 
+        private Contacts.Meaning meaning(Bodies bodies, int a, int b) {
+            return b < 0 ? contacts.withWall(bodies.kind[a]) : contacts.between(bodies.kind[a], bodies.kind[b]);
+        }
+
         @Override
-        public boolean hasAlteredOthers() {
-            return alteredOthers;
+        public boolean needsAll(Bodies bodies, int a, int b) {
+            return meaning(bodies, a, b) == Contacts.Meaning.ASK || !bodies.passing().isEmpty();
+        }
+
+        @Override
+        public boolean reactAlone(Bodies bodies, int a, int b, double time, TurnSink sink) {
+            int passing = bodies.passing().size();
+            releaseSeparatedPairs(bodies);
+            boolean alone = bodies.passing().size() == passing;
+            return react(bodies, a, b, time, sink) && !alteredOthers && alone;
         }
 
         @Override
         public boolean react(Bodies bodies, int a, int b, double time, TurnSink sink) {
             alteredOthers = false;
-            Contacts.Meaning meaning = b < 0
-                ? contacts.withWall(bodies.kind[a]) : contacts.between(bodies.kind[a], bodies.kind[b]);
-            if (meaning == Contacts.Meaning.BOUNCE) {
+            if (meaning(bodies, a, b) == Contacts.Meaning.BOUNCE) {
                 collision.react(bodies, a, b, time, sink);
                 return true;
             }

@@ -54,7 +54,7 @@ public final class Rest {
 
     private final Wall[] walls;
     private final Contacts contacts;
-    private final CollisionParts.RestitutionRule restitutionRule;
+    private final RestitutionRule restitutionRule;
     /** Of the law; NaN for the default. */
     private final double restSpeed;
     private final InelasticSystem system = new InelasticSystem();
@@ -79,7 +79,7 @@ public final class Rest {
         impulses = new RestImpulses(system, walls);
         contacts = parts.contacts();
         restSpeed = parts.law().restSpeed();
-        restitutionRule = CollisionParts.of(parts.law()).restitutionRule();
+        restitutionRule = RestitutionRule.of(parts.law());
     }
 
     /** @return {@code null} for laws without rest: elastic, with a minimum impulse, or in batches */

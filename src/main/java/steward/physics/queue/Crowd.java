@@ -250,6 +250,31 @@ final class Crowd {
         bodies.vy[to] = vy;
     }
 
+    /** Writes the velocities of all bodies. */
+    void storeVelocities(Bodies bodies) {
+        for (int body = 0; body < size; body++) {
+            bodies.vx[index[body]] = state[8 * body + VX];
+            bodies.vy[index[body]] = state[8 * body + VY];
+        }
+    }
+
+    /** Moves a body to a time and takes its velocity. */
+    void stop(int body, double now) {
+        flyTo(body, now);
+        state[8 * body + VX] = 0;
+        state[8 * body + VY] = 0;
+    }
+
+    /** The position at the start of the flight, in u. */
+    double x(int body) {
+        return state[8 * body + X];
+    }
+
+    /** The position at the start of the flight, in u. */
+    double y(int body) {
+        return state[8 * body + Y];
+    }
+
     /** An estimate of the time to the next event of a body: half of a cell's side at mean speed. */
     double meanGap() {
         double sum = 0;

@@ -17,7 +17,6 @@ import steward.physics.event.EventAdvance;
 import steward.physics.event.Standstill;
 import steward.physics.impulse.Collision;
 import steward.physics.impulse.ContactResponse;
-import steward.physics.impulse.ExactCollision;
 import steward.physics.impulse.Rest;
 import steward.physics.time.ExactPairs;
 import steward.physics.time.ExactWalls;
@@ -83,7 +82,7 @@ public final class QueueAdvance implements Advance {
             ExactWalls exactWalls = new ExactWalls(walls);
             LowParts rounded = new LowParts();
             search = new ExactQueueSearch(crowd, events, walls, pairs, exactPairs, exactWalls);
-            collision = ExactCollision.of(law, walls, exactPairs, exactWalls, rounded);
+            collision = Collision.ofExact(law, walls, exactPairs, exactWalls, rounded);
             response = QueueContactResponse.of(crowd, parts, collision, rounded, walls);
         } else {
             search = new QueueSearch(crowd, events, parts.arithmetic(), walls, pairs);
@@ -145,6 +144,7 @@ public final class QueueAdvance implements Advance {
         int[] link = crowd.link;
         int left = law.impactLimit(bodies.size());
         double last = 0;
+        Standstill.Stopped stopped = null;
         for (int body = events.first(); body >= 0; body = events.first()) {
             double now = events.time(body);
             int at = 8 * body;
@@ -152,19 +152,45 @@ public final class QueueAdvance implements Advance {
                 search.cross(body, now);
             } else if (isStale(body)) {
                 search.predict(body, now);
-            } else if (left-- > 0) {
+            } else if (stopped == null && left-- > 0) {
                 react(bodies, body, link[at + PARTNER], now, sink);
                 last = now;
                 if (rest != null && rest.isSqueezed()) {
                     left = 0;
                 }
             } else {
-                new QueueStandstill(crowd, events, search).finish(bodies, last, sink);
-                return;
+                if (stopped == null) {
+                    crowd.storeVelocities(bodies);
+                    stopped = new Standstill.Stopped(bodies);
+                }
+                stop(bodies, body, link[at + PARTNER], now, stopped, sink);
             }
         }
         crowd.nowLow = 0;
         crowd.store(bodies, 1);
+        if (stopped != null) {
+            stopped.end(bodies, last, sink);
+        }
+    }
+
+    /** Stops a body, and its partner unless that is a wall, where they meet: see {@link Standstill}. */
+    private void stop(Bodies bodies, int body, int partner, double now, Standstill.Stopped stopped, TurnSink sink) {
+        crowd.setNow(body);
+        boolean isFirst = partner < 0 || crowd.index[body] < crowd.index[partner];
+        stop(bodies, isFirst ? body : partner, now, stopped, sink);
+        if (partner >= 0) {
+            stop(bodies, isFirst ? partner : body, now, stopped, sink);
+            search.predict(partner, now);
+        }
+        search.predict(body, now);
+    }
+
+    private void stop(Bodies bodies, int body, double now, Standstill.Stopped stopped, TurnSink sink) {
+        if (stopped.add(crowd.index[body])) {
+            crowd.stop(body, now);
+            countChange(body);
+            sink.knot(bodies.id(crowd.index[body]), now, crowd.x(body), crowd.y(body));
+        }
     }
 
     private boolean isStale(int body) {

@@ -8,7 +8,6 @@ import static steward.physics.queue.Crowd.X;
 import static steward.physics.queue.Crowd.Y;
 
 import steward.physics.Bodies;
-import steward.physics.Contacts;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.TurnSink;
@@ -45,7 +44,7 @@ abstract class QueueContactResponse {
                          Wall[] walls) {
         return parts.reaction() == null
             ? new Bounce(crowd, collision, rounded, parts.law().restitution() == ImpactLaw.Restitution.MINIMUM)
-            : new Ask(crowd, ContactResponse.of(parts, collision, walls), rounded, parts.contacts());
+            : new Ask(crowd, ContactResponse.of(parts, collision, walls), rounded);
     }
 
     /**
@@ -162,15 +161,13 @@ abstract class QueueContactResponse {
 
         private final ContactResponse response;
         private final LowParts rounded;
-        private final Contacts contacts;
         private Bodies bodies;
         private TurnSink sink;
 
-        Ask(Crowd crowd, ContactResponse response, LowParts rounded, Contacts contacts) {
+        Ask(Crowd crowd, ContactResponse response, LowParts rounded) {
             super(crowd);
             this.response = response;
             this.rounded = rounded;
-            this.contacts = contacts;
         }
 
         @Override
@@ -186,10 +183,7 @@ abstract class QueueContactResponse {
         boolean react(int a, int b, double now) {
             int i = crowd.index[a];
             int j = b < 0 ? b : crowd.index[b];
-            Contacts.Meaning meaning = b < 0 ? contacts.withWall(bodies.kind[i])
-                : contacts.between(bodies.kind[i], bodies.kind[j]);
-            int passing = bodies.passing().size();
-            if (meaning == Contacts.Meaning.ASK || passing > 0) {
+            if (response.needsAll(bodies, i, j)) {
                 crowd.store(bodies, now);
             } else {
                 crowd.store(a, bodies, now);
@@ -203,9 +197,7 @@ abstract class QueueContactResponse {
                     crowd.copyLowParts(b, rounded, j);
                 }
             }
-            response.releaseSeparatedPairs(bodies);
-            boolean alone = bodies.passing().size() == passing;
-            if (!response.react(bodies, i, j, now, sink) || response.hasAlteredOthers() || !alone) {
+            if (!response.reactAlone(bodies, i, j, now, sink)) {
                 return false;
             }
             updateState(a, bodies.x[i], bodies.y[i], bodies.vx[i], bodies.vy[i]);

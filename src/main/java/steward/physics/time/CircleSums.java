@@ -11,28 +11,28 @@ import steward.numerics.ErrorFree;
  */
 
 /** The low parts of sums of products of numbers that are two doubles each, given what has been rounded. */
-final class CircleSums {
+public final class CircleSums {
 
     private CircleSums() {
     }
 
     /** Of p q + r s = sum, rounded, with the rounded products pq and rs. */
-    static double dot(double p, double pLow, double q, double qLow, double r, double rLow, double s, double sLow,
-                      double pq, double rs, double sum) {
+    public static double dot(double p, double pLow, double q, double qLow, double r, double rLow, double s,
+                             double sLow, double pq, double rs, double sum) {
         return ErrorFree.sumError(pq, rs, sum) + (ErrorFree.productError(p, q, pq) + ErrorFree.productError(r, s, rs))
             + ((p * qLow + pLow * q) + (r * sLow + rLow * s));
     }
 
     /** Of p q - r s = difference. */
-    static double cross(double p, double pLow, double q, double qLow, double r, double rLow, double s, double sLow,
-                        double pq, double rs, double difference) {
+    public static double cross(double p, double pLow, double q, double qLow, double r, double rLow, double s,
+                               double sLow, double pq, double rs, double difference) {
         return ErrorFree.sumError(pq, -rs, difference)
             + (ErrorFree.productError(p, q, pq) - ErrorFree.productError(r, s, rs))
             + ((p * qLow + pLow * q) - (r * sLow + rLow * s));
     }
 
     /** Of x^2 + y^2 = sum. */
-    static double squares(double x, double xLow, double y, double yLow, double xx, double yy, double sum) {
+    public static double squares(double x, double xLow, double y, double yLow, double xx, double yy, double sum) {
         return ErrorFree.sumError(xx, yy, sum) + (ErrorFree.productError(x, x, xx) + ErrorFree.productError(y, y, yy)
             + 2 * (x * xLow + y * yLow));
     }

@@ -72,9 +72,8 @@ abstract sealed class ExactWall permits ExactWall.ExactHalfPlane, ExactWall.Exac
         double xx = x.high() * x.high();
         double yy = y.high() * y.high();
         double squared = xx + yy;
-        length.setFastSum(squared, ErrorFree.sumError(xx, yy, squared)
-            + (ErrorFree.productError(x.high(), x.high(), xx) + ErrorFree.productError(y.high(), y.high(), yy)
-            + 2 * (x.high() * x.low() + y.high() * y.low()))).squareRoot();
+        length.setFastSum(squared, CircleSums.squares(x.high(), x.low(), y.high(), y.low(), xx, yy, squared))
+            .squareRoot();
         inverse.set(1).divide(length);
         x.multiply(inverse);
         y.multiply(inverse);

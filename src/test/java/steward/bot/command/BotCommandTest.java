@@ -202,4 +202,12 @@ class BotCommandTest {
         assertEquals(List.of("name=codingame:x"), command.words());
         assertEquals(command.words(), BotCommand.parse(command.toString()).words());
     }
+
+    /** Found by the fuzz: a program that is quoted when it is written may look like a name that is none. */
+    @Test
+    void aProgramThatLooksLikeAWrongNameIsWrittenSoThatItIsReadAgain() {
+        BotCommand command = BotCommand.parse(" name=codingame:python} x");
+        assertEquals(List.of("name=codingame:python}", "x"), command.words());
+        assertEquals(command, BotCommand.parse(command.toString()));
+    }
 }

@@ -21,8 +21,10 @@ import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
 import steward.cli.shared.Streams;
 import steward.game.GameSetup;
+import steward.lab.calibration.StoredPartPrices;
 import steward.scene.Part;
 import steward.scene.SceneFiles;
+import steward.scene.SceneKey;
 import tools.jackson.databind.JsonNode;
 
 /** {@code steward explain}: the parts of a scene and their prices. */
@@ -106,56 +108,76 @@ class ExplainCommandTest {
             + ":22:26: race.maps[0].checkpoints[0]: found pod "), refused.err());
     }
 
-    /** Every part has a price except the broad phase, which would save work. */
-    @Test
-    @Tag("slow")
-    void everyPartHasItsPrice() {
-        Cli cli = Cli.run("explain", "mad-pod-racing-silver");
-        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
-        assertEquals("", cli.err());
-        List<String> lines = cli.out().lines().skip(2).takeWhile(line -> !line.isEmpty()).toList();
-        assertEquals(14, lines.size(), cli.out());
-        for (String line : lines) {
-            assertTrue(line.matches("in +<?[0-9]+ ns  [a-z].*|out +\\(<?[0-9]+ ns\\)  [a-z].*"
-                + "|in +(-|<)[0-9]+ ns  broad phase .*"), line);
-        }
-        assertTrue(cli.out().contains("\nA turn takes "), cli.out());
-    }
-
-    /**
-     * Five rounds are made however slow they are; with a clock that stands still all prices are below the measurable
-     * difference.
-     */
-    @Test
-    void onAClockThatStandsStillEverythingIsCheap() {
-        ByteArrayOutputStream err = new ByteArrayOutputStream();
-        GameSetup setup = Games.open("walled-race");
-        long[] wall = new long[1];
-        PriceList prices = PriceList.measure(new Streams(new ByteArrayOutputStream(), err, true, true), setup,
-            () -> 0, () -> wall[0] += 700_000_000);
-        for (Part part : setup.plan().parts()) {
-            assertEquals(part.name().equals(Part.BROAD_PHASE) ? "" : part.in() ? "<1 ns" : "(<1 ns)", prices.of(part));
-        }
-        assertEquals("A turn takes <1 ns here, <1 ns of them to fly straight; the parts add their prices (a broad "
-            + "phase saves), those left out would add what is in brackets. Measured now on event/double, medians of 5 "
-            + "rounds; < is less than can be told apart.", prices.legend());
-        String told = err.toString(StandardCharsets.UTF_8);
-        assertTrue(told.startsWith("\rmeasuring prices: 38%") && told.contains("\rmeasuring prices: 100%"), told);
-    }
-
-    /** Mean Max had none: its states need not have room for equally many bodies. */
+    /** At once, from what was measured once: each scene's own shares; every part that has been measured has one. */
     @ParameterizedTest
     @MethodSource("steward.scene.SceneFiles#shipped")
-    void everyShippedSceneHasPrices(String scene) {
-        GameSetup setup = Games.open(scene);
-        long[] wall = new long[1];
-        PriceList prices = PriceList.measure(new Streams(new ByteArrayOutputStream(), new ByteArrayOutputStream(), true,
-            true), setup, () -> 0, () -> wall[0] += 700_000_000);
-        assertTrue(prices.legend().startsWith("A turn takes <1 ns here"), prices.legend());
-        for (Part part : setup.plan().parts()) {
-            if (!part.name().equals(Part.BROAD_PHASE)) {
-                assertEquals(part.in() ? "<1 ns" : "(<1 ns)", prices.of(part), part.name());
-            }
+    void aShippedSceneHasItsStoredShares(String scene) {
+        Cli cli = Cli.run("explain", scene);
+        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        List<Part> parts = Games.open(scene).plan().parts();
+        List<String> lines = cli.out().lines().filter(line -> line.matches("(in|out) .*")).toList();
+        assertEquals(parts.size(), lines.size(), cli.out());
+        for (String line : lines) {
+            assertTrue(line.matches("in +<?-?[0-9]+%  [a-z].*|out +\\(<?-?[0-9]+%\\)  [a-z].*|out +broad phase .*"),
+                line);
         }
+        String told = cli.out().replaceAll("\\s+", " ");
+        assertTrue(told.matches(".* Stored for " + scene + " on event/(official|double), measured 20[0-9-]{8}: .* "
+            + "JDK .*"), told);
+    }
+
+    /** The file is of the scenes as they are: a change of a scene or of its parts needs new figures. */
+    @ParameterizedTest
+    @MethodSource("steward.scene.SceneFiles#shipped")
+    void theStoredSharesAreOfTheScenesAsTheyAre(String scene) {
+        GameSetup setup = Games.open(scene);
+        List<StoredPartPrices.Row> rows = StoredPartPrices.all().stream().filter(row -> row.scene().equals(scene))
+            .toList();
+        for (StoredPartPrices.Row row : rows) {
+            assertEquals(SceneKey.of(setup.scene()), row.key(), "made by steward tradeoff --parts");
+            assertEquals(setup.scene().accuracy().text(), row.rung());
+            assertEquals(setup.scene().gameId(), row.game());
+        }
+        for (Part part : setup.plan().parts()) {
+            boolean measured = rows.stream().anyMatch(row -> row.part().equals(part.name()) && row.in() == part.in());
+            assertEquals(part.in() || !part.name().equals(Part.BROAD_PHASE), measured, scene + ": " + part.name());
+        }
+    }
+
+    /** A scene of one's own: the medians of the shipped scenes of its game. */
+    @Test
+    void anotherSceneHasTheSharesOfItsGame(@TempDir Path folder) throws IOException {
+        Path mine = Files.writeString(folder.resolve("mine.json"),
+            SceneFiles.load("duel").text().replace("\"laps\": 1", "\"laps\": 2"));
+        String told = Cli.run("explain", mine.toString()).out().replaceAll("\\s+", " ");
+        assertTrue(told.contains("Stored, the medians of duel, mad-pod-racing-silver, mad-pod-racing, walled-race on "
+            + "event/official, event/double, measured "), told);
+        JsonNode json = Cli.run("explain", mine.toString(), "--json").json();
+        assertTrue(json.get("parts").get(0).get("shareOfTurn").isNumber(), json.toString());
+    }
+
+    /** Every part has a price except a broad phase that the scene does without. */
+    @Test
+    @Tag("slow")
+    void everyPartIsMeasuredWhereItIsAskedFor() {
+        for (String scene : List.of("mad-pod-racing-silver", "mean-max")) {
+            GameSetup setup = Games.open(scene);
+            ByteArrayOutputStream err = new ByteArrayOutputStream();
+            PriceList prices = PriceList.measure(new Streams(new ByteArrayOutputStream(), err, true, true), setup,
+                CalibrateTest.HERE);
+            for (Part part : setup.plan().parts()) {
+                assertTrue(prices.of(part).matches(part.in() ? "<?-?[0-9]+ ns" : "\\(<?-?[0-9]+ ns\\)|")
+                    && (part.in() || !prices.of(part).isEmpty() || part.name().equals(Part.BROAD_PHASE)),
+                    part.name() + ": " + prices.of(part));
+            }
+            assertTrue(prices.legend().matches("A turn takes [0-9]+ ns here, .* Measured now on event/.*"),
+                prices.legend());
+            assertTrue(err.toString(StandardCharsets.UTF_8).contains("measuring"), "progress");
+        }
+    }
+
+    @Test
+    void measuringAndLeavingOutContradictEachOther() {
+        Cli.run("explain", "duel", "--measure", "--no-prices").assertRefused("--measure: found --no-prices with it");
     }
 }

@@ -179,13 +179,16 @@ class LeagueProcessTest {
         List<String> command = List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
             "-Xlog:class+load", "-cp", absolute(), Main.class.getName());
         for (List<String> call : List.of(List.of("match", "--scene", "short.json", "--bot",
-                "codingame:sh 'text pod.sh' drive 0", "--bot", "codingame:sh 'text pod.sh' stay 0"),
-            List.of("league", "table", "none"))) {
+                "codingame:sh 'text pod.sh' drive 0", "--bot", "codingame:sh 'text pod.sh' stay 0", "--games", "2",
+                "--out", "games"),
+            List.of("replay", "games/game-0001.jsonl", "--verify"), List.of("explain", "short.json", "--no-prices"),
+            List.of("--help"), List.of("league", "table", "none"))) {
             List<String> words = new ArrayList<>(command);
             words.addAll(call);
-            new ProcessBuilder(words).directory(folder.toFile()).redirectErrorStream(true).redirectOutput(out.toFile())
-                .start().waitFor();
+            int status = new ProcessBuilder(words).directory(folder.toFile()).redirectErrorStream(true)
+                .redirectOutput(out.toFile()).start().waitFor();
             String said = read(out);
+            assertEquals(call.contains("none") ? 2 : 0, status, () -> call.toString());
             assertTrue(said.contains("steward.cli.Main"), said);
             assertFalse(said.contains("org.sqlite"), () -> call + " loads the database");
         }

@@ -40,7 +40,7 @@ class PartByPartPhysicsTest {
     }
 
     private static List<PartByPartPhysics.Step> steps(String scene, String rung) {
-        return PartByPartPhysics.of(open(scene, rung), PartPrices.box(new Bodies[0]));
+        return PartByPartPhysics.of(open(scene, rung), PartSlices.box(new Bodies[0]));
     }
 
     /** With its last part added, a scene's own engine is complete: prices are of what is really played. */

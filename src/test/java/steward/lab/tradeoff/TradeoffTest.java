@@ -8,7 +8,10 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.io.DataInputStream;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -19,6 +22,10 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import steward.lab.timing.RungJob;
+import steward.lab.timing.Timing;
+import steward.lab.timing.TimingEffort;
+import steward.lab.timing.TurnTimer;
 import steward.lab.tradeoff.report.TradeoffPage;
 import steward.lab.tradeoff.report.TradeoffReport;
 import steward.numerics.SplitMix64;
@@ -36,7 +43,7 @@ import tools.jackson.databind.json.JsonMapper;
 /** The trade-off: what is measured of a scene, the Pareto front, and the files. */
 class TradeoffTest {
 
-    private static final TradeoffEffort TINY = new TradeoffEffort(1, 3, 0, 0, 0, 10_000);
+    private static final TradeoffEffort TINY = new TradeoffEffort(1, new TimingEffort(1, 3, 0, 0, 0), 10_000);
     private static final PhysicsParts PLAIN = new PhysicsParts(ImpactLaw.PHYSICS, Arithmetic.DOUBLE);
 
     @TempDir
@@ -46,7 +53,7 @@ class TradeoffTest {
     private static TradeoffScene tunnel() {
         SplitMix64 random = new SplitMix64(3);
         AtomicInteger count = new AtomicInteger();
-        return new TradeoffScene("tunnel", "a bullet and a target", PLAIN, null, () -> {
+        return new TradeoffScene("tunnel", "a bullet and a target", "tunnel", PLAIN, null, () -> {
             Bodies bodies = new Bodies(2);
             bodies.add(0, count.getAndIncrement() % 2 == 0 ? 5 * random.nextDouble() : 200, 1, 1);
             bodies.add(100 + 50 * random.nextDouble(), 0, 20, 5);
@@ -55,8 +62,22 @@ class TradeoffTest {
         }, 10, 2, 3, 64);
     }
 
+    /** In this JVM. */
+    private static TradeoffMeasurement measurement() {
+        return new TradeoffMeasurement(tunnel(), TINY, new Timing(TINY.timing(), bytes -> {
+            try (DataInputStream job = new DataInputStream(new ByteArrayInputStream(bytes))) {
+                assertEquals(RungJob.KIND, job.readUTF());
+                RungJob rung = RungJob.read(job);
+                assertEquals("tunnel", rung.scene());
+                return new TurnTimer(rung.open(PLAIN));
+            } catch (IOException impossible) {
+                throw new UncheckedIOException(impossible);
+            }
+        }));
+    }
+
     private static List<TradeoffRow> rows() {
-        return new TradeoffMeasurement(tunnel(), TINY).run(() -> { });
+        return measurement().run(() -> { });
     }
 
     private static TradeoffRow row(List<TradeoffRow> rows, String rung) {
@@ -86,10 +107,17 @@ class TradeoffTest {
         }
     }
 
+    /** The ratio is that of the two columns, so that what is printed agrees with itself. */
     @Test
     void costsAreOfTheTurnsAndComparedWithTheDefault() {
-        for (TradeoffRow row : rows()) {
+        List<TradeoffRow> rows = rows();
+        double usual = row(rows, TradeoffRow.DEFAULT_RUNG).cost().nanosPerTurn();
+        for (TradeoffRow row : rows) {
             assertEquals(3, row.rounds());
+            assertEquals(1, row.jvms());
+            assertEquals(row.cost().nanosPerTurn() / usual, row.costRatio());
+            assertTrue(row.cost().low() <= row.cost().nanosPerTurn() && row.cost().nanosPerTurn() <= row.cost().high(),
+                row.toString());
             assertTrue(row.cost().nanosPerTurn() > 0 && row.costRatio() > 0, row.toString());
             assertTrue(row.cost().bytesPerTurn() >= 0 || Double.isNaN(row.cost().bytesPerTurn()), row.toString());
         }
@@ -98,7 +126,7 @@ class TradeoffTest {
 
     @Test
     void progressComesToItsEnd() {
-        TradeoffMeasurement measurement = new TradeoffMeasurement(tunnel(), TINY);
+        TradeoffMeasurement measurement = measurement();
         AtomicInteger steps = new AtomicInteger();
         measurement.run(steps::incrementAndGet);
         assertEquals(measurement.steps(), steps.get());
@@ -159,8 +187,9 @@ class TradeoffTest {
     }
 
     private static TradeoffRow made(String scene, String rung, double nanos, double error, boolean front) {
-        return new TradeoffRow(scene, rung, 100, 50, 3, new TradeoffRow.Cost(nanos, Double.NaN, 0), nanos / 80, 0,
-            error, error, 2, 1, 1e-16, 9, 8, 3, 400, front);
+        return new TradeoffRow(scene, rung, 100, 50, 3, 21,
+            new TradeoffRow.Cost(nanos, nanos - 1, nanos + 2, Double.NaN, 0), nanos / 80, 0, error, error,
+            rung.equals("event/exact") ? 0 : 2, 1, 1e-16, 9, 8, 3, 400, front);
     }
 
     private List<TradeoffRow> ladder(String scene) {
@@ -181,7 +210,8 @@ class TradeoffTest {
             files.add(ladder("a \"quoted\" scene"));
             List<String> csv = Files.readAllLines(folder.resolve("tradeoff.csv"));
             assertEquals(7, csv.size());
-            assertTrue(csv.get(1).startsWith("\"a \"\"quoted\"\" scene\",\"step/1\",100,50,3,40.0,,0.0,0.5,"),
+            assertTrue(
+                csv.get(1).startsWith("\"a \"\"quoted\"\" scene\",\"step/1\",100,50,3,21,40.0,39.0,42.0,,0.0,0.5,"),
                 csv.get(1));
             JsonNode json = JsonMapper.shared().readTree(Files.readString(folder.resolve("tradeoff.json")));
             assertEquals("a machine", json.get("machine").asString());
@@ -210,16 +240,18 @@ class TradeoffTest {
         assertTrue(Files.readString(folder.resolve("tradeoff.svg")).contains("<svg"), "a drawing");
         String page = Files.readString(folder.resolve("tradeoff.md"));
         assertTrue(page.contains("on 2030-01-02: a machine."), page);
-        assertTrue(page.contains("\n![Position error against cost](tradeoff.png)\n"), page);
+        assertTrue(page.contains(" srcset=\"tradeoff-dark.png\"><img alt=\"Position error against cost\" "
+            + "src=\"tradeoff.png\"></picture>\n"), page);
         assertTrue(page.contains("0.88 times the cost of `event/double` on a race turn, and 3 of 400 pod-turns"), page);
-        assertTrue(page.contains("it missed or invented 6 of 100 impacts, 3 of them among grazing passes"), page);
-        assertTrue(page.contains("of 100 passes at a hair's breadth it got 3 wrong"), page);
+        assertTrue(page.contains("of 100 passes at a hair's breadth it got 1 wrong, `event/compensated` 3"), page);
         assertTrue(page.contains("`step/1`: 0.50 times the cost"), page);
-        assertTrue(page.contains("up to `step/1` on official-race, `step/1` on grazing."), page);
-        assertTrue(page.contains("30 ns instead of 90 ns a pod's turn"), page);
+        assertTrue(page.contains("than any rung with exact times: `step/1` on official-race, "
+            + "`step/1` on grazing."), page);
+        assertTrue(page.contains("30.0 ns instead of 90.0 ns a pod's turn"), page);
         assertTrue(page.contains("7 in 1,000,000 pod-turns at random headings (a share of 7.0e-06) but of 0.20%"),
             page);
-        assertTrue(page.contains("\n5. "), page);
+        assertFalse(page.contains("Any other scene"), "in a race it missed or invented 3 of 50 impacts");
+        assertTrue(page.contains("\n4. ") && !page.contains("\n5. "), page);
         assertEquals(12, page.lines()
             .filter(line -> line.startsWith("| step/") || line.startsWith("| event/")).count());
     }

@@ -30,7 +30,8 @@ public final class TradeoffReport implements AutoCloseable {
     /** Name of the page that shows the plot. */
     public static final String PAGE = "tradeoff.md";
     /** All files that a run writes. */
-    public static final List<String> ALL = List.of(CSV, JSON, TradeoffPlot.SVG, TradeoffPlot.PNG, PAGE);
+    public static final List<String> ALL = List.of(CSV, JSON, TradeoffPlot.SVG, TradeoffPlot.DARK_SVG,
+        TradeoffPlot.PNG, TradeoffPlot.DARK_PNG, PAGE);
 
     private final Path folder;
     private final String machine;

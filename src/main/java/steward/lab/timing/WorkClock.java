@@ -1,10 +1,10 @@
-package steward.lab.tradeoff;
+package steward.lab.timing;
 
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 
 /** What this thread has used so far: CPU time, so that other load on the machine does not count, and memory. */
-final class TradeoffClock {
+public final class WorkClock {
 
     private final ThreadMXBean threads =
         ManagementFactory.getThreadMXBean() instanceof ThreadMXBean known ? known : null;
@@ -14,16 +14,17 @@ final class TradeoffClock {
         && threads.isThreadAllocatedMemoryEnabled();
 
     /** Nanoseconds of CPU time; of the wall clock where the JVM does not provide it. */
-    long nanos() {
+    public long nanos() {
         return cpu ? threads.getCurrentThreadCpuTime() : System.nanoTime();
     }
 
     /** Bytes allocated; 0 where {@link #tellsBytes} is false. */
-    long bytes() {
+    public long bytes() {
         return bytes ? threads.getThreadAllocatedBytes(Thread.currentThread().getId()) : 0;
     }
 
-    boolean tellsBytes() {
+    /** Whether the JVM tells what is allocated. */
+    public boolean tellsBytes() {
         return bytes;
     }
 }

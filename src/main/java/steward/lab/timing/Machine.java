@@ -1,4 +1,4 @@
-package steward.lab.tradeoff;
+package steward.lab.timing;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -7,11 +7,11 @@ import java.nio.file.Path;
 import java.util.stream.Stream;
 
 /** The machine of a measurement: processor, cores, system, JDK. */
-public final class TradeoffMachine {
+public final class Machine {
 
     private static final Path LINUX = Path.of("/proc/cpuinfo");
 
-    private TradeoffMachine() {
+    private Machine() {
     }
 
     /** A readable line. */

@@ -1,0 +1,29 @@
+package steward.lab.timing;
+
+/**
+ * How much is timed.
+ *
+ * @param repeats    how many times everything is started anew: what a compiler makes of a loop differs from one JVM to
+ *                   the next by more than rounds do
+ * @param rounds     in each repeat; in a round each kind of turns is measured once
+ * @param round      seconds of CPU of a kind in a round, at least; all its states once in any case
+ * @param warmLeast  seconds of CPU that each kind runs before it is timed, at least
+ * @param warmMost   seconds after which it is timed although its times are not steady
+ */
+public record TimingEffort(int repeats, int rounds, double round, double warmLeast, double warmMost) {
+
+    /** Every figure that is stored or published. */
+    public static final TimingEffort NORMAL = new TimingEffort(3, 7, 0.02, 0.3, 2);
+    /** One JVM of each kind: a first look. */
+    public static final TimingEffort QUICK = new TimingEffort(1, 5, 0.01, 0.2, 1);
+
+    /** What one waits for: the prices of a scene's parts within a minute. */
+    public static final TimingEffort SOON = new TimingEffort(3, 3, 0.01, 0.15, 0.5);
+
+    /** @throws IllegalArgumentException if nothing would be measured */
+    public TimingEffort {
+        if (repeats < 1 || rounds < 1) {
+            throw new IllegalArgumentException(repeats + " repeats of " + rounds + " rounds, expected at least 1");
+        }
+    }
+}

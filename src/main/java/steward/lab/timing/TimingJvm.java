@@ -1,0 +1,137 @@
+package steward.lab.timing;
+
+import java.io.BufferedInputStream;
+import java.io.BufferedOutputStream;
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * A JVM that times one kind of turns, as a match plays them: compiled code and what the compiler has seen are not
+ * shared with another kind. It runs the same Java on the same class path as this one, with the JVM's own choice of
+ * compilers, and ends when its input does, so it does not outlive this one.
+ */
+public final class TimingJvm implements TimedPlace {
+
+    private static final int PATIENCE_SECONDS = 10;
+    /** When a terminal's Ctrl-C ends both JVMs, this one is given the time to end before it complains of the other. */
+    private static final int ENDING_MS = 300;
+    private static final int SAID = 2000;
+
+    private final Process process;
+    private final DataOutputStream out;
+    private final DataInputStream in;
+
+    /**
+     * Starts it.
+     *
+     * @param main the class whose main method serves as {@link TimingChild}
+     * @param job  what it times
+     * @throws IllegalStateException if it cannot be started, or does not understand its job
+     */
+    public TimingJvm(Class<?> main, byte[] job) {
+        try {
+            process = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-XX:+UseSerialGC", "-XX:-UsePerfData", "-cp", System.getProperty("java.class.path"), main.getName())
+                .start();
+        } catch (IOException problem) {
+            throw new IllegalStateException("a JVM for timing cannot be started: " + problem.getMessage(), problem);
+        }
+        out = new DataOutputStream(new BufferedOutputStream(process.getOutputStream()));
+        in = new DataInputStream(new BufferedInputStream(process.getInputStream()));
+        ask(() -> {
+            out.writeInt(job.length);
+            out.write(job);
+        }, () -> true);
+    }
+
+    /** Whether it has not ended. */
+    boolean isAlive() {
+        return process.isAlive();
+    }
+
+    /** Something that is written to the other JVM. */
+    private interface Question {
+
+        void write() throws IOException;
+    }
+
+    /** Something that is read from it. */
+    private interface Answer<T> {
+
+        T read() throws IOException;
+    }
+
+    private <T> T ask(Question question, Answer<T> answer) {
+        try {
+            question.write();
+            out.flush();
+            if (in.readByte() != TimingChild.DONE) {
+                throw new IOException(in.readUTF());
+            }
+            return answer.read();
+        } catch (IOException problem) {
+            String said = said();
+            close();
+            throw new IllegalStateException("the JVM for timing has failed: "
+                + (problem.getMessage() == null ? "it has ended" : problem.getMessage())
+                + (said.isEmpty() ? "" : "; it said: " + said), problem);
+        }
+    }
+
+    /** The beginning of what it has written to its standard error. */
+    private String said() {
+        try {
+            process.getOutputStream().close();
+        } catch (IOException gone) {
+            // Then it has ended, and what it said can be read all the same.
+        }
+        try {
+            TimeUnit.MILLISECONDS.sleep(ENDING_MS);
+            return process.waitFor(1, TimeUnit.SECONDS)
+                ? new String(process.getErrorStream().readNBytes(SAID), StandardCharsets.UTF_8).strip() : "";
+        } catch (IOException problem) {
+            return "";
+        } catch (InterruptedException interruption) {
+            Thread.currentThread().interrupt();
+            return "";
+        }
+    }
+
+    @Override
+    public boolean warmUp(double least, double most) {
+        return ask(() -> {
+            out.writeByte(TimingChild.WARM_UP);
+            out.writeDouble(least);
+            out.writeDouble(most);
+        }, in::readBoolean);
+    }
+
+    @Override
+    public Stretch round(double least) {
+        return ask(() -> {
+            out.writeByte(TimingChild.ROUND);
+            out.writeDouble(least);
+        }, () -> new Stretch(in.readDouble(), in.readDouble()));
+    }
+
+    @Override
+    public void close() {
+        try {
+            process.getOutputStream().close();
+        } catch (IOException gone) {
+            // Then it has ended already.
+        }
+        try {
+            if (!process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
+                process.destroyForcibly();
+            }
+        } catch (InterruptedException interruption) {
+            process.destroyForcibly();
+            Thread.currentThread().interrupt();
+        }
+    }
+}

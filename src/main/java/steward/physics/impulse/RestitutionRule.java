@@ -1,0 +1,27 @@
+package steward.physics.impulse;
+
+import steward.physics.Bodies;
+import steward.physics.ImpactLaw;
+import steward.physics.Wall;
+
+/**
+ * The restitution of an impact, 0..1.
+ *
+ * @param elastic whether every impact is; otherwise the lower of the two counts
+ */
+record RestitutionRule(boolean elastic) {
+
+    static RestitutionRule of(ImpactLaw law) {
+        return new RestitutionRule(law.restitution() == ImpactLaw.Restitution.ELASTIC);
+    }
+
+    /** For two bodies. */
+    double betweenBodies(Bodies bodies, int a, int b) {
+        return elastic ? 1 : Math.min(bodies.restitution[a], bodies.restitution[b]);
+    }
+
+    /** For a body and a wall. */
+    double atWall(Bodies bodies, int a, Wall wall) {
+        return elastic ? 1 : Math.min(bodies.restitution[a], wall.restitution());
+    }
+}
