@@ -141,6 +141,7 @@ public final class TuneCommand implements Callable<Integer> {
         check.that(games >= ofStep, "--games: found " + games + ", expected at least the " + ofStep
             + " of one step: two sets of values, " + TextFormat.count(seeds, "seed") + ", "
             + TextFormat.count(against.size(), "bot") + " against them, from all seats");
+        checkBots();
         long first = seed.or(into == null ? SeedOption.draw() : 1);
         Spsa search = new Spsa(command, games / ofStep, first);
         streams.err().println("Tuning " + TextFormat.count(command.parameters().size(), "parameter") + " in "
@@ -169,6 +170,16 @@ public final class TuneCommand implements Callable<Integer> {
     private Contest contest(List<String> bots) {
         return Contest.ofSeries(setup, bots, ProtocolWord.parse(protocol), factor).limitedBy(pace.basis())
             .isolatedBy(sandbox.isolation(streams));
+    }
+
+    /** Refuses bots that cannot be started, and a league of other games, before anything is played. */
+    private void checkBots() {
+        for (String other : against) {
+            Contest contest = contest(List.of(named(command.with(command.start())), other));
+            if (into != null) {
+                StoredSeries.open(OutputFiles.path(into), contest, factor, sandbox.variables()).close();
+            }
+        }
     }
 
     /** Mean score of these values on some seeds, 0..1. */
