@@ -17,9 +17,28 @@ public final class Regular extends PodBot {
         super(new AgainstDrift());
     }
 
-    /** Plays one match over the standard streams. */
+    private Regular(double driftTurns, double leastShare) {
+        super((race, pods, commands) -> {
+            for (int pod = 0; pod < pods.size; pod++) {
+                if (pods.player[pod] == race.player) {
+                    AgainstDrift.drive(race, pods, pod, commands, driftTurns, leastShare);
+                }
+            }
+        });
+    }
+
+    /**
+     * Plays one match over the standard streams.
+     *
+     * @param arguments none; or, to be tuned, turns of velocity by which the aim is moved back, and the least share of
+     *                  the thrust
+     */
     public static void main(String[] arguments) throws IOException {
-        new Regular().run();
+        if (arguments.length == 2) {
+            new Regular(Double.parseDouble(arguments[0]), Double.parseDouble(arguments[1])).run();
+        } else {
+            new Regular().run();
+        }
     }
 
     /** The decision. */
@@ -39,9 +58,14 @@ public final class Regular extends PodBot {
 
         /** Gives a pod its command: the less thrust the more it has to turn. */
         static void drive(Race race, Pods pods, int pod, Commands commands) {
-            double x = race.checkpointX[pods.next[pod]] - DRIFT_TURNS * pods.vx[pod];
-            double y = race.checkpointY[pods.next[pod]] - DRIFT_TURNS * pods.vy[pod];
-            commands.set(pod, x, y, (int) (race.maximumThrust * Math.max(0, pods.cosineTo(pod, x, y))));
+            drive(race, pods, pod, commands, DRIFT_TURNS, 0);
+        }
+
+        private static void drive(Race race, Pods pods, int pod, Commands commands, double driftTurns,
+                                  double leastShare) {
+            double x = race.checkpointX[pods.next[pod]] - driftTurns * pods.vx[pod];
+            double y = race.checkpointY[pods.next[pod]] - driftTurns * pods.vy[pod];
+            commands.set(pod, x, y, (int) (race.maximumThrust * Math.max(leastShare, pods.cosineTo(pod, x, y))));
         }
     }
 }

@@ -22,6 +22,7 @@ import steward.cli.replay.ImportCommand;
 import steward.cli.replay.KeyCommand;
 import steward.cli.replay.ReplayCommand;
 import steward.cli.sequential.SprtCommand;
+import steward.cli.sequential.TuneCommand;
 import steward.cli.setup.DoctorCommand;
 import steward.cli.setup.NewCommand;
 import steward.cli.shared.EmptyValues;
@@ -47,7 +48,7 @@ public final class Main {
     private static final int WIDTH = 80;
 
     private static final List<String> COMMANDS = List.of("match", "replay", "feed", "scene", "explain", "demo",
-        "league", "sprt",
+        "league", "sprt", "tune",
         "simulate", "import", "key", "referee", "play", "stability", "tradeoff", "bench", "new", "doctor",
         CompletionCommand.NAME, HelpCommand.NAME);
 
@@ -144,6 +145,7 @@ public final class Main {
             case "demo" -> new DemoCommand(streams);
             case "league" -> LeagueCommand.spec(streams);
             case "sprt" -> new SprtCommand(streams);
+            case "tune" -> new TuneCommand(streams);
             case "simulate" -> new SimulateCommand(streams);
             case "import" -> new ImportCommand(streams);
             case "key" -> new KeyCommand(streams);

@@ -76,8 +76,8 @@ public final class LeagueReader {
             }
             known(replays, "of", loser, bots);
         }
-        LeagueSettings settings = new LeagueSettings(scene, seed, gauntlet, adaptive, lag, factor(time), basis(time), hiccups,
-            sandbox, keep, losers, bots);
+        LeagueSettings settings = new LeagueSettings(scene, seed, gauntlet, adaptive, lag, factor(time),
+            basis(time), hiccups, sandbox, keep, losers, bots);
         root.done();
         return settings;
     }

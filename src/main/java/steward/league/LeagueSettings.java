@@ -23,8 +23,9 @@ import steward.contest.KeptReplays;
  * @param keepOf   with {@link KeptReplays#LOST}: the bots whose lost games are meant; none for those of any bot
  * @param bots     all of them, in the order of the file
  */
-public record LeagueSettings(String scene, long seed, String gauntlet, boolean adaptive, int lag, double factor, TimeBasis basis,
-                             Hiccups hiccups, List<String> sandbox, KeptReplays keep, List<String> keepOf,
+public record LeagueSettings(String scene, long seed, String gauntlet, boolean adaptive, int lag, double factor,
+                             TimeBasis basis, Hiccups hiccups, List<String> sandbox, KeptReplays keep,
+                             List<String> keepOf,
                              List<LeagueBot> bots) {
 
     /** The lag of a new league: more than the games that a large machine plays at the same time. */
@@ -57,7 +58,8 @@ public record LeagueSettings(String scene, long seed, String gauntlet, boolean a
 
     /** The same with other bots. */
     public LeagueSettings withBots(List<LeagueBot> others) {
-        return new LeagueSettings(scene, seed, gauntlet, adaptive, lag, factor, basis, hiccups, sandbox, keep, keepOf, others);
+        return new LeagueSettings(scene, seed, gauntlet, adaptive, lag, factor, basis, hiccups, sandbox, keep,
+            keepOf, others);
     }
 
     /** The same with one bot more, the last. */
@@ -77,8 +79,8 @@ public record LeagueSettings(String scene, long seed, String gauntlet, boolean a
 
     /** The same with other rules of pairing, time and replays, as a new league may be told. */
     public LeagueSettings with(String newGauntlet, double newFactor, KeptReplays newKeep) {
-        return new LeagueSettings(scene, seed, newGauntlet, adaptive, lag, newFactor, basis, hiccups, sandbox, newKeep, keepOf,
-            bots);
+        return new LeagueSettings(scene, seed, newGauntlet, adaptive, lag, newFactor, basis, hiccups, sandbox,
+            newKeep, keepOf, bots);
     }
 
     /** The limits in words that differ where a game could end differently: part of a game's name. */

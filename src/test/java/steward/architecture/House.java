@@ -32,7 +32,7 @@ final class House {
         "game.pokerchiprace", "game.pokerchiprace.protocol", "game.searchrace", "game.searchrace.protocol",
         "bot", "bot.command", "bot.isolation", "bot.accounting", "bot.process", "match",
         "replay.sign", "replay", "replay.verify", "replay.feed", "replay.page", "contest", "live", "codingame",
-        "league", "league.rating", "league.sequential", "league.pairing", "league.selfcheck",
+        "league", "league.rating", "league.sequential", "league.pairing", "league.tune", "league.selfcheck",
         "league.store", "league.play", "league.page",
         "lab.oracle", "lab.trial", "lab.stability.pairs", "lab.stability.crowds", "lab.stability",
         "lab.timing", "lab.calibration", "lab.tradeoff", "lab.tradeoff.report",

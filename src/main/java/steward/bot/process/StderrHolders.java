@@ -54,7 +54,8 @@ final class StderrHolders {
             try (DirectoryStream<Path> all = Files.newDirectoryStream(PROC, "[0-9]*")) {
                 for (Path process : all) {
                     long pid = Long.parseLong(process.getFileName().toString());
-                    boolean later = last >= bot ? pid > bot && pid <= last : pid > bot || pid <= last;
+                    boolean later = (last >= bot ? pid > bot && pid <= last : pid > bot || pid <= last)
+                        && pid != ProcessHandle.current().pid();     // numbers may have begun anew below this one's
                     Optional<ProcessHandle> handle = later ? ProcessHandle.of(pid) : Optional.empty();
                     if (handle.isPresent() && hasOpen(process, file) && !isChildOf(process, own)) {
                         found.add(handle.get());

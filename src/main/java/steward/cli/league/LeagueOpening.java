@@ -31,6 +31,8 @@ import steward.text.TextFormat;
 /** Opens what the settings of a league name. */
 final class LeagueOpening {
 
+    private static final String TUNED = "tune.";
+
     private LeagueOpening() {
     }
 
@@ -101,6 +103,9 @@ final class LeagueOpening {
         for (GameStore.Version version : versions) {
             boolean newest = versions.stream().noneMatch(other -> other.bot().equals(version.bot())
                 && other.number() > version.number());
+            if (version.bot().startsWith(TUNED) && settings.bot(version.bot()).isEmpty()) {
+                continue;                              // one of the many that 'steward tune' has tried
+            }
             boolean active = newest && settings.bot(version.bot()).filter(bot -> !bot.retired()).isPresent();
             boolean random = version.random() || settings.bot(version.bot()).filter(LeagueBot::random).isPresent();
             entries.add(new LeagueTable.Entry(version.id(), version.display(), random, active));

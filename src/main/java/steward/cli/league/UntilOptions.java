@@ -19,8 +19,8 @@ final class UntilOptions {
 
     private final CallCheck check = CallCheck.withHelp();
 
-    @Option(names = "--until-bars", paramLabel = "ELO", description = "Ends when the anytime bar of every bot is at most "
-        + "so wide to each side.")
+    @Option(names = "--until-bars", paramLabel = "ELO", description = "Ends when the anytime bar of every bot is at "
+        + "most so wide to each side.")
     private Double bars;
 
     @Option(names = "--until-ranked", description = "Ends when the order of all bots is sure, with 95% for all of it "

@@ -12,7 +12,7 @@ public final class CallCheck {
     /** The most threads that one call uses. */
     public static final int MOST_THREADS = 256;
     /** The most games that one call plays. */
-    private static final int MOST_GAMES = 1_000_000;
+    public static final int MOST_GAMES = 1_000_000;
 
     private final boolean help;
 

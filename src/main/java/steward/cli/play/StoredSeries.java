@@ -63,8 +63,8 @@ public final class StoredSeries implements AutoCloseable {
         LeagueSettings settings = folder.read();
         LeagueSettings played = settings.with(settings.gauntlet(), factor, settings.keep());
         Season season = Season.of(contest.setup(), new LeagueSettings(played.scene(), played.seed(),
-            played.gauntlet(), played.adaptive(), played.lag(), factor, contest.time().basis(), played.hiccups(), played.sandbox(),
-            played.keep(), played.keepOf(), played.bots()));
+            played.gauntlet(), played.adaptive(), played.lag(), factor, contest.time().basis(), played.hiccups(),
+            played.sandbox(), played.keep(), played.keepOf(), played.bots()));
         Season own = Season.of(Games.open(folder.scene(settings.scene())), settings);
         if (!own.key().equals(season.key())) {
             throw new InputException("--into: found a league of other games, expected one of the same scene and "

@@ -67,7 +67,8 @@ public final class SprtCommand implements Callable<Integer> {
     @Mixin
     private final ThreadsOption threads = new ThreadsOption();
 
-    @Option(names = "--into", paramLabel = "DIR", description = "Stores the games in this league, see 'steward league', "
+    @Option(names = "--into", paramLabel = "DIR",
+        description = "Stores the games in this league, see 'steward league', "
         + "and takes those that it has.")
     private String into;
 

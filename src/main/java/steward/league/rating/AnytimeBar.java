@@ -22,7 +22,7 @@ public final class AnytimeBar {
     /** 1 - the probability with which a bar holds. */
     public static final double ALPHA = 0.05;
     /**
-     * Standard deviations, in Elo, at which r = I: a bar is narrowest against the others of its kind where the deviation
+     * Standard deviations, in Elo, at which r = I: a bar is narrowest, against others of its kind, where the deviation
      * is about a third of it. The first is for bars of 30 Elo, the last for bots that win nearly always, whose games
      * tell little of the size of the difference, but soon its sign.
      */

@@ -9,8 +9,8 @@ import java.util.List;
  * docs/rating.md has the formulas.
  *
  * <p><b>Weights.</b> Where results are not transitive no rating tells all of them, and a fit that weighs games depends
- * on who was paired how often. Here the weight of a pairing's games is what it would be if all were played equally often:
- * ratings estimate the fit under uniform pairing. A pairing with n clusters, fewer than {@link #WHOLE},
+ * on who was paired how often. Here a pairing's games weigh what they would if all were played equally often: ratings
+ * estimate the fit under uniform pairing. A pairing with n clusters, fewer than {@link #WHOLE},
  * has the n/8th part of a weight. In games of three and more the group is what is paired.
  *
  * <p><b>Covariance.</b> That of an M-estimate over clusters, the sandwich A^-1 B A^-1. In B a cluster counts

@@ -64,7 +64,7 @@ public record Ratings(List<Integer> versions, RatingFit fit, double... weights) 
         return fit.residual(place(one), place(other));
     }
 
-    /** By group of versions: its clusters' number times their part in the variance of a difference, as a share of it. */
+    /** By group: the number of its clusters times their part in the variance of a difference, as a share of it. */
     public Map<List<Integer>, Double> parts(int one, int other) {
         Map<List<Integer>, Double> parts = new LinkedHashMap<>();
         fit.parts(place(one), place(other), (group, part) ->

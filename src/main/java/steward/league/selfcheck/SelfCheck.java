@@ -85,7 +85,8 @@ public final class SelfCheck {
     }
 
     private static MadeUpLeague trio() {
-        return MadeUpLeague.pairs("3 bots, rock, paper, scissors of 150 Elo", MadeUpLeague.spaced(3, 0), 0.1, 0, 0, 150);
+        return MadeUpLeague.pairs("3 bots, rock, paper, scissors of 150 Elo", MadeUpLeague.spaced(3, 0), 0.1, 0, 0,
+            150);
     }
 
     private static MadeUpLeague mixed() {
@@ -144,8 +145,8 @@ public final class SelfCheck {
     }
 
     private void rules() throws InterruptedException {
-        head("Leagues that are ended by a rule: how often anytime bars held at all looks and at the end, and all that was "
-            + "said of the order was true, in percent.", "league", "pairing", "rule", "seeds, mean",
+        head("Leagues that are ended by a rule: how often anytime bars held at all looks and at the end, and all that "
+            + "was said of the order was true, in percent.", "league", "pairing", "rule", "seeds, mean",
             "bars at all looks: least", "bars at the end: least", "order true");
         StopRule bars = new StopRule(50, false, StopRule.USUAL_EQUAL);
         StopRule ranked = new StopRule(Double.NaN, true, 30);

@@ -55,7 +55,7 @@ class LeagueCommandTest {
         assertTrue(refused("add", "TMP/a", "one=sh -c 'exit 3'").contains("found a bot 'one' in the league"));
         done("rename", "TMP/a", "one", "uno");
         done("retire", "TMP/a", "uno");
-        assertEquals("2 bots in a league of duel, round-robin\n  uno (retired): sh -c 'exit 1'\n"
+        assertEquals("2 bots in a league of duel, adaptive\n  uno (retired): sh -c 'exit 1'\n"
             + "  two (random): sh -c 'exit 2'\n", done("list", "TMP/a"));
         done("retire", "TMP/a", "uno", "--back");
         assertFalse(done("list", "TMP/a").contains("retired"));

@@ -1,0 +1,261 @@
+package steward.cli.sequential;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.TimeUnit;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import steward.bot.command.BotCommand;
+import steward.cli.options.BuiltinBotWords;
+import steward.cli.options.CallCheck;
+import steward.cli.options.ProtocolWord;
+import steward.cli.options.SandboxOptions;
+import steward.cli.options.SceneOptions;
+import steward.cli.options.SeedOption;
+import steward.cli.options.ThreadsOption;
+import steward.cli.options.TimeLimitOptions;
+import steward.cli.play.StoredSeries;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.FailedException;
+import steward.cli.shared.Games;
+import steward.cli.shared.Streams;
+import steward.cli.shared.Verbosity;
+import steward.contest.Contest;
+import steward.contest.Hiccups;
+import steward.contest.PairedPlay;
+import steward.files.InputException;
+import steward.files.OutputFiles;
+import steward.game.GameSetup;
+import steward.league.sequential.Gsprt;
+import steward.league.tune.Spsa;
+import steward.league.tune.TunePlot;
+import steward.league.tune.TunedCommand;
+import steward.text.TextFormat;
+
+/** {@code steward tune}: finds good parameters of a bot. */
+@Command(name = "tune", description = "Finds good values for parameters in a bot's command.",
+    footer = {"",
+        "A parameter is written {name:0.5..2} for a real number, {name:1..9} for a whole",
+        "one, {name:one|other} for a choice; {name:1..9@3} begins at 3, otherwise it is",
+        "the middle. Each step tries two sets of values against the same bots on the same",
+        "seeds from all seats, and goes on towards the better one (SPSA). At the end the",
+        "result is tested against the start. With --into the same command goes on after",
+        "an interruption.",
+        "", "Example:",
+        "  steward tune --bot 'mine=./mine --aggression {a:0.2..2} --look {n:1..9}' \\",
+        "      --against builtin:veteran --games 4000 --into night",
+        "", "Exit status: 0 done; 1 games have no result; 2 wrong call; 130 interrupted."})
+public final class TuneCommand implements Callable<Integer> {
+
+    private static final long TELL_NANOS = TimeUnit.SECONDS.toNanos(10);
+    private static final int MOST_SEEDS = 1000;
+    private static final double ALPHA = 0.05;
+    private static final double GAIN = 20;
+    private static final String PREFIX = "tune.";
+
+    private final Streams streams;
+    private final CallCheck check = CallCheck.withHelp();
+
+    @Mixin
+    private final SceneOptions scene = new SceneOptions();
+
+    @Option(names = "--bot", paramLabel = "BOT", required = true,
+        description = "The bot, with parameters in its command.")
+    private String bot;
+
+    @Option(names = "--against", paramLabel = "BOT", required = true, completionCandidates = BuiltinBotWords.class,
+        description = "A bot that it plays; can be repeated.")
+    private List<String> against = new ArrayList<>();
+
+    @Option(names = "--games", paramLabel = "N", defaultValue = "2000",
+        description = "How many games the search takes (default: ${DEFAULT-VALUE}).")
+    private Integer games;
+
+    @Option(names = "--seeds", paramLabel = "N", defaultValue = "4",
+        description = "How many seeds each set of values plays in a step (default: ${DEFAULT-VALUE}).")
+    private Integer seeds;
+
+    @Option(names = "--test-games", paramLabel = "N", defaultValue = "1000",
+        description = "Tests the result against the start with at most N games; 0 for none "
+            + "(default: ${DEFAULT-VALUE}).")
+    private Integer testGames;
+
+    @Option(names = "--protocol", paramLabel = "P", defaultValue = "json",
+        completionCandidates = ProtocolWord.Candidates.class,
+        description = "What bots without a prefix speak: json or codingame (default: ${DEFAULT-VALUE}).")
+    private String protocol;
+
+    @Mixin
+    private final SeedOption seed = new SeedOption();
+
+    @Mixin
+    private final ThreadsOption threads = new ThreadsOption();
+
+    @Option(names = "--into", paramLabel = "DIR",
+        description = "Stores the games in this league, and takes those that it has; its table does not list them.")
+    private String into;
+
+    @Option(names = "--plots", paramLabel = "DIR",
+        description = "Writes the path of the parameters into this folder, as "
+        + "PNG and SVG.")
+    private String plots;
+
+    @Mixin
+    private final TimeLimitOptions pace = new TimeLimitOptions();
+
+    @Mixin
+    private final SandboxOptions sandbox = new SandboxOptions();
+
+    private GameSetup setup;
+    private TunedCommand command;
+    private double factor;
+    private long told = System.nanoTime();
+
+    public TuneCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() throws InterruptedException {
+        check.games(games);
+        check.range("--seeds", seeds, 1, MOST_SEEDS);
+        check.range("--test-games", testGames, 0, CallCheck.MOST_GAMES);
+        threads.check();
+        factor = pace.factor();
+        try {
+            command = TunedCommand.parse(bot);
+        } catch (IllegalArgumentException problem) {
+            throw new InputException("--bot: " + problem.getMessage());
+        }
+        if (plots != null) {
+            OutputFiles.prepareFolder(OutputFiles.path(plots));
+        }
+        setup = Games.warn(scene.open(streams), streams);
+        int players = setup.scene().players();
+        check.that(players <= 2, "found a scene for " + players + " players, expected one for one or two");
+        int ofStep = 2 * Math.max(1, players) * seeds * against.size();
+        check.that(games >= ofStep, "--games: found " + games + ", expected at least the " + ofStep
+            + " of one step: two sets of values, " + TextFormat.count(seeds, "seed") + ", "
+            + TextFormat.count(against.size(), "bot") + " against them, from all seats");
+        checkBots();
+        long first = seed.or(into == null ? SeedOption.draw() : 1);
+        Spsa search = new Spsa(command, games / ofStep, first);
+        streams.err().println("Tuning " + TextFormat.count(command.parameters().size(), "parameter") + " in "
+            + TextFormat.count(games / ofStep, "step") + " of " + TextFormat.count(ofStep, "game") + ", from "
+            + command.text(command.start()));
+        while (!search.isOver()) {
+            long at = first + (long) search.step() * seeds;
+            double plus = score(search.trial(1), at);
+            double minus = command.with(search.trial(1)).equals(command.with(search.trial(-1))) ? plus
+                : score(search.trial(-1), at);
+            search.go(plus, minus);
+            if (System.nanoTime() - told > TELL_NANOS) {
+                told = System.nanoTime();
+                streams.err().println("step " + search.step() + ": " + command.text(search.path().get(search.step())));
+            }
+        }
+        tell(search);
+        return test(search, first);
+    }
+
+    private String named(String text) {
+        BotCommand parsed = BotCommand.parse(text);
+        return PREFIX + parsed.displayName() + "=" + new BotCommand(null, parsed.prefix(), parsed.words());
+    }
+
+    private Contest contest(List<String> bots) {
+        return Contest.ofSeries(setup, bots, ProtocolWord.parse(protocol), factor).limitedBy(pace.basis())
+            .isolatedBy(sandbox.isolation(streams));
+    }
+
+    /** Refuses bots that cannot be started, and a league of other games, before anything is played. */
+    private void checkBots() {
+        for (String other : against) {
+            Contest contest = contest(List.of(named(command.with(command.start())), other));
+            if (into != null) {
+                StoredSeries.open(OutputFiles.path(into), contest, factor, sandbox.variables()).close();
+            }
+        }
+    }
+
+    /** Mean score of these values on some seeds, 0..1. */
+    private double score(double[] places, long firstSeed) throws InterruptedException {
+        double[] sum = new double[1];
+        int[] count = new int[1];
+        for (String other : against) {
+            Contest contest = contest(List.of(named(command.with(places)), other));
+            try (StoredSeries store = into == null ? null
+                    : StoredSeries.open(OutputFiles.path(into), contest, factor, sandbox.variables())) {
+                int[] over = new int[1];
+                new PairedPlay(contest, firstSeed, Hiccups.REPLAY,
+                    store == null ? (number, rotation) -> null : store::values,
+                    store == null ? game -> { } : store::add, result -> {
+                        if (result.isWhole()) {
+                            sum[0] += (1 + result.difference(contest, 0, 1)) / 2;
+                            count[0]++;
+                        }
+                        return ++over[0] < seeds;
+                    }).play(Math.min(threads.count(streams), seeds * 2));
+            }
+        }
+        if (count[0] == 0) {
+            throw new FailedException("no game of " + command.text(places) + " has a result");
+        }
+        return sum[0] / count[0];
+    }
+
+    private void tell(Spsa search) {
+        double[] result = search.result();
+        double[] spread = search.spread();
+        streams.out().println("Start:  " + command.text(command.start()));
+        streams.out().println("Result: " + command.text(result));
+        for (int k = 0; k < result.length; k++) {
+            streams.out().println("  " + command.parameters().get(k).name() + ": "
+                + command.parameters().get(k).value(result[k]) + ", in the last quarter of the path mostly "
+                + command.parameters().get(k).value(result[k] - 2 * spread[k]) + " to "
+                + command.parameters().get(k).value(result[k] + 2 * spread[k]));
+        }
+        streams.out().println("Bot:    " + command.with(result));
+        streams.out().flush();
+        if (plots != null) {
+            Path folder = OutputFiles.path(plots);
+            try {
+                for (Path file : TunePlot.write(command, search.path(), folder)) {
+                    streams.err().println("Written: " + file);
+                }
+            } catch (IOException problem) {
+                throw new FailedException(folder + ": cannot be written: " + OutputFiles.reason(folder, problem));
+            }
+        }
+    }
+
+    /** Tests the result against the start. */
+    private int test(Spsa search, long first) throws InterruptedException {
+        String result = command.with(search.result());
+        String start = command.with(command.start());
+        if (testGames == 0 || result.equals(start)) {
+            streams.out().println(testGames == 0 ? "Not tested." : "The result is the start.");
+            return ExitStatus.DONE;
+        }
+        Contest contest = contest(List.of("tune.result=" + bare(result), "tune.start=" + bare(start)));
+        Gsprt test = new Gsprt(0, GAIN, ALPHA, ALPHA, Gsprt.Model.NORMALIZED);
+        streams.out().println();
+        if (into == null) {
+            return new SprtRun(streams, contest, test, testGames, null, Verbosity.FULL)
+                .play(first + games, threads.count(streams));
+        }
+        try (StoredSeries store = StoredSeries.open(OutputFiles.path(into), contest, factor, sandbox.variables())) {
+            return new SprtRun(streams, contest, test, testGames, store, Verbosity.FULL)
+                .play(store.ownSeed(), threads.count(streams));
+        }
+    }
+
+    private static String bare(String text) {
+        BotCommand parsed = BotCommand.parse(text);
+        return new BotCommand(null, parsed.prefix(), parsed.words()).toString();
+    }
+}

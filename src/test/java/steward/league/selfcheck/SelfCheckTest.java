@@ -1,0 +1,95 @@
+package steward.league.selfcheck;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import steward.league.pairing.StopRule;
+import steward.league.sequential.Gsprt;
+
+/** A small form of {@code steward league --self-check}: fixed seeds, bounds of four standard deviations. */
+class SelfCheckTest {
+
+    private static final long LEAGUES = 1000;
+    /** Of a share of 95% of 1000. */
+    private static final double FOUR_DEVIATIONS = 4 * Math.sqrt(0.95 * 0.05 / LEAGUES);
+    private static final double PROMISED = 0.007;
+
+    private static void holds(MadeUpLeague league, int clusters) throws InterruptedException {
+        Coverage found = FixedCheck.even(league, clusters).run(2, LEAGUES, 5);
+        assertEquals(0.95, found.least(), PROMISED + FOUR_DEVIATIONS, found::toString);
+        assertEquals(0.95, found.most(), PROMISED + FOUR_DEVIATIONS, found::toString);
+    }
+
+    @Test
+    @Tag("slow")
+    void fixedBarsHold() throws InterruptedException {
+        holds(MadeUpLeague.pairs("two", new double[] {100, 0}, 0, 0, 0, 0), 60);
+        holds(MadeUpLeague.pairs("ties and seeds", new double[] {60, 0}, 0.5, 50, 150, 0), 40);
+        holds(MadeUpLeague.pairs("trio", MadeUpLeague.spaced(4, 30), 0.1, 0, 60, 150), 30);
+        holds(MadeUpLeague.threes("threes", 60, MadeUpLeague.spaced(4, 60)), 30);
+        holds(MadeUpLeague.alone("alone", MadeUpLeague.spaced(4, 60)), 60);
+    }
+
+    @Test
+    void barsHoldWhereSeedsMatterMuch() throws InterruptedException {
+        // With seeds of 300 Elo the two games of a seed go alike so often that a seed's mean varies by a quarter more
+        // than that of two independent games: bars of independent games would be too short.
+        MadeUpLeague league = MadeUpLeague.pairs("seeds", new double[] {0, 0}, 0, 0, 300, 0);
+        Coverage right = FixedCheck.even(league, 100).run(2, LEAGUES, 5);
+        MadeUpGroup independent = MadeUpGroup.two(0, 0, 0, 0, 0, 1);
+        assertTrue(league.groups().get(0).variance() > 1.25 * independent.variance(), "seeds matter");
+        assertEquals(0.95, right.least(), PROMISED + FOUR_DEVIATIONS, right::toString);
+    }
+
+    @Test
+    @Tag("slow")
+    void anytimeBarsHoldAtAllLooks() throws InterruptedException {
+        for (MadeUpLeague league : List.of(
+            MadeUpLeague.pairs("two", new double[] {480, 0}, 0, 0, 0, 0),
+            MadeUpLeague.pairs("trio", MadeUpLeague.spaced(3, 0), 0.1, 0, 60, 150),
+            MadeUpLeague.alone("alone", MadeUpLeague.spaced(3, 60)))) {
+            Coverage found = new AnytimeCheck(league, 150).run(2, LEAGUES / 2, 5);
+            assertTrue(found.least() >= 0.95, found::toString);
+        }
+    }
+
+    @Test
+    @Tag("slow")
+    void leaguesThatAreEndedByARuleAreRight() throws InterruptedException {
+        MadeUpLeague league = MadeUpLeague.pairs("six", new double[] {200, 120, 90, 0, -60, -200}, 0.3, 20, 50, 40);
+        StopRule rule = new StopRule(Double.NaN, true, 20);
+        AdaptiveCheck.Outcome turns = new AdaptiveCheck(league, false, rule, 100_000).run(2, 40, 5);
+        AdaptiveCheck.Outcome learnt = new AdaptiveCheck(league, true, rule, 100_000).run(2, 40, 5);
+        assertTrue(turns.right() >= 0.95 && learnt.right() >= 0.95, turns + " " + learnt);
+        assertTrue(learnt.coverage().least() >= 0.85, learnt::toString);
+        assertTrue(learnt.decisions() < 0.8 * turns.decisions(), turns + " " + learnt);
+    }
+
+    @Test
+    @Tag("slow")
+    void sequentialTestsErrAsRarelyAsTheySay() throws InterruptedException {
+        for (Gsprt.Model model : Gsprt.Model.values()) {
+            Gsprt test = new Gsprt(0, 40, 0.05, 0.05, model);
+            for (double at : new double[] {0, 40}) {
+                SprtCheck.Outcome found = new SprtCheck(test, at, 0.5, 100).run(2, LEAGUES, 5);
+                double wrong = at == 0 ? found.accepted() : 1 - found.accepted();
+                assertTrue(wrong <= 0.05 + FOUR_DEVIATIONS, found::toString);
+                assertEquals(1, found.mean() / found.theory().observations(), 0.1, found::toString);
+            }
+        }
+    }
+
+    @Test
+    void threadsDoNotChangeTheTable() throws InterruptedException {
+        List<String> one = new ArrayList<>();
+        List<String> other = new ArrayList<>();
+        new SelfCheck(60, 1, one::add).print("fixed");
+        new SelfCheck(60, 3, other::add).print("fixed");
+        assertEquals(one, other);
+        assertTrue(one.size() > 60, "it has its rows");
+    }
+}
