@@ -11,6 +11,7 @@ import steward.cli.lab.ExplainCommand;
 import steward.cli.lab.StabilityCommand;
 import steward.cli.lab.TradeoffCommand;
 import steward.cli.league.LeagueCommand;
+import steward.cli.machines.MachineCommands;
 import steward.cli.play.DemoCommand;
 import steward.cli.play.MatchCommand;
 import steward.cli.play.PlayCommand;
@@ -141,7 +142,7 @@ public final class Main {
             case "scene" -> new SceneCommand(streams);
             case "explain" -> new ExplainCommand(streams);
             case "demo" -> new DemoCommand(streams);
-            case "league" -> LeagueCommand.spec(streams);
+            case "league" -> LeagueCommand.spec(streams, MachineCommands.ofLeague(streams));
             case "simulate" -> new SimulateCommand(streams);
             case "import" -> new ImportCommand(streams);
             case "key" -> new KeyCommand(streams);

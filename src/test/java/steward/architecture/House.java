@@ -33,9 +33,10 @@ final class House {
         "bot", "bot.command", "bot.isolation", "bot.accounting", "bot.process", "match",
         "replay.sign", "replay", "replay.verify", "replay.feed", "replay.page", "contest", "live", "codingame",
         "league", "league.rating", "league.store", "league.play", "league.page",
+        "machines.check", "machines.part",
         "lab.oracle", "lab.trial", "lab.stability.pairs", "lab.stability.crowds", "lab.stability",
         "lab.calibration", "lab.tradeoff", "lab.tradeoff.report", "bench", "bench.textbook", "bench.section",
-        "cli.shared", "cli.options", "cli.bench", "cli.lab", "cli.replay", "cli.play", "cli.league",
+        "cli.shared", "cli.options", "cli.bench", "cli.lab", "cli.replay", "cli.play", "cli.league", "cli.machines",
         "cli.setup", "cli");
 
     /** The game for which there are commands and formats of its own. */

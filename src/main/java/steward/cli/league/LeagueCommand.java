@@ -34,10 +34,16 @@ public final class LeagueCommand implements Callable<Integer> {
     private LeagueCommand() {
     }
 
-    /** The command with those in it. */
-    public static CommandSpec spec(Streams streams) {
+    /**
+     * The command with those in it.
+     *
+     * @param more commands by their names, listed behind the others
+     */
+    public static CommandSpec spec(Streams streams, Map<String, Object> more) {
         CommandSpec spec = CommandSpec.forAnnotatedObject(new LeagueCommand());
-        commands(streams).forEach((name, command) ->
+        Map<String, Object> commands = commands(streams);
+        commands.putAll(more);
+        commands.forEach((name, command) ->
             spec.addSubcommand(name, CommandSpec.forAnnotatedObject(command)));
         return spec;
     }

@@ -39,7 +39,7 @@ import steward.text.TextFormat;
         "  steward league run night --games 1000 --watch --open",
         "", "Exit status: 0 an end was reached; 1 games could not be stored; 2 the call or",
         "the league is unusable; 130 interrupted."})
-final class RunCommand implements Callable<Integer> {
+public final class RunCommand implements Callable<Integer> {
 
     private static final Pattern TIME = Pattern.compile("([0-9]{1,9})([smhd])");
 
@@ -100,7 +100,7 @@ final class RunCommand implements Callable<Integer> {
     }
 
     /** What {@code --for} says, in nanoseconds; {@code Long.MAX_VALUE} where it is not there. */
-    static long nanos(String time) {
+    public static long nanos(String time) {
         if (time == null) {
             return Long.MAX_VALUE;
         }
@@ -189,7 +189,7 @@ final class RunCommand implements Callable<Integer> {
     }
 
     /** What is noted with each game. */
-    static String machine(Contest contest) {
+    public static String machine(Contest contest) {
         return "Java " + System.getProperty("java.version") + ", " + System.getProperty("os.name") + " "
             + System.getProperty("os.arch") + ", "
             + TextFormat.count(ManagementFactory.getOperatingSystemMXBean().getAvailableProcessors(), "processor")

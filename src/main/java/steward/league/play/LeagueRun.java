@@ -94,7 +94,7 @@ public final class LeagueRun {
         this.limits = limits;
         this.teller = teller;
         this.listener = listener;
-        play = new GamePlay(folder, key, contest, machine, System::currentTimeMillis);
+        play = new GamePlay(key, contest, new KeptGames(folder), machine, System::currentTimeMillis);
         schedule = new Schedule(roster.settings().seed(), key.players(), roster.settings().lag());
         new GameQueries(store, season, key).decisions(schedule::stored);
         seen = stamp();
