@@ -12,6 +12,7 @@ import steward.cli.lab.StabilityCommand;
 import steward.cli.lab.TradeoffCommand;
 import steward.cli.league.LeagueCommand;
 import steward.cli.machines.MachineCommands;
+import steward.cli.machines.WorkerCommand;
 import steward.cli.play.DemoCommand;
 import steward.cli.play.MatchCommand;
 import steward.cli.play.PlayCommand;
@@ -47,7 +48,7 @@ public final class Main {
     private static final int WIDTH = 80;
 
     private static final List<String> COMMANDS = List.of("match", "replay", "feed", "scene", "explain", "demo",
-        "league",
+        "league", "worker",
         "simulate", "import", "key", "referee", "play", "stability", "tradeoff", "bench", "new", "doctor",
         CompletionCommand.NAME, HelpCommand.NAME);
 
@@ -143,6 +144,7 @@ public final class Main {
             case "explain" -> new ExplainCommand(streams);
             case "demo" -> new DemoCommand(streams);
             case "league" -> LeagueCommand.spec(streams, MachineCommands.ofLeague(streams));
+            case "worker" -> new WorkerCommand(streams);
             case "simulate" -> new SimulateCommand(streams);
             case "import" -> new ImportCommand(streams);
             case "key" -> new KeyCommand(streams);

@@ -37,12 +37,12 @@ public final class LeagueCommand implements Callable<Integer> {
     /**
      * The command with those in it.
      *
-     * @param more commands by their names, listed behind the others
+     * @param more commands by their names, {@code run} among them; others are listed behind those that are here
      */
     public static CommandSpec spec(Streams streams, Map<String, Object> more) {
         CommandSpec spec = CommandSpec.forAnnotatedObject(new LeagueCommand());
         Map<String, Object> commands = commands(streams);
-        commands.putAll(more);
+        commands.putAll(more);                         // also in the place of one that is there
         commands.forEach((name, command) ->
             spec.addSubcommand(name, CommandSpec.forAnnotatedObject(command)));
         return spec;
@@ -55,7 +55,7 @@ public final class LeagueCommand implements Callable<Integer> {
         commands.put("retire", new RetireCommand(streams));
         commands.put("rename", new RenameCommand(streams));
         commands.put("list", new ListCommand(streams));
-        commands.put("run", new RunCommand(streams));
+        commands.put("run", null);                      // its options are known further up
         commands.put("table", new TableCommand(streams));
         commands.put("games", new GamesCommand(streams));
         commands.put("page", new PageCommand(streams));

@@ -73,11 +73,16 @@ public final class RunCommand implements Callable<Integer> {
     @Mixin
     private final WatchOptions watch = new WatchOptions();
 
+    @Mixin
+    private final Serving serving;
+
     @Option(names = "--quiet", description = "Prints no table at the end, and none while it plays.")
     private boolean quiet;
 
-    RunCommand(Streams streams) {
+    /** @param serving an object with options that let other machines play */
+    public RunCommand(Streams streams, Serving serving) {
         this.streams = streams;
+        this.serving = serving;
     }
 
     @Override
@@ -128,15 +133,24 @@ public final class RunCommand implements Callable<Integer> {
         LeagueRun run = new LeagueRun(folder, store, number, season, contest, reader, roster, limits,
             machine(contest), what -> say(screen.get(), what), progress::add);
         AtomicBoolean told = new AtomicBoolean();
-        try (LeagueWatch page = watch.watch() ? LeagueWatch.start(folder, season, queries, progress, watch) : null;
+        try (Serving.Service machines = serving.start(folder, season, contest, settings,
+                what -> say(screen.get(), what));
+             LeagueWatch page = watch.watch() ? LeagueWatch.start(folder, season, queries, progress, watch) : null;
              Interruption interruption = new Interruption(streams, () -> told.getAndSet(true) ? null
                 : interrupted(run, progress, season, screen.get()))) {
             if (page != null) {
                 page.follow(run, streams, watch.open());
             }
-            screen.set(streams.errTerminal() && !quiet
-                ? new LiveTable(streams.err(), () -> progress.lines(run, streams::errColour)) : null);
+            if (machines != null) {
+                run.with(machines);
+                machines.follow(run, () -> progress.replace(queries.results()));
+            }
+            screen.set(streams.errTerminal() && !quiet ? new LiveTable(streams.err(),
+                () -> progress.lines(run, machines, streams::errColour)) : null);
             run.play();
+            if (machines != null && !quiet) {
+                machines.lines().forEach(streams.out()::println);
+            }
             if (told.getAndSet(true)) {
                 return ExitStatus.FAILED;              // the process is about to end, with the status of its signal
             }
@@ -190,9 +204,14 @@ public final class RunCommand implements Callable<Integer> {
 
     /** What is noted with each game. */
     public static String machine(Contest contest) {
+        return machine(contest.sandbox());
+    }
+
+    /** The same for a level of isolation. */
+    public static String machine(String sandbox) {
         return "Java " + System.getProperty("java.version") + ", " + System.getProperty("os.name") + " "
             + System.getProperty("os.arch") + ", "
             + TextFormat.count(ManagementFactory.getOperatingSystemMXBean().getAvailableProcessors(), "processor")
-            + ", sandbox " + contest.sandbox();
+            + ", sandbox " + sandbox;
     }
 }
