@@ -33,7 +33,8 @@ final class House {
         "bot", "bot.command", "bot.isolation", "bot.accounting", "bot.process", "match",
         "replay.sign", "replay", "replay.verify", "replay.feed", "replay.page", "contest", "live", "codingame",
         "league", "league.rating", "league.store", "league.play", "league.page",
-        "machines.check", "machines.part",
+        "machines.check", "machines.part", "machines.token", "machines.wire", "machines.bundle", "machines.broker",
+        "machines.serve", "machines.worker",
         "lab.oracle", "lab.trial", "lab.stability.pairs", "lab.stability.crowds", "lab.stability",
         "lab.calibration", "lab.tradeoff", "lab.tradeoff.report", "bench", "bench.textbook", "bench.section",
         "cli.shared", "cli.options", "cli.bench", "cli.lab", "cli.replay", "cli.play", "cli.league", "cli.machines",
@@ -154,6 +155,23 @@ final class House {
             .should().dependOnClassesThat().resideInAnyPackage("org.sqlite..", "java.sql..");
     }
 
+    /** No other command needs the time to load it. */
+    ArchRule onlyTheBrokerKnowsArtemis() {
+        return noClasses().that().resideOutsideOfPackage(in("machines.broker"))
+            .should().dependOnClassesThat().resideInAnyPackage("org.apache.activemq..", "io.netty..");
+    }
+
+    ArchRule machinesKnowNoPhysicsAndNoRatings() {
+        return noClasses().that().resideInAPackage(in("machines"))
+            .should().dependOnClassesThat().resideInAnyPackage(in("physics"), in("league.rating"));
+    }
+
+    /** What arrives from other machines is JSON: nothing is made of it by Java itself. */
+    ArchRule machinesDoNotDeserialize() {
+        return noClasses().that().resideInAPackage(in("machines"))
+            .should().dependOnClassesThat().haveNameMatching("java\\.io\\.Object(Input|Output)Stream.*");
+    }
+
     ArchRule botsKnowNoRules() {
         return noClasses().that().resideInAPackage(in("bot"))
             .should().dependOnClassesThat(resideInAnyPackage(in("game"), in("scene"), in("physics")));
@@ -170,9 +188,9 @@ final class House {
             .should().dependOnClassesThat(resideInAPackage(in("replay")));
     }
 
-    /** But for the browser that shows a match. */
+    /** But for the browser that shows a match, and the JDK's own program that makes keys. */
     ArchRule onlyBotsAreProcesses() {
-        return noClasses().that().resideOutsideOfPackages(in("bot"), in("live"))
+        return noClasses().that().resideOutsideOfPackages(in("bot"), in("live"), in("machines.token"))
             .should().dependOnClassesThat().haveFullyQualifiedName(ProcessBuilder.class.getName())
             .orShould().dependOnClassesThat().haveFullyQualifiedName(Process.class.getName());
     }

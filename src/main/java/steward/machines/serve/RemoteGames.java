@@ -379,6 +379,9 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             } catch (InterruptedException end) {
                 return;
             } catch (RuntimeException problem) {
+                if (closed) {
+                    return;
+                }
                 say("what a worker says cannot be used: " + problem);
             }
         }
