@@ -106,12 +106,17 @@ public final class RunCommand implements Callable<Integer> {
 
     /** What {@code --for} says, in nanoseconds; {@code Long.MAX_VALUE} where it is not there. */
     public static long nanos(String time) {
+        return nanos("--for", time);
+    }
+
+    /** The same for another option. */
+    public static long nanos(String option, String time) {
         if (time == null) {
             return Long.MAX_VALUE;
         }
         Matcher matcher = TIME.matcher(time);
         CallCheck.withHelp().that(matcher.matches() && Long.parseLong(matcher.group(1)) > 0,
-            "--for: found '" + time + "', expected a time such as 90s, 30m, 8h or 2d");
+            option + ": found '" + time + "', expected a time such as 90s, 30m, 8h or 2d");
         TimeUnit unit = switch (matcher.group(2)) {
             case "s" -> TimeUnit.SECONDS;
             case "m" -> TimeUnit.MINUTES;

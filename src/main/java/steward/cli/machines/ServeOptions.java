@@ -22,8 +22,8 @@ final class ServeOptions implements Serving {
     private static final int MOST_PORT = 65_535;
 
     @Option(names = "--serve", paramLabel = "HOST:PORT", arity = "0..1", fallbackValue = USUAL,
-        description = "Lets workers play, too, see 'steward worker' (default: " + USUAL + "; other machines reach an "
-            + "address of this one, or 0.0.0.0).")
+        description = "Lets workers play, too, see 'steward worker' (default: " + USUAL + "; workers elsewhere reach "
+            + "an address of this machine, or 0.0.0.0 for all of them).")
     private String address;
 
     @Option(names = "--again", paramLabel = "PERCENT", description = "With --serve: asks the bots again in so many of "
@@ -41,7 +41,7 @@ final class ServeOptions implements Serving {
         check.that(again == null || address != null, "--again is for --serve, expected both");
         check.that(lease == null || address != null, "--lease is for --serve, expected both");
         check.range("--again", again, 0, 100);
-        long nanos = RunCommand.nanos(lease == null ? "10m" : lease);
+        long nanos = RunCommand.nanos("--lease", lease == null ? "10m" : lease);
         return address == null ? null : new ServedGames(folder, season, contest, settings,
             address(check, "--serve", address), again == null ? 0.05 : again / 100.0, nanos, teller);
     }

@@ -16,6 +16,7 @@ import steward.league.StoredGame;
 import steward.league.play.LeagueRun;
 import steward.league.play.Roster.Member;
 import steward.machines.serve.RemoteGames;
+import steward.machines.serve.WorkerSeen;
 
 /** Workers of a run, and what is shown of them. */
 final class ServedGames implements Serving.Service {
@@ -43,11 +44,11 @@ final class ServedGames implements Serving.Service {
     @Override
     public List<String> lines() {
         List<String> lines = new ArrayList<>();
-        for (RemoteGames.Seen worker : games.seen()) {
-            lines.add(String.format(Locale.ROOT, "worker %s: %s, %d games, %.2f games/s, %d faults, %d hiccups, steward "
-                + "%s, last word %.0f s ago", worker.name(), worker.caught() ? "caught" : worker.slots() == 0 ? "away"
-                : worker.slots() + " at a time", worker.games(), worker.rate(), worker.faults(), worker.repeated(),
-                worker.version(), worker.silentMs() / MS));
+        for (WorkerSeen worker : games.seen()) {
+            String state = worker.caught() ? "caught" : worker.slots() == 0 ? "away" : worker.slots() + " at a time";
+            lines.add(String.format(Locale.ROOT, "worker %s: %s, %d games, %.2f games/s, %d faults, %d hiccups, "
+                + "steward %s, last word %.0f s ago", worker.name(), state, worker.games(), worker.rate(),
+                worker.faults(), worker.repeated(), worker.version(), worker.silentMs() / MS));
         }
         return lines;
     }

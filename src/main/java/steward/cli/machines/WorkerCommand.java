@@ -56,8 +56,8 @@ public final class WorkerCommand implements Callable<Integer> {
     @Option(names = "--for", paramLabel = "TIME", description = "Ends after so long, such as 90s, 30m, 8h or 2d.")
     private String time;
 
-    @Option(names = "--bundles", paramLabel = "DIR", description = "Where bots are unpacked (default: steward/bundles in "
-        + "the user's cache folder).")
+    @Option(names = "--bundles", paramLabel = "DIR", description = "Where bots are unpacked (default: "
+        + "steward/bundles in the user's cache folder).")
     private String bundles;
 
     @Mixin
@@ -74,8 +74,8 @@ public final class WorkerCommand implements Callable<Integer> {
         check.range("--games", games, 1, Integer.MAX_VALUE);
         InetSocketAddress found = ServeOptions.address(check, "--join", address);
         long nanos = RunCommand.nanos(time);
-        WorkerToken token = token();
         Supplier<Isolation> isolation = sandbox.isolation(streams, "strict");
+        WorkerToken token = token();
         Worker worker = new Worker(new Worker.Options(found.getHostString(), found.getPort(), token,
             threads.count(streams), games == null ? Long.MAX_VALUE : games, nanos, isolation, folder(),
             ProgramVersion.text(), RunCommand.machine(isolation.get().level().word())), Games.types(),
@@ -117,11 +117,12 @@ public final class WorkerCommand implements Callable<Integer> {
     private WorkerToken token() {
         if (tokenFile != null) {
             Path file = OutputFiles.path(tokenFile);
+            WorkerToken token = WorkerToken.read(file);
             String warning = PrivateFile.warning(file);
             if (warning != null) {
                 streams.warn(warning);
             }
-            return WorkerToken.read(file);
+            return token;
         }
         String text = System.getenv(VARIABLE);
         check.that(text != null, "found no --token-file, and no variable " + VARIABLE + ", expected one of them");

@@ -1,6 +1,5 @@
 package steward.machines.serve;
 
-import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.security.SecureRandom;
@@ -19,12 +18,9 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
-import steward.bot.FaultMessages;
 import steward.contest.Contest;
-import steward.contest.Hiccups;
 import steward.files.InputException;
 import steward.game.GameTypes;
-import steward.league.GameName;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.Schedule;
@@ -32,29 +28,24 @@ import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
 import steward.league.play.Elsewhere;
-import steward.league.play.KeptGames;
 import steward.league.play.Roster.Member;
 import steward.machines.broker.LeagueBroker;
 import steward.machines.bundle.Bundle;
-import steward.machines.check.AnswerCheck;
 import steward.machines.check.DisprovedException;
-import steward.machines.check.GzipText;
-import steward.machines.check.ReplayCheck;
 import steward.machines.token.BrokerKey;
 import steward.machines.token.WorkerList;
 import steward.machines.wire.HeaderText;
 import steward.machines.wire.WireMessage;
-import steward.replay.RecordedMatch;
 import steward.scene.PhysicsFingerprint;
 import steward.scene.json.Block;
 import steward.scene.json.SceneException;
 
 /**
  * Games of a league that workers play. A result counts only for a job that the broker handed to the worker that sends
- * it. What a game came to is read from its replay, which is played again; in the first games of a worker, and in a share
- * of the others, the bots are asked again. A worker that is caught is revoked and its games are set aside.
+ * it. What a game came to is read from its replay, which is played again; in a worker's first games, and in a share of
+ * the others, the bots are asked again. A worker that is caught is revoked and its games are set aside.
  *
- * <p>Longer than others: it is the one place where a game's way is followed from the offer to the stored row.
+ * <p>Longer than others: a game is followed here from the offer to the answer, and each word of a worker.
  */
 public final class RemoteGames implements Elsewhere, AutoCloseable {
 
@@ -69,13 +60,10 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     private static final int LONGEST_TEXT = 200;
 
     private final LeagueFolder folder;
-    private final Season season;
     private final Contest contest;
     private final LeagueSettings settings;
     private final LeagueBroker broker;
-    private final ReplayCheck replays;
-    private final AnswerCheck answers;
-    private final KeptGames keeper;
+    private final ReportedGames reported;
     private final double share;
     private final long leaseNanos;
     private final String version;
@@ -129,16 +117,13 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     public RemoteGames(LeagueFolder folder, Season season, Contest contest, LeagueSettings settings, GameTypes types,
                        Service service, Consumer<String> teller) {
         this.folder = folder;
-        this.season = season;
         this.contest = contest;
         this.settings = settings;
         this.teller = teller;
         share = service.share();
         leaseNanos = service.leaseNanos();
         version = service.version();
-        replays = new ReplayCheck(contest, types);
-        answers = new AnswerCheck(contest, types);
-        keeper = new KeptGames(folder);
+        reported = new ReportedGames(folder, season, contest, types);
         stamp = WorkerList.stamp(folder);
         list = WorkerList.read(folder);
         BrokerKey key = new BrokerKey(folder);
@@ -252,17 +237,19 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         String worker = played.worker();
         WorkerState state = state(worker);
         try {
-            List<StoredGame> attempts = new ArrayList<>();
-            for (int k = 0; k < played.replays().size(); k++) {
-                attempts.add(attempt(task, now, members, played, k));
+            String machine;
+            synchronized (this) {
+                machine = WorkerState.machine(worker) + state.machine;
             }
+            List<StoredGame> attempts = reported.attempts(task, now, members, played.replays(), played.starved(),
+                machine);
             boolean again;
             synchronized (this) {
                 again = share > 0 && (state.checked < FIRST || random.nextDouble() < share);
                 state.checked += again ? 1 : 0;
             }
             if (again) {
-                askAgain(members, played, task);
+                reported.askAgain(task, members, played.replays().get(attempts.size() - 1));
             }
             synchronized (this) {
                 if (state.caught) {
@@ -274,55 +261,6 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         } catch (DisprovedException wrong) {
             caught(state, wrong.getMessage());
             return null;
-        }
-    }
-
-    private StoredGame attempt(Schedule.Task task, LeagueSettings now, List<Member> members, Played played, int k)
-            throws DisprovedException {
-        byte[] name = GameName.of(season, task.seed(),
-            members.stream().map(member -> member.version().identity()).toList(), k + 1);
-        String source = "game " + HexFormat.of().formatHex(name);
-        ReplayCheck.Outcome outcome = replays.check(source, played.replays().get(k), new ReplayCheck.Expected(
-            task.seed(), members.stream().map(member -> member.entrant().name()).toList(),
-            members.stream().map(member -> member.entrant().protocol()).toList()));
-        boolean last = k == played.replays().size() - 1;
-        boolean late = outcome.seats().stream().anyMatch(seat -> seat.fault() != null
-            && FaultMessages.isTime(seat.fault()));
-        if (last ? played.starved().get(k) : !late || !played.starved().get(k) || now.hiccups() != Hiccups.REPLAY) {
-            throw new DisprovedException(source + ": found attempt " + (k + 1) + " of " + played.replays().size()
-                + (late ? "" : ", in which nobody was late") + ", expected another only for one lost on time");
-        }
-        List<StoredSeat> seats = new ArrayList<>();
-        for (int seat = 0; seat < members.size(); seat++) {
-            ReplayCheck.Seat told = outcome.seats().get(seat);
-            seats.add(new StoredSeat(members.get(seat).version().id(), told.rank(), told.score(), told.fault(),
-                told.answers(), told.meanNanos(), told.worstNanos(), told.firstNanos()));
-        }
-        String file = null;
-        List<String> names = members.stream().map(member -> member.bot().name()).toList();
-        if (KeptGames.keeps(now, true, seats, names)) {
-            try {
-                file = keeper.take(name, GzipText.bytes(played.replays().get(k)), true);
-            } catch (IOException damaged) {
-                throw new DisprovedException(source + ": " + damaged.getMessage());
-            }
-        }
-        String machine;
-        synchronized (this) {
-            machine = WorkerState.machine(played.worker()) + state(played.worker()).machine;
-        }
-        return new StoredGame(0, name, task.decision(), task.seed(), k + 1, last, outcome.turns(), null,
-            System.currentTimeMillis(), machine, file, seats);
-    }
-
-    private void askAgain(List<Member> members, Played played, Schedule.Task task) throws DisprovedException {
-        RecordedMatch match = AnswerCheck.read("game of seed " + task.seed(),
-            played.replays().get(played.replays().size() - 1));
-        for (int seat = 0; seat < members.size(); seat++) {
-            Member member = members.get(seat);
-            if (!member.bot().random() && !member.version().random()) {
-                answers.check(match, seat, member.entrant());
-            }
         }
     }
 
@@ -458,8 +396,8 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         String own = PhysicsFingerprint.text();
         if (!bits.equals(own)) {
             String why = "found Steward " + shown(theirs) + " (results " + shown(bits) + ") on worker " + state.name
-                + " and Steward " + version + " (results " + own + ") in the league, expected versions that compute the "
-                + "same";
+                + " and Steward " + version + " (results " + own + ") in the league, expected versions that "
+                + "compute the same";
             say(why);
             broker.tell(state.name, WireMessage.bytes(new HeaderText().put("type", "refused").put("reason", why)));
             return;
@@ -533,29 +471,12 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
 
     // ---- for people ------------------------------------------------------------------------------
 
-    /**
-     * A worker, for people.
-     *
-     * @param name     its name
-     * @param slots    games at the same time; 0 if it is not there
-     * @param games    that were believed
-     * @param rate     in a second
-     * @param faults   of bots
-     * @param repeated games that were played again because the machine was starved
-     * @param version  of its program
-     * @param silentMs since its last word
-     * @param caught   whether it was caught
-     */
-    public record Seen(String name, int slots, long games, double rate, long faults, long repeated, String version,
-                       long silentMs, boolean caught) {
-    }
-
     /** All workers that have said anything. */
-    public synchronized List<Seen> seen() {
-        List<Seen> seen = new ArrayList<>();
+    public synchronized List<WorkerSeen> seen() {
+        List<WorkerSeen> seen = new ArrayList<>();
         for (WorkerState worker : new HashMap<>(workers).values()) {
             double seconds = Math.max(1, System.nanoTime() - worker.began) / 1e9;
-            seen.add(new Seen(worker.name, worker.slots, worker.games, worker.games / seconds, worker.faults,
+            seen.add(new WorkerSeen(worker.name, worker.slots, worker.games, worker.games / seconds, worker.faults,
                 worker.repeated, worker.version, System.currentTimeMillis() - worker.lastWord, worker.caught));
         }
         seen.sort((one, other) -> one.name().compareTo(other.name()));

@@ -8,7 +8,8 @@ import steward.scene.json.JsonTree;
 import steward.scene.json.SceneException;
 
 /**
- * What a worker needs to join a league: its name and secret, and the fingerprint of the key that the broker has to have.
+ * What a worker needs to join a league: its name and secret, and the fingerprint of the key that the broker has to
+ * have.
  *
  * @param worker its name
  * @param secret 43 characters of base64url: 256 bits by lot

@@ -43,7 +43,6 @@ import steward.machines.broker.BrokerClient;
 import steward.machines.broker.BrokerClient.BrokenException;
 import steward.machines.check.GzipText;
 import steward.machines.token.BrokerKey;
-import steward.machines.token.WorkerList;
 import steward.machines.token.WorkerToken;
 import steward.machines.wire.HeaderText;
 import steward.machines.wire.WireMessage;

@@ -40,7 +40,8 @@ class TokenTest {
         assertFalse(token.toString().contains(token.secret()));
         assertEquals(null, PrivateFile.warning(file));
         Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("rw-r-----"));
-        assertTrue(PrivateFile.warning(file).endsWith("(rw-r-----), expected a file of yours alone: chmod 600 " + file));
+        assertTrue(PrivateFile.warning(file).endsWith("(rw-r-----), expected a file of yours alone: chmod 600 "
+            + file));
 
         WorkerList list = WorkerList.read(league);
         assertTrue(list.admits("a", token.secret()));
