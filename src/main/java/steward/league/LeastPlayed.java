@@ -70,11 +70,11 @@ final class LeastPlayed implements Pairing {
     }
 
     @Override
-    public void made(int... versions) {
+    public void made(int times, int... versions) {
         Integer place = places.get(key(versions));
         if (place != null) {
             order.remove(place);
-            counts[place]++;
+            counts[place] += times;
             order.add(place);
         }
     }

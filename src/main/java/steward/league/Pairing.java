@@ -16,8 +16,8 @@ public interface Pairing {
      */
     int[] choose();
 
-    /** Tells it a decision that was made, now or in an earlier run. */
-    void made(int... versions);
+    /** Tells it that these versions were decided on so many times, now or in an earlier run. */
+    void made(int times, int... versions);
 
     /** Everyone against everyone, whoever has met least. */
     static Pairing roundRobin(List<Integer> versions, int players) {

@@ -1,11 +1,10 @@
 package steward.league;
 
 import java.util.ArrayDeque;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.Deque;
-import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -23,9 +22,11 @@ public final class Schedule {
     private final long firstSeed;
     private final int players;
     private final int lag;
-    private final Map<Integer, List<int[]>> stored = new HashMap<>();
-    /** Decisions in earlier form, for a pairing that is made anew when the bots have changed. */
-    private final List<int[]> made = new ArrayList<>();
+    private final EarlierGames earlier;
+    /** How often each group was decided on, for a pairing that is made anew when the bots have changed. */
+    private final Map<List<Integer>, Integer> made = new LinkedHashMap<>();
+    /** The same for what the pairing has not been told yet: it need not know until it has to choose. */
+    private final Map<List<Integer>, Integer> untold = new LinkedHashMap<>();
     /** Games that are under way, by decision. */
     private final TreeMap<Integer, Integer> open = new TreeMap<>();
     private final Deque<Task> waiting = new ArrayDeque<>();
@@ -33,7 +34,7 @@ public final class Schedule {
     private List<Integer> active = List.of();
     private Pairing pairing;
     private int next;
-    private int last = -1;
+    private final int last;
     private long games;
 
     /**
@@ -50,17 +51,14 @@ public final class Schedule {
      * @param firstSeed of decision 0
      * @param players   of a game
      * @param lag       in decisions
+     * @param earlier   the games of earlier runs; the schedule's own from now on
      */
-    public Schedule(long firstSeed, int players, int lag) {
+    public Schedule(long firstSeed, int players, int lag, EarlierGames earlier) {
         this.firstSeed = firstSeed;
         this.players = players;
         this.lag = lag;
-    }
-
-    /** Tells it a game of an earlier run; before the first {@link #next}. */
-    public void stored(int decision, int... lineup) {
-        stored.computeIfAbsent(decision, number -> new ArrayList<>(2)).add(lineup);
-        last = Math.max(last, decision);
+        this.earlier = earlier;
+        last = earlier.last();
     }
 
     /**
@@ -73,7 +71,9 @@ public final class Schedule {
         active = versions.stream().sorted().toList();
         if (players > 1) {
             pairing = make.apply(active);
-            made.forEach(pairing::made);
+            earlier.tellWhole(this::made);
+            untold.clear();
+            untold.putAll(made);
         }
         waiting.removeIf(task -> Arrays.stream(task.lineup()).anyMatch(version -> !active.contains(version)));
     }
@@ -96,7 +96,7 @@ public final class Schedule {
             if (players == 1 && next > last && active.isEmpty()) {
                 return null;
             }
-            decide(most);
+            decide();
         }
         if (games >= most) {
             return null;
@@ -107,22 +107,21 @@ public final class Schedule {
         return task;
     }
 
-    private void decide(long most) {
+    private void decide() {
         int number = next++;
-        List<int[]> done = stored.getOrDefault(number, List.of());
-        stored.remove(number);
+        if (players > 1 && earlier.takeWhole(number, players)) {
+            games += players;
+            return;
+        }
+        List<int[]> done = earlier.take(number);
+        games += done.size();
         List<int[]> lineups;
         if (players == 1) {
             lineups = active.stream().map(version -> new int[] {version}).toList();
         } else {
-            int[] versions = done.isEmpty() ? pairing.choose() : Decision.sorted(done.get(0));
-            made.add(versions);
-            pairing.made(versions);
+            int[] versions = done.isEmpty() ? choose() : Decision.sorted(done.get(0));
+            made(1, versions);
             lineups = Decision.rotations(versions);
-        }
-        games += done.size();
-        if (done.size() == lineups.size() && players > 1) {
-            return;
         }
         for (int[] lineup : lineups) {
             boolean playable = Arrays.stream(lineup).allMatch(active::contains);
@@ -130,6 +129,19 @@ public final class Schedule {
                 waiting.add(new Task(number, firstSeed + number, lineup));
             }
         }
+    }
+
+    private void made(int times, int... versions) {
+        List<Integer> group = Arrays.stream(versions).sorted().boxed().toList();
+        made.merge(group, times, Integer::sum);
+        untold.merge(group, times, Integer::sum);
+    }
+
+    private int[] choose() {
+        earlier.tellWhole(this::made);
+        untold.forEach((group, times) -> pairing.made(times, group.stream().mapToInt(version -> version).toArray()));
+        untold.clear();
+        return pairing.choose();
     }
 
     /** A game is over, or will not be. */

@@ -64,14 +64,17 @@ function nameCell(row, bot) {
 
 function drawTable() {
   const table = element('table');
-  heads(table, [['#', 'num'], ['Bot', 'name'], ['Rating', ''], ['±', '', '95% bar'], ['', 'bars'], ['Games', ''],
+  heads(table, [['#', 'num'], ['Bot', 'name'], ['Rating', ''], ['±', '', '95% bar, for a number of games fixed before'],
+    ['', 'bars'], ['± anytime', 'table-wide', '95% bar that holds however often one looks and whenever one stops'],
+    ['Ranks', '', 'what the games leave open, with 95%'], ['Games', ''],
     ['Points', '', 'share of the points'], ['Faults', ''], ['Mean ms', 'table-wide', 'mean answer time'],
     ['Worst ms', 'table-wide', 'longest answer'], ['Score', 'table-wide', 'the game’s own, mean']]);
   const body = table.tBodies[0];
   body.replaceChildren();
   const played = league.bots.filter(bot => bot.games > 0);
-  const low = Math.min(0, ...played.map(bot => bot.rating - bot.bar));
-  const high = Math.max(0, ...played.map(bot => bot.rating + bot.bar));
+  const wide = bot => Math.min(bot.anytime ?? bot.bar, 3 * bot.bar);
+  const low = Math.min(0, ...played.map(bot => bot.rating - wide(bot)));
+  const high = Math.max(0, ...played.map(bot => bot.rating + wide(bot)));
   const place = value => 1 + 98 * (value - low) / Math.max(1, high - low);
   for (const bot of league.bots) {
     const row = make(body, 'tr', null, bot.active ? '' : 'out');
@@ -84,10 +87,14 @@ function drawTable() {
       const svg = draw(paint(cell, bot), 'svg', { viewBox: '0 0 100 18', preserveAspectRatio: 'none', role: 'img',
         'aria-label': `${signed(bot.rating)} ± ${Math.round(bot.bar)}` });
       draw(svg, 'line', { x1: place(0), x2: place(0), y1: 0, y2: 18, 'vector-effect': 'non-scaling-stroke' });
+      draw(svg, 'line', { class: 'anytime', x1: place(bot.rating - wide(bot)), x2: place(bot.rating + wide(bot)), y1: 9, y2: 9,
+        'vector-effect': 'non-scaling-stroke' });
       const left = place(bot.rating - bot.bar);
       draw(svg, 'rect', { x: left, y: 5, width: Math.max(0.4, place(bot.rating + bot.bar) - left), height: 8, rx: 1 });
       draw(svg, 'rect', { x: place(bot.rating) - 0.5, y: 2, width: 1, height: 14 }).style.opacity = 1;
     }
+    make(row, 'td', bot.games && bot.anytime ? Math.round(bot.anytime) : '–', 'table-wide');
+    make(row, 'td', !bot.games || !bot.best ? '–' : bot.best === bot.worst ? bot.best : `${bot.best}–${bot.worst}`);
     make(row, 'td', thousands(bot.games));
     make(row, 'td', bot.points === null ? '–' : fixed(100 * bot.points, 1) + '%');
     make(row, 'td', bot.faults, bot.faults ? 'faulty' : '');
@@ -95,14 +102,15 @@ function drawTable() {
     make(row, 'td', fixed(bot.worstMs, 1), 'table-wide');
     make(row, 'td', fixed(bot.score, 2), 'table-wide');
   }
-  element('meaning').textContent = 'Rating: Elo by a joint fit of all games (Bradley and Terry); 0 is the mean by '
-    + 'games, the band is its 95% bar.'
+  element('meaning').textContent = 'Rating: Elo by a joint fit of all games; 0 is the mean by games. The '
+    + 'band is its 95% bar for a number of games that was fixed before, the line the one that holds however often one looks '
+    + 'and whenever one stops. Ranks: what the games leave open, with 95%.'
     + (league.again ? ` ${league.again} more games were played again, since others used the processors.` : '')
     + (league.without ? ` ${league.without} more have no result.` : '');
 }
 
-function drawCross() {
-  const table = element('cross');
+/** A number of percent for every two bots; 50 is the colour of the ground. */
+function drawMatrix(table, value, title, mark) {
   heads(table, [['', 'name'], ...league.bots.map(bot => ['#' + bot.rank, '', bot.name])]);
   const body = table.tBodies[0];
   body.replaceChildren();
@@ -110,15 +118,35 @@ function drawCross() {
     const row = make(body, 'tr');
     const name = nameCell(row, bot);
     name.prepend(`${bot.rank} `);
-    league.cross[i].forEach((cell, j) => {
-      const td = make(row, 'td', i === j ? '·' : cell === null ? '–' : Math.round(100 * cell[0]), i === j ? 'self' : '');
-      if (cell !== null && i !== j) {
-        const strength = Math.abs(cell[0] - 0.5) * 1.3;
-        td.style.background = `rgb(from var(${cell[0] >= 0.5 ? '--win-c' : '--loss-c'}) r g b / ${strength})`;
-        td.title = `${bot.name} against ${league.bots[j].name}: ${fixed(100 * cell[0], 1)}% of ${thousands(cell[1])} games`;
+    league.bots.forEach((other, j) => {
+      const share = i === j ? null : value(i, j);
+      const td = make(row, 'td', i === j ? '·' : share === null ? '–' : Math.round(100 * share), i === j ? 'self' : '');
+      if (share !== null) {
+        const strength = Math.abs(share - 0.5) * 1.3;
+        td.style.background = `rgb(from var(${share >= 0.5 ? '--win-c' : '--loss-c'}) r g b / ${strength})`;
+        td.title = title(bot, other, i, j);
+        if (mark(i, j)) td.classList.add('surprise');
       }
     });
   });
+}
+
+function drawCross() {
+  const surprises = league.surprises ?? [];
+  const isSurprise = (i, j) => surprises.some(each => each[0] === i && each[1] === j || each[0] === j && each[1] === i);
+  drawMatrix(element('cross'), (i, j) => league.cross[i][j]?.[0] ?? null,
+    (bot, other, i, j) => `${bot.name} against ${other.name}: ${fixed(100 * league.cross[i][j][0], 1)}% of `
+      + `${thousands(league.cross[i][j][1])} games`, isSurprise);
+  const list = element('surprises');
+  list.replaceChildren();
+  for (const [i, j, share, expected] of surprises.slice(0, 10)) {
+    make(list, 'li', `${league.bots[i].name} beats ${league.bots[j].name} more than ratings tell: `
+      + `${Math.round(100 * share)}%, where they tell ${Math.round(100 * expected)}%.`);
+  }
+  const differences = league.differences ?? [];
+  drawMatrix(element('better'), (i, j) => differences[i]?.[j]?.[3] ?? null,
+    (bot, other, i, j) => `${bot.name} − ${other.name}: ${signed(differences[i][j][0])} ± ${Math.round(differences[i][j][1])} Elo, `
+      + `anytime ± ${Math.round(differences[i][j][2])}`, () => false);
 }
 
 /** Round steps of 1, 2 or 5 with a power of ten. */

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -22,7 +23,7 @@ class ScheduleTest {
     private static final int GAMES = 60;
 
     private static Schedule schedule(int players, int lag, Integer... bots) {
-        Schedule schedule = new Schedule(100, players, lag);
+        Schedule schedule = new Schedule(100, players, lag, new EarlierGames());
         schedule.play(List.of(bots), versions -> Pairing.roundRobin(versions, players));
         return schedule;
     }
@@ -60,7 +61,7 @@ class ScheduleTest {
 
     @Test
     void theGauntletsBotIsInEveryGame() {
-        Schedule schedule = new Schedule(0, 2, 8);
+        Schedule schedule = new Schedule(0, 2, 8, new EarlierGames());
         schedule.play(List.of(1, 2, 3), versions -> Pairing.gauntlet(versions, 2, 2));
         for (int k = 0; k < GAMES; k++) {
             Schedule.Task task = schedule.next(Long.MAX_VALUE);
@@ -120,8 +121,10 @@ class ScheduleTest {
     private static TreeSet<String> interrupted(int players, Integer[] bots, SplittableRandom random) {
         Map<String, Schedule.Task> stored = new HashMap<>();
         while (stored.size() < GAMES) {
-            Schedule schedule = schedule(players, 4, bots);
-            stored.values().forEach(task -> schedule.stored(task.decision(), task.lineup()));
+            EarlierGames earlier = new EarlierGames();
+            stored.values().forEach(task -> earlier.add(task.decision(), earlier.lineup(task.lineup())));
+            Schedule schedule = new Schedule(100, players, 4, earlier);
+            schedule.play(List.of(bots), versions -> Pairing.roundRobin(versions, players));
             List<Schedule.Task> open = new ArrayList<>();
             int threads = 1 + random.nextInt(5);
             int end = random.nextInt(GAMES);
@@ -137,5 +140,104 @@ class ScheduleTest {
             }
         }
         return new TreeSet<>(stored.keySet());
+    }
+
+    /**
+     * Leagues with a long past: decisions that are whole, that lack games or have none, of bots that play no more, and
+     * bots that change while it goes on. What is played is what a plain walk through all decisions says.
+     */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3})
+    void aResumedScheduleIsThatOfAPlainWalkThroughAllDecisions(int players) {
+        for (long seed = 0; seed < 300; seed++) {
+            SplittableRandom random = new SplittableRandom(seed);
+            List<Integer> before = bots(random, players);
+            EarlierGames earlier = new EarlierGames();
+            PlainSchedule plain = new PlainSchedule(100, players, 1 + random.nextInt(20));
+            List<int[]> past = new ArrayList<>();
+            for (int decision = random.nextInt(3); decision < 40; decision += random.nextInt(8) == 0 ? 2 : 1) {
+                past.addAll(games(decision, before, players, random));
+            }
+            for (int k = past.size() - 1; k > 0; k--) {
+                Collections.swap(past, k, random.nextInt(k + 1));
+            }
+            for (int[] game : past) {
+                int[] lineup = Arrays.copyOfRange(game, 1, game.length);
+                earlier.add(game[0], earlier.lineup(lineup));
+                plain.stored(game[0], lineup);
+            }
+            Schedule schedule = new Schedule(100, players, plain.lag(), earlier);
+            String message = players + " players, seed " + seed;
+            for (int change = 0; change < 3; change++) {
+                List<Integer> now = bots(random, players);
+                schedule.play(now, versions -> Pairing.roundRobin(versions, players));
+                plain.play(now);
+                int most = random.nextInt(4) == 0 ? random.nextInt(150) : Integer.MAX_VALUE;
+                compare(schedule, plain, most, random, message);
+            }
+        }
+    }
+
+    private static List<Integer> bots(SplittableRandom random, int players) {
+        List<Integer> bots = new ArrayList<>();
+        for (int bot = 1; bot <= 7; bot++) {
+            if (random.nextBoolean() || 7 - bot < players - bots.size()) {
+                bots.add(bot);
+            }
+        }
+        return bots;
+    }
+
+    /** Some of the games of a decision, mostly all: its number, then the versions by seat. */
+    private static List<int[]> games(int decision, List<Integer> bots, int players, SplittableRandom random) {
+        List<Integer> chosen = new ArrayList<>(bots);
+        while (chosen.size() > players && players > 1) {
+            chosen.remove(random.nextInt(chosen.size()));
+        }
+        int[] versions = chosen.stream().mapToInt(bot -> bot).toArray();
+        List<int[]> lineups = players == 1 ? chosen.stream().map(bot -> new int[] {bot}).toList()
+            : Decision.rotations(versions);
+        boolean whole = random.nextInt(5) > 0;
+        List<int[]> games = new ArrayList<>();
+        for (int[] lineup : lineups) {
+            if (whole || random.nextBoolean()) {
+                int[] game = new int[1 + lineup.length];
+                game[0] = decision;
+                System.arraycopy(lineup, 0, game, 1, lineup.length);
+                games.add(game);
+            }
+        }
+        return games;
+    }
+
+    private static void compare(Schedule schedule, PlainSchedule plain, int most, SplittableRandom random,
+                                String message) {
+        List<Schedule.Task> open = new ArrayList<>();
+        for (int k = 0; k < 60; k++) {
+            if (open.size() < 4 && random.nextInt(3) > 0) {
+                Schedule.Task expected = plain.next(most);
+                Schedule.Task task = schedule.next(most);
+                assertEquals(expected == null ? "none" : name(expected), task == null ? "none" : name(task), message);
+                assertEquals(plain.games(), schedule.games(), message);
+                if (task != null) {
+                    open.add(task);
+                }
+            } else if (!open.isEmpty()) {
+                Schedule.Task ended = open.remove(random.nextInt(open.size()));
+                boolean dropped = random.nextInt(6) == 0;
+                end(schedule, plain, ended, dropped);
+            }
+        }
+        open.forEach(task -> end(schedule, plain, task, false));
+    }
+
+    private static void end(Schedule schedule, PlainSchedule plain, Schedule.Task task, boolean dropped) {
+        if (dropped) {
+            schedule.dropped(task);
+            plain.dropped(task);
+        } else {
+            schedule.over(task);
+            plain.over(task);
+        }
     }
 }

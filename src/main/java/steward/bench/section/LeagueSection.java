@@ -22,6 +22,8 @@ import steward.contest.SeriesPlay;
 import steward.league.LeagueBot;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
+import steward.league.Pairing;
+import steward.league.Schedule;
 import steward.league.Season;
 import steward.league.play.LeagueRun;
 import steward.league.play.RosterReader;
@@ -61,13 +63,13 @@ final class LeagueSection implements Section {
     @Override
     public String about() {
         return "Leagues, by the clock: storing made-up games, then opening the league and rating its " + BOTS
-            + " bots; and games between two bundled bots as a series and in a league, in turns, the best of " + ROUNDS
-            + " rounds.";
+            + " bots, and finding out what is to be played next; and games between two bundled bots as a series and "
+            + "in a league, in turns, the best of " + ROUNDS + " rounds.";
     }
 
     @Override
     public int steps(Effort effort) {
-        return 2 * sizes(effort).size() + 2 * ROUNDS;
+        return 3 * sizes(effort).size() + 2 * ROUNDS;
     }
 
     private static List<Integer> sizes(Effort effort) {
@@ -119,9 +121,25 @@ final class LeagueSection implements Section {
                 throw new IllegalStateException("found " + table.results().games() + " games, expected " + games);
             }
         }
+        rows.accept(opening(many + " opened and rated", games, began));
+        about.accept(many + " resumed");
+        began = System.nanoTime();
+        try (GameStore store = GameStore.read(folder)) {
+            Schedule schedule = new Schedule(1, 2, settings.lag(), new GameQueries(store, number, season).earlier());
+            schedule.play(store.versions().stream().map(GameStore.Version::id).toList(),
+                versions -> Pairing.roundRobin(versions, 2));
+            Schedule.Task next = schedule.next(Long.MAX_VALUE);
+            if (next.decision() != games / 2) {
+                throw new IllegalStateException("found decision " + next.decision() + ", expected " + games / 2);
+            }
+        }
+        rows.accept(opening(many + " resumed", games, began));
+    }
+
+    private Row opening(String what, int games, long began) {
         double nanos = System.nanoTime() - began;
-        rows.accept(new Row(name(), many + " opened and rated", "games", games * NANOS / nanos, Double.NaN, Double.NaN,
-            String.format(Locale.ROOT, "%.0f ms in all", nanos / NANOS_PER_MS)));
+        return new Row(name(), what, "games", games * NANOS / nanos, Double.NaN, Double.NaN,
+            String.format(Locale.ROOT, "%.0f ms in all", nanos / NANOS_PER_MS));
     }
 
     private void compare(Path folder, Consumer<String> about, Consumer<Row> rows) throws InterruptedException,

@@ -19,16 +19,21 @@ final class LeagueProgress {
     private static final int MOST_ROWS = 20;
     private static final double NANOS = 1e9;
 
-    private Results results;
     private final GameStore store;
     private final LeagueRun.Limits limits;
-    private final long began = System.nanoTime();
+    private Results results;
+    private long began = System.nanoTime();
     private long played;
 
-    LeagueProgress(Results results, GameStore store, LeagueRun.Limits limits) {
-        this.results = results;
+    LeagueProgress(GameStore store, LeagueRun.Limits limits) {
         this.store = store;
         this.limits = limits;
+    }
+
+    /** Begins, with what was played before. */
+    synchronized void goOn(Results before) {
+        results = before;
+        began = System.nanoTime();
     }
 
     /** A game has ended. */

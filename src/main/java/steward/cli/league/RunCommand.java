@@ -3,6 +3,8 @@ package steward.cli.league;
 import java.lang.management.ManagementFactory;
 import java.util.List;
 import java.util.concurrent.Callable;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
@@ -17,6 +19,7 @@ import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Interruption;
 import steward.cli.shared.Streams;
 import steward.contest.Contest;
+import steward.files.InputException;
 import steward.league.FolderLock;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
@@ -24,6 +27,7 @@ import steward.league.Season;
 import steward.league.play.LeagueRun;
 import steward.league.play.Roster;
 import steward.league.play.RosterReader;
+import steward.league.rating.Results;
 import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
 import steward.text.TextFormat;
@@ -98,9 +102,11 @@ public final class RunCommand implements Callable<Integer> {
         Contest contest = LeagueOpening.contest(folder, settings, streams);
         Season season = Season.of(contest.setup(), settings);
         try (FolderLock lock = FolderLock.take(folder);
-             GameStore store = durable ? GameStore.durable(folder) : GameStore.write(folder)) {
+             GameStore store = durable ? GameStore.durable(folder) : GameStore.write(folder);
+             GameStore viewed = GameStore.read(folder)) {
             int number = LeagueOpening.season(folder, store, season, anew);
-            return play(folder, settings, store, season, number, contest, limits);
+            return play(folder, settings, store, new GameQueries(viewed, number, season), season, number, contest,
+                limits);
         }
     }
 
@@ -127,20 +133,22 @@ public final class RunCommand implements Callable<Integer> {
     }
 
     @SuppressWarnings("try")                           // only closed, never used
-    private int play(LeagueFolder folder, LeagueSettings settings, GameStore store, Season season, int number,
-                     Contest contest, LeagueRun.Limits limits) throws InterruptedException {
+    private int play(LeagueFolder folder, LeagueSettings settings, GameStore store, GameQueries viewed, Season season,
+                     int number, Contest contest, LeagueRun.Limits limits) throws InterruptedException {
         AtomicReference<LiveTable> screen = new AtomicReference<>();
+        // What has been played is summed up while the run reads which games it consists of.
+        CompletableFuture<Results> past = CompletableFuture.supplyAsync(viewed::results);
         RosterReader reader = new RosterReader(store, contest, LeagueOpening.environment(settings), same,
             what -> say(screen.get(), what), System::currentTimeMillis);
         Roster roster = reader.read(settings);
-        GameQueries queries = new GameQueries(store, number, season);
-        LeagueProgress progress = new LeagueProgress(queries.results(), store, limits);
+        LeagueProgress progress = new LeagueProgress(store, limits);
         LeagueRun run = new LeagueRun(folder, store, number, season, contest, reader, roster, limits,
             machine(contest), what -> say(screen.get(), what), progress::add);
+        progress.goOn(done(past));
         AtomicBoolean told = new AtomicBoolean();
         try (Serving.Service machines = serving.start(folder, season, contest, settings,
                 what -> say(screen.get(), what));
-             LeagueWatch page = watch.watch() ? LeagueWatch.start(folder, season, queries, progress, watch) : null;
+             LeagueWatch page = watch.watch() ? LeagueWatch.start(folder, season, viewed, progress, watch) : null;
              Interruption interruption = new Interruption(streams, () -> told.getAndSet(true) ? null
                 : interrupted(run, progress, season, screen.get()))) {
             if (page != null) {
@@ -148,7 +156,7 @@ public final class RunCommand implements Callable<Integer> {
             }
             if (machines != null) {
                 run.with(machines);
-                machines.follow(run, () -> progress.replace(queries.results()));
+                machines.follow(run, () -> progress.replace(viewed.results()));
             }
             screen.set(streams.errTerminal() && !quiet ? new LiveTable(streams.err(),
                 () -> progress.lines(run, machines, streams::errColour)) : null);
@@ -169,6 +177,15 @@ public final class RunCommand implements Callable<Integer> {
             return ExitStatus.FAILED;
         }
         return ExitStatus.DONE;
+    }
+
+    /** What has been read meanwhile. */
+    private static <T> T done(CompletableFuture<T> reading) {
+        try {
+            return reading.join();
+        } catch (CompletionException problem) {
+            throw problem.getCause() instanceof InputException unusable ? unusable : problem;
+        }
     }
 
     private static void close(LiveTable screen) {

@@ -88,12 +88,14 @@ final class TableCommand implements Callable<Integer> {
     }
 
     private void printCsv(LeagueTable table) {
-        streams.out().print(new CsvRow().words("rank", "bot", "version", "active", "random", "rating", "bar", "games",
-            "points", "wins", "draws", "losses", "faults", "score", "meanMs", "worstMs").line());
+        streams.out().print(new CsvRow().words("rank", "bot", "version", "active", "random", "rating", "bar", "anytime",
+            "best", "worst", "games", "points", "wins", "draws", "losses", "faults", "score", "meanMs",
+            "worstMs").line());
         for (LeagueTable.Row row : table.rows()) {
             streams.out().print(new CsvRow().words(Integer.toString(row.rank()), row.entry().name(),
                 Integer.toString(row.entry().version()), Boolean.toString(row.entry().active()),
-                Boolean.toString(row.entry().random()), number(row.rating()), number(row.bar()),
+                Boolean.toString(row.entry().random()), number(row.rating()), number(row.bar()), number(row.anytime()),
+                Integer.toString(row.best()), Integer.toString(row.worst()),
                 Long.toString(row.sums().games()), number(row.points()), number(row.wins()), number(row.draws()),
                 number(row.losses()), Long.toString(row.sums().faults()), number(row.sums().meanScore()),
                 number(row.sums().meanNanos() / NANOS_PER_MS), number(row.sums().worstNanos() / NANOS_PER_MS)).line());

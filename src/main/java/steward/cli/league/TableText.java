@@ -17,6 +17,8 @@ final class TableText {
     private static final double HUNDRED = 100;
     /** More bots make a crosstable that is wider than a terminal. */
     private static final int WIDEST = 12;
+    /** More would be a page of its own; 'table --json' has all. */
+    private static final int SURPRISES = 10;
 
     private TableText() {
     }
@@ -28,12 +30,21 @@ final class TableText {
             + season.sceneName())) + others(table));
         lines.add("");
         lines.addAll(rows(table, colour));
-        if (table.rows().size() > 2 && table.rows().size() <= WIDEST) {
+        int bots = table.rows().size();
+        if (bots > 1 && bots <= WIDEST && table.results().games() > 0) {
             lines.add("");
-            lines.addAll(cross(table));
+            if (bots > 2) {
+                lines.addAll(matrix(table, "% against", (row, column) -> HUNDRED * table.share(row, column)));
+                lines.add("");
+            }
+            lines.addAll(matrix(table, "% better than",
+                (row, column) -> HUNDRED * table.difference(row, column).superiority()));
         }
         lines.add("");
-        lines.add("Rating: Elo by a joint fit of all games (Bradley and Terry); 0 is the mean by games; bar: 95%.");
+        table.surprises().stream().limit(SURPRISES).forEach(each -> lines.add(surprise(table, each)));
+        lines.add("Rating: Elo by a joint fit of all games; 0 is the mean by games. bar: 95%, for a number of games");
+        lines.add("that was fixed before. anytime: 95%, however often one looks and whenever one stops. ranks: what");
+        lines.add("the games leave open, with 95%.");
         if (season.players() == 1) {
             lines.add("Each bot plays alone; its score on a map is compared with the others' on the same map.");
         }
@@ -60,13 +71,16 @@ final class TableText {
         int width = table.rows().stream().mapToInt(row -> name(row).length()).max().orElse(3);
         List<String> lines = new ArrayList<>();
         lines.add("  # " + TextFormat.left("bot", width)
-            + "  rating    bar   games  points  faults  mean ms  worst ms  mean score");
+            + "  rating    bar anytime  ranks   games  points  faults  mean ms  worst ms  mean score");
         for (Row row : table.rows()) {
             boolean played = row.sums().games() > 0;
             String faults = TextFormat.right(Long.toString(row.sums().faults()), 8);
             lines.add(TextFormat.right(Integer.toString(row.rank()), 3) + " " + TextFormat.left(name(row), width)
                 + colour.strong(TextFormat.right(played ? signed(row.rating()) : "-", 8))
                 + TextFormat.right(played ? "± " + Math.round(row.bar()) : "-", 7)
+                + TextFormat.right(played ? "± " + Math.round(row.anytime()) : "-", 8)
+                + TextFormat.right(!played ? "-" : row.best() == row.worst() ? Integer.toString(row.best())
+                    : row.best() + "-" + row.worst(), 7)
                 + TextFormat.right(Long.toString(row.sums().games()), 8)
                 + TextFormat.right(TextFormat.fixed(row.points(), 3), 8)
                 + (row.sums().faults() > 0 ? colour.bad(faults) : faults)
@@ -77,16 +91,28 @@ final class TableText {
         return lines;
     }
 
+    /** A pair whose games say something else than the ratings. */
+    private static String surprise(LeagueTable table, LeagueTable.Surprise each) {
+        return name(table.rows().get(each.row())) + " beats " + name(table.rows().get(each.column()))
+            + " more than ratings tell: " + Math.round(HUNDRED * each.residual().share()) + "% of "
+            + TextFormat.count(Math.round(table.games(each.row(), each.column())), "game") + ", where they tell "
+            + Math.round(HUNDRED * each.residual().expected()) + "%.";
+    }
+
     private static String signed(double rating) {
         return String.format(Locale.ROOT, "%+d", Math.round(rating));
     }
 
-    /** Share of the points of the row's bot against the column's, in percent. */
-    private static List<String> cross(LeagueTable table) {
-        int width = table.rows().stream().mapToInt(row -> name(row).length()).max().orElse(3);
+    private interface Cell {
+        double percent(int row, int column);
+    }
+
+    /** A number of percent for every two bots, by rank. */
+    private static List<String> matrix(LeagueTable table, String title, Cell cell) {
+        int width = Math.max(title.length(), table.rows().stream().mapToInt(row -> name(row).length()).max().orElse(3));
         int bots = table.rows().size();
         List<String> lines = new ArrayList<>();
-        StringBuilder head = new StringBuilder(TextFormat.left("  % against", width + 4));
+        StringBuilder head = new StringBuilder("  " + TextFormat.left(title, width + 2));
         for (int column = 0; column < bots; column++) {
             head.append(TextFormat.right("#" + (column + 1), 5));
         }
@@ -95,9 +121,9 @@ final class TableText {
             StringBuilder line = new StringBuilder(TextFormat.right(Integer.toString(row + 1), 3) + " "
                 + TextFormat.left(name(table.rows().get(row)), width));
             for (int column = 0; column < bots; column++) {
-                double share = table.share(row, column);
-                line.append(TextFormat.right(row == column ? "." : Double.isNaN(share) ? "-"
-                    : Long.toString(Math.round(HUNDRED * share)), 5));
+                double percent = row == column ? Double.NaN : cell.percent(row, column);
+                line.append(TextFormat.right(row == column ? "." : Double.isNaN(percent) ? "-"
+                    : Long.toString(Math.round(percent)), 5));
             }
             lines.add(line.toString());
         }

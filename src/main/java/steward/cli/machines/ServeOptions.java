@@ -18,7 +18,8 @@ final class ServeOptions implements Serving {
 
     /** Where a league listens unless told otherwise: only programs of this machine can join. */
     static final String USUAL = "127.0.0.1:7161";
-    private static final Pattern ADDRESS = Pattern.compile("(?:\\[([0-9A-Fa-f:]+)\\]|([^:\\[\\]]+)):([0-9]{1,5})");
+    private static final Pattern ADDRESS =
+        Pattern.compile("(?:\\[([0-9A-Fa-f:]+)\\]|([^:\\[\\]]+)):([0-9]{1,5})");
     private static final int MOST_PORT = 65_535;
 
     @Option(names = "--serve", paramLabel = "HOST:PORT", arity = "0..1", fallbackValue = USUAL,
@@ -30,8 +31,8 @@ final class ServeOptions implements Serving {
         + "a worker's games behind its first 20 (default: 5); 0 for none, not in the first 20 either.")
     private Integer again;
 
-    @Option(names = "--lease", paramLabel = "TIME", description = "With --serve: after so long a game that a worker has "
-        + "goes to others (default: 10m).")
+    @Option(names = "--lease", paramLabel = "TIME", description = "With --serve: after so long a game that a worker "
+        + "has goes to others (default: 10m).")
     private String lease;
 
     @Override

@@ -4,6 +4,7 @@ import java.util.function.Function;
 import steward.game.JsonNumbers;
 import steward.league.Season;
 import steward.league.StoredGame;
+import steward.league.rating.Difference;
 import steward.league.rating.LeagueTable;
 import steward.league.rating.LeagueTable.Row;
 import steward.league.rating.RatingPath;
@@ -38,6 +39,41 @@ public final class LeagueJson {
             out.writeEndArray();
         }
         out.writeEndArray();
+        out.writeArrayPropertyStart("differences");
+        for (int row = 0; row < table.rows().size(); row++) {
+            out.writeStartArray();
+            for (int column = 0; column < table.rows().size(); column++) {
+                difference(out, table, row, column);
+            }
+            out.writeEndArray();
+        }
+        out.writeEndArray();
+        out.writeArrayPropertyStart("surprises");
+        for (LeagueTable.Surprise each : table.surprises()) {
+            out.writeStartArray();
+            out.writeNumber(each.row());
+            out.writeNumber(each.column());
+            JsonNumbers.write(out, each.residual().share());
+            JsonNumbers.write(out, each.residual().expected());
+            JsonNumbers.write(out, each.residual().z());
+            out.writeEndArray();
+        }
+        out.writeEndArray();
+    }
+
+    /** In Elo: the difference, its bar, the bar that holds at all looks; and the likelihood of superiority. */
+    private static void difference(JsonGenerator out, LeagueTable table, int row, int column) {
+        if (row == column) {
+            out.writeNull();
+            return;
+        }
+        Difference difference = table.difference(row, column);
+        out.writeStartArray();
+        for (double number : new double[] {difference.elo(), difference.bar(), difference.anytimeBar(),
+            difference.superiority()}) {
+            JsonNumbers.write(out, number);
+        }
+        out.writeEndArray();
     }
 
     private static void cell(JsonGenerator out, LeagueTable table, int row, int column) {
@@ -60,6 +96,9 @@ public final class LeagueJson {
         out.writeBooleanProperty("random", row.entry().random());
         JsonNumbers.writeOrNull(out, "rating", row.rating());
         JsonNumbers.writeOrNull(out, "bar", row.bar());
+        JsonNumbers.writeOrNull(out, "anytime", row.anytime());
+        out.writeNumberProperty("best", row.best());
+        out.writeNumberProperty("worst", row.worst());
         out.writeNumberProperty("games", row.sums().games());
         JsonNumbers.writeOrNull(out, "points", row.points());
         JsonNumbers.writeOrNull(out, "wins", row.wins());

@@ -101,8 +101,8 @@ public final class LeagueRun {
         this.teller = teller;
         this.listener = listener;
         play = new GamePlay(key, contest, new KeptGames(folder), machine, System::currentTimeMillis);
-        schedule = new Schedule(roster.settings().seed(), key.players(), roster.settings().lag());
-        new GameQueries(store, season, key).decisions(schedule::stored);
+        schedule = new Schedule(roster.settings().seed(), key.players(), roster.settings().lag(),
+            new GameQueries(store, season, key).earlier());
         seen = stamp();
         use(roster);
         end = limits.nanos() == Long.MAX_VALUE ? Long.MAX_VALUE : System.nanoTime() + limits.nanos();

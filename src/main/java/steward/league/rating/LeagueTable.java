@@ -2,16 +2,21 @@ package steward.league.rating;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
-import java.util.stream.IntStream;
+import java.util.Map;
 
 /**
  * The table of a season: one row for each version of a bot, best first, and who beat whom.
  *
  * @param rows    by rating
  * @param results what they are computed from
+ * @param ratings of all rows
  */
-public record LeagueTable(List<Row> rows, Results results) {
+public record LeagueTable(List<Row> rows, Results results, Ratings ratings) {
+
+    /** Half the probability that a difference is outside of its bar. */
+    private static final double TAIL = 0.025;
 
     /**
      * A version of a bot that may have a row.
@@ -29,16 +34,19 @@ public record LeagueTable(List<Row> rows, Results results) {
      *
      * @param rank   from 1; equal ratings share one
      * @param entry  whose it is
+     * @param best   the best rank that the games leave it, with 95%
+     * @param worst  the worst
      * @param rating in Elo, 0 is the mean by games
-     * @param bar    half the width of its 95% bar
+     * @param bar    half the width of its 95% bar at a number of games that was fixed before
+     * @param anytime half the width of its 95% bar that holds at all looks at once
      * @param points share of the points, 0..1; NaN without games
      * @param wins   games won, in whole games of two
      * @param draws  games drawn, likewise
      * @param losses games lost, likewise
      * @param sums   games, score, faults, answer times
      */
-    public record Row(int rank, Entry entry, double rating, double bar, double points, double wins, double draws,
-                      double losses, BotSums sums) {
+    public record Row(int rank, int best, int worst, Entry entry, double rating, double bar, double anytime,
+                      double points, double wins, double draws, double losses, BotSums sums) {
     }
 
     /** Copies the list. */
@@ -50,37 +58,39 @@ public record LeagueTable(List<Row> rows, Results results) {
     public static LeagueTable of(Results results, List<Entry> entries) {
         List<Entry> shown = entries.stream()
             .filter(entry -> entry.active() || results.of(entry.version()).games() > 0).toList();
-        int bots = shown.size();
-        double[][] points = new double[bots][bots];
-        double[][] games = new double[bots][bots];
-        for (int i = 0; i < bots; i++) {
-            for (int j = 0; j < bots; j++) {
-                if (i != j) {
-                    points[i][j] = results.points(shown.get(i).version(), shown.get(j).version());
-                    games[i][j] = results.games(shown.get(i).version(), shown.get(j).version());
-                }
-            }
-        }
-        BradleyTerry fit = BradleyTerry.fit(points, games);
-        List<Integer> order = IntStream.range(0, bots).boxed()
-            .sorted(Comparator.comparingDouble((Integer bot) -> -fit.rating(bot))
-                .thenComparing(bot -> shown.get(bot).version())).toList();
+        Ratings ratings = Ratings.of(results, shown.stream().map(Entry::version).toList());
+        Map<Entry, Difference> found = new HashMap<>();
+        shown.forEach(entry -> found.put(entry, ratings.rating(entry.version())));
+        List<Entry> order = shown.stream().sorted(Comparator.comparingDouble((Entry entry) -> -found.get(entry).elo())
+            .thenComparing(Entry::version)).toList();
         List<Row> rows = new ArrayList<>();
-        for (int place = 0; place < bots; place++) {
-            int bot = order.get(place);
-            Row above = place == 0 ? null : rows.get(place - 1);
-            int rank = above != null && above.rating() == fit.rating(bot) ? above.rank() : place + 1;
-            rows.add(row(rank, shown, bot, fit, results));
+        for (Entry entry : order) {
+            Row above = rows.isEmpty() ? null : rows.get(rows.size() - 1);
+            int rank = above != null && above.rating() == found.get(entry).elo() ? above.rank() : rows.size() + 1;
+            rows.add(row(rank, order, entry, ratings, found.get(entry), results));
         }
-        return new LeagueTable(rows, results);
+        return new LeagueTable(rows, results, ratings);
     }
 
-    private static Row row(int rank, List<Entry> shown, int bot, BradleyTerry fit, Results results) {
+    private static Row row(int rank, List<Entry> shown, Entry entry, Ratings ratings, Difference rating,
+                           Results results) {
+        int version = entry.version();
+        int best = 1;
+        int worst = shown.size();
+        // Each of the bars from which the range follows holds with so much more that all of them do with 95%.
+        double z = Normal.above(TAIL / Math.max(1, shown.size() - 1));
+        for (Entry other : shown) {
+            if (other.version() != version) {
+                Difference difference = ratings.difference(version, other.version());
+                boolean sure = Math.abs(difference.elo()) > difference.bar(z);
+                best += sure && difference.elo() < 0 ? 1 : 0;
+                worst -= sure && difference.elo() > 0 ? 1 : 0;
+            }
+        }
         double games = 0;
         double points = 0;
         double wins = 0;
         double draws = 0;
-        int version = shown.get(bot).version();
         for (Entry other : shown) {
             if (other.version() != version) {
                 games += results.games(version, other.version());
@@ -89,8 +99,8 @@ public record LeagueTable(List<Row> rows, Results results) {
                 draws += results.draws(version, other.version());
             }
         }
-        return new Row(rank, shown.get(bot), fit.rating(bot), fit.bar(bot), points / games, wins, draws,
-            games - wins - draws, results.of(version));
+        return new Row(rank, best, worst, entry, rating.elo(), rating.bar(), rating.anytimeBar(), points / games, wins,
+            draws, games - wins - draws, results.of(version));
     }
 
     /** Share of the points of the row's bot against the column's, by their places; NaN if they have not met. */
@@ -103,5 +113,43 @@ public record LeagueTable(List<Row> rows, Results results) {
     /** Games between the bots of two rows. */
     public double games(int row, int column) {
         return results.games(rows.get(row).entry().version(), rows.get(column).entry().version());
+    }
+
+    /** The difference of the ratings of two rows. */
+    public Difference difference(int row, int column) {
+        return ratings.difference(rows.get(row).entry().version(), rows.get(column).entry().version());
+    }
+
+    /** What the games of two rows say beside their ratings. */
+    public Residual residual(int row, int column) {
+        return ratings.residual(rows.get(row).entry().version(), rows.get(column).entry().version());
+    }
+
+    /**
+     * A pair of rows whose games say something else than their ratings.
+     *
+     * @param row    whose bot wins more than the ratings tell
+     * @param column against whose
+     */
+    public record Surprise(int row, int column, Residual residual) {
+    }
+
+    /** All pairs whose games say something else, the surest first. */
+    public List<Surprise> surprises() {
+        List<Surprise> surprises = new ArrayList<>();
+        int pairs = rows.size() * (rows.size() - 1) / 2;
+        for (int row = 0; row < rows.size(); row++) {
+            for (int column = 0; column < rows.size(); column++) {
+                if (row != column && games(row, column) > 0) {
+                    Residual residual = residual(row, column);
+                    if (residual.z() > 0 && residual.isSurprise(pairs)) {
+                        surprises.add(new Surprise(row, column, residual));
+                    }
+                }
+            }
+        }
+        surprises.sort(Comparator.comparingDouble((Surprise each) -> -each.residual().z())
+            .thenComparing(Surprise::row).thenComparing(Surprise::column));
+        return surprises;
     }
 }

@@ -37,15 +37,16 @@ public record RatingPath(List<LeagueTable.Entry> entries, List<Point> points) {
 
         /** Takes the results as they are now. */
         public void take(Results results) {
-            LeagueTable table = LeagueTable.of(results, entries);
+            List<Integer> rated = entries.stream().map(LeagueTable.Entry::version)
+                .filter(version -> results.of(version).games() > 0).toList();
+            Ratings table = Ratings.of(results, rated);
             double[] ratings = new double[entries.size()];
             double[] bars = new double[entries.size()];
             for (int k = 0; k < entries.size(); k++) {
-                LeagueTable.Entry entry = entries.get(k);
-                LeagueTable.Row row = table.rows().stream().filter(each -> each.entry().equals(entry)
-                    && each.sums().games() > 0).findFirst().orElse(null);
-                ratings[k] = row == null ? Double.NaN : row.rating();
-                bars[k] = row == null ? Double.NaN : row.bar();
+                boolean known = rated.contains(entries.get(k).version());
+                Difference rating = known ? table.rating(entries.get(k).version()) : null;
+                ratings[k] = known ? rating.elo() : Double.NaN;
+                bars[k] = known ? rating.bar() : Double.NaN;
             }
             points.add(new Point(results.games(), ratings, bars));
         }

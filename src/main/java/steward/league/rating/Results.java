@@ -1,6 +1,7 @@
 package steward.league.rating;
 
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import steward.league.Season;
@@ -10,7 +11,7 @@ import steward.league.StoredGame;
  * What the games of a season come to: points between any two versions, and sums for each. Games are added one by one or
  * many at once; the order does not matter. A game of n players counts as its n (n - 1) / 2 pairs, each with the weight
  * 2 / n, so that it tells as much as n - 1 games of two. Where each plays alone, the results of two bots on one map
- * count as a game between them.
+ * count as a game between them. Games of one seed between the same bots are one cluster.
  *
  * <p>Not thread-safe.
  */
@@ -21,6 +22,7 @@ public final class Results {
     private final Map<Integer, BotSums> sums = new TreeMap<>();
     private final Map<Long, double[]> pairs = new TreeMap<>();
     private final Map<Long, Map<Integer, Double>> maps = new HashMap<>();
+    private final Clusters clusters;
     private long games;
     private long again;
     private long without;
@@ -28,6 +30,7 @@ public final class Results {
     /** None yet of a season's games. */
     public Results(Season season) {
         alone = season.players() == 1;
+        clusters = new Clusters(alone);
         lowerIsBetter = season.lowerScoreIsBetter();
     }
 
@@ -42,7 +45,8 @@ public final class Results {
             games++;
             addAlone(game.seed(), game.seats().get(0).version(), game.seats().get(0).score());
         } else {
-            addGames(game.lineup(), game.seats().stream().mapToInt(StoredGame.StoredSeat::rank).toArray(), 1);
+            addGame(game.seed(), game.lineup(),
+                game.seats().stream().mapToInt(StoredGame.StoredSeat::rank).toArray());
         }
     }
 
@@ -52,8 +56,25 @@ public final class Results {
         without += withoutResult;
     }
 
-    /** Adds so many games between the same versions with the same ranks; their sums are added apart. */
-    public void addGames(int[] lineup, int[] ranks, long count) {
+    /** Adds a game of a seed; its sums are added apart. */
+    public void addGame(long seed, int[] lineup, int... ranks) {
+        clusters.add(seed, lineup, ranks);
+        addPairs(lineup, ranks, 1);
+    }
+
+    /** Adds so many clusters of games that all went so; their sums are added apart. */
+    public void addClusters(List<int[]> lineups, List<int[]> ranks, long count) {
+        int[] group = Clusters.group(lineups.get(0));
+        int[] games = new int[group.length * lineups.size()];
+        for (int k = 0; k < lineups.size(); k++) {
+            System.arraycopy(Clusters.byVersion(group, lineups.get(k), ranks.get(k)), 0, games, k * group.length,
+                group.length);
+            addPairs(lineups.get(k), ranks.get(k), count);
+        }
+        clusters.add(group, games, count);
+    }
+
+    private void addPairs(int[] lineup, int[] ranks, long count) {
         games += count;
         double weight = 2.0 / lineup.length;
         for (int i = 0; i < lineup.length; i++) {
@@ -83,7 +104,43 @@ public final class Results {
         Map<Integer, Double> scores = maps.computeIfAbsent(map, key -> new TreeMap<>());
         scores.forEach((other, theirs) ->
             addPair(version, other, score == theirs ? 0.5 : lowerIsBetter == score < theirs ? 1 : 0, 1));
+        addMap(scores, -1);
         scores.put(version, score);
+        addMap(scores, 1);
+    }
+
+    /** Adds or takes away a map as a cluster: one game of all who have played it. */
+    private void addMap(Map<Integer, Double> scores, int count) {
+        if (scores.size() < 2) {
+            return;
+        }
+        double[] all = scores.values().stream().mapToDouble(Double::doubleValue).toArray();
+        int[] ranks = new int[all.length];
+        for (int k = 0; k < all.length; k++) {
+            for (double other : all) {
+                ranks[k] += lowerIsBetter ? other < all[k] ? 1 : 0 : other > all[k] ? 1 : 0;
+            }
+        }
+        clusters.add(scores.keySet().stream().mapToInt(Integer::intValue).toArray(), ranks, count);
+    }
+
+    /** How many clusters there are: games of one seed between the same bots. */
+    public long clusters() {
+        return clusters.count();
+    }
+
+    /** The clusters of these versions, for a fit in which they have the numbers 0, 1, ... */
+    List<Stratum> strata(int... versions) {
+        Map<Integer, Integer> places = new HashMap<>();
+        for (int k = 0; k < versions.length; k++) {
+            places.put(versions[k], k);
+        }
+        return clusters.strata(places);
+    }
+
+    /** Whether each bot plays alone. */
+    boolean alone() {
+        return alone;
     }
 
     /** Adds so many games played alone, told by {@link #addAlone}. */

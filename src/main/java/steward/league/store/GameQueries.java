@@ -6,10 +6,12 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
+import steward.league.EarlierGames;
 import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
@@ -27,14 +29,18 @@ public final class GameQueries {
         + "g.problem, g.played, m.name, g.replay, s.version, s.rank, s.score, s.fault, s.answers, s.mean_nanos, "
         + "s.worst_nanos, s.first_nanos FROM game g JOIN machine m ON m.id = g.machine JOIN seat s ON s.game = g.id ";
 
+    /**
+     * The games of each seed, with the part of time in which the last of them came, and the seed where a game may be
+     * still to come. Parameters: the first number of a part, how many numbers a part has, the season.
+     */
+    private static final String CLUSTERS = "SELECT (max(id) - ?) / ? part, group_concat(lineup || ':' || ranks, ';') "
+        + "pattern, CASE WHEN count(*) % players = 0 THEN NULL ELSE seed END open FROM (SELECT g.id, g.seed, "
+        + "g.lineup, g.ranks, s.players FROM game g JOIN season s ON s.id = g.season WHERE g.season = ? "
+        + "AND g.counts = 1 ORDER BY g.seed, g.lineup) GROUP BY seed";
+
     private final Database database;
     private final int season;
     private final Season key;
-
-    /** A decision as it was played: a game of it. */
-    public interface DecisionReader {
-        void game(int decision, int... lineup);
-    }
 
     /**
      * @param season its number
@@ -71,13 +77,45 @@ public final class GameQueries {
     }
 
     private void addGroups(Results results) throws SQLException {
-        try (ResultSet row = database.query("SELECT l.versions, r.ranks, r.games FROM (SELECT lineup, ranks, "
-            + "count(*) games FROM game WHERE season = ? AND counts = 1 GROUP BY lineup, ranks) r "
-            + "JOIN lineup l ON l.id = r.lineup", season)) {
+        try (ResultSet row = database.query("SELECT 0, pattern, open, count(*) FROM (" + CLUSTERS
+            + ") GROUP BY pattern, open", 0L, 1L, season)) {
+            Map<Integer, int[]> lineups = lineups();
             while (row.next()) {
-                results.addGames(numbers(row.getString(1)), numbers(row.getString(2)), row.getLong(3));
+                addClusters(results, row, lineups);
             }
         }
+    }
+
+    /** Adds what a row tells: games of a seed, and the seed if some may be still to come; otherwise how many. */
+    private static void addClusters(Results results, ResultSet row, Map<Integer, int[]> lineups) throws SQLException {
+        Map<List<Integer>, List<int[][]>> groups = new LinkedHashMap<>();
+        long seed = row.getLong(3);
+        boolean open = !row.wasNull();
+        for (String game : row.getString(2).split(";")) {
+            int colon = game.indexOf(':');
+            int[] lineup = lineups.get(Integer.parseInt(game.substring(0, colon)));
+            int[] ranks = numbers(game.substring(colon + 1));
+            if (open) {
+                results.addGame(seed, lineup, ranks);
+            } else {
+                groups.computeIfAbsent(Arrays.stream(lineup).sorted().boxed().toList(), key -> new ArrayList<>())
+                    .add(new int[][] {lineup, ranks});
+            }
+        }
+        long count = row.getLong(4);
+        groups.values().forEach(games -> results.addClusters(games.stream().map(game -> game[0]).toList(),
+            games.stream().map(game -> game[1]).toList(), count));
+    }
+
+    /** The versions of all lineups, by number. */
+    private Map<Integer, int[]> lineups() throws SQLException {
+        Map<Integer, int[]> lineups = new HashMap<>();
+        try (ResultSet row = database.query("SELECT id, versions FROM lineup")) {
+            while (row.next()) {
+                lineups.put(row.getInt(1), numbers(row.getString(2)));
+            }
+        }
+        return lineups;
     }
 
     private void addAlone(Results results, long upTo) throws SQLException {
@@ -101,24 +139,24 @@ public final class GameQueries {
         return text.isEmpty() ? new int[0] : Arrays.stream(text.split(" ")).mapToInt(Integer::parseInt).toArray();
     }
 
-    /** Tells of every game of the schedule that has been played to its end. */
-    public void decisions(DecisionReader reader) {
+    /** Every game of the schedule that has been played to its end. */
+    public EarlierGames earlier() {
+        EarlierGames earlier = new EarlierGames();
         database.with(() -> {
-            Map<Integer, int[]> lineups = new HashMap<>();
-            try (ResultSet row = database.query("SELECT id, versions FROM lineup")) {
+            Map<Integer, Integer> lineups = new HashMap<>();
+            lineups().forEach((number, versions) -> lineups.put(number, earlier.lineup(versions)));
+            // In the order of the table, as by an index every row would be looked up; both numbers as one, since
+            // fetching a number costs more than finding it.
+            try (ResultSet row = database.query("SELECT decision << 32 | lineup FROM game NOT INDEXED "
+                + "WHERE season = ? AND decision IS NOT NULL AND (counts = 1 OR problem IS NOT NULL)", season)) {
                 while (row.next()) {
-                    lineups.put(row.getInt(1), numbers(row.getString(2)));
-                }
-            }
-            // In the order of the table: by an index every row would be looked up.
-            try (ResultSet row = database.query("SELECT decision, lineup FROM game NOT INDEXED WHERE season = ? "
-                + "AND decision IS NOT NULL AND (counts = 1 OR problem IS NOT NULL)", season)) {
-                while (row.next()) {
-                    reader.game(row.getInt(1), lineups.get(row.getInt(2)));
+                    long both = row.getLong(1);
+                    earlier.add((int) (both >>> Integer.SIZE), lineups.get((int) both));
                 }
             }
             return null;
         });
+        return earlier;
     }
 
     /** How the ratings of these versions went. */
@@ -135,9 +173,9 @@ public final class GameQueries {
             String source = key.players() == 1
                 ? "SELECT (g.id - ?) / ? part, s.version, g.seed, s.score, 1 FROM game g JOIN seat s ON s.game = g.id "
                     + "WHERE g.season = ? AND g.counts = 1 ORDER BY part"
-                : "SELECT part, l.versions, ranks, 0.0, games FROM (SELECT (id - ?) / ? part, lineup, ranks, "
-                    + "count(*) games FROM game WHERE season = ? AND counts = 1 GROUP BY part, lineup, ranks) "
-                    + "JOIN lineup l ON l.id = lineup ORDER BY part";
+                : "SELECT part, pattern, open, count(*) FROM (" + CLUSTERS
+                    + ") GROUP BY part, pattern, open ORDER BY part";
+            Map<Integer, int[]> lineups = lineups();
             try (ResultSet row = database.query(source, first, step, season)) {
                 long part = -1;
                 while (row.next()) {
@@ -145,7 +183,7 @@ public final class GameQueries {
                         path.take(results);
                     }
                     part = row.getLong(1);
-                    take(row, results);
+                    take(row, results, lineups);
                 }
                 if (part >= 0) {
                     path.take(results);
@@ -156,17 +194,19 @@ public final class GameQueries {
         return path.path();
     }
 
-    private void take(ResultSet row, Results results) throws SQLException {
-        long count = row.getLong(5);
-        int[] lineup = numbers(row.getString(2));
+    private void take(ResultSet row, Results results, Map<Integer, int[]> lineups) throws SQLException {
         if (key.players() == 1) {
-            results.addAlone(row.getLong(3), lineup[0], row.getDouble(4));
+            results.addAlone(row.getLong(3), row.getInt(2), row.getDouble(4));
             results.addAloneGames(1);
-        } else {
-            results.addGames(lineup, numbers(row.getString(3)), count);
+            results.addSums(row.getInt(2), 1, 0, 0, 0, 0, 0);
+            return;
         }
-        for (int version : lineup) {
-            results.addSums(version, count, 0, 0, 0, 0, 0);
+        addClusters(results, row, lineups);
+        long count = row.getLong(4);
+        for (String game : row.getString(2).split(";")) {
+            for (int version : lineups.get(Integer.parseInt(game.substring(0, game.indexOf(':'))))) {
+                results.addSums(version, count, 0, 0, 0, 0, 0);
+            }
         }
     }
 

@@ -24,6 +24,9 @@ public final class MadeUpGames {
     private final Season key;
     private final List<GameStore.Version> versions;
     private final SplittableRandom random;
+    /** Places in the list of the two that meet, by seat. */
+    private int one;
+    private int other;
 
     /** @param versions from the strongest */
     public MadeUpGames(GameStore store, int season, Season key, List<GameStore.Version> versions,
@@ -40,7 +43,7 @@ public final class MadeUpGames {
         return store.add("bot-" + number, "none", false, String.format("%032x", number), 0);
     }
 
-    /** Adds so many games between any two. */
+    /** Adds so many games: any two meet on one seed from both sides, as the schedule of a league has it. */
     public void add(int games) {
         List<StoredGame> batch = new ArrayList<>(TOGETHER);
         for (int k = 0; k < games; k++) {
@@ -53,14 +56,21 @@ public final class MadeUpGames {
     }
 
     private StoredGame game(int number) {
-        int one = random.nextInt(versions.size());
-        int other = (one + 1 + random.nextInt(versions.size() - 1)) % versions.size();
+        if (number % 2 == 0) {
+            one = random.nextInt(versions.size());
+            other = (one + 1 + random.nextInt(versions.size() - 1)) % versions.size();
+        } else {
+            int swapped = one;
+            one = other;
+            other = swapped;
+        }
+        int decision = number / 2;
         double chance = 1 / (1 + StrictMath.exp((one - other) * STEP_ELO / ELO));
         boolean draw = random.nextDouble() < DRAWS;
         boolean win = random.nextDouble() < chance;
-        byte[] name = GameName.of(key, number, List.of(versions.get(one).identity(), versions.get(other).identity()),
-            1);
-        return new StoredGame(0, name, number / 2, number, 1, true, TURNS, null, number, "made up", null,
+        byte[] name = GameName.of(key, decision, List.of(versions.get(one).identity(),
+            versions.get(other).identity()), 1);
+        return new StoredGame(0, name, decision, decision, 1, true, TURNS, null, number, "made up", null,
             List.of(seat(one, draw || win), seat(other, draw || !win)));
     }
 

@@ -79,8 +79,8 @@ public final class PartMerge {
         replays = new ReplayCheck(contest, types);
         answers = new AnswerCheck(contest, types);
         keeper = new KeptGames(folder);
-        new GameQueries(store, number, season).decisions((decision, lineup) -> decided
-            .computeIfAbsent(decision, key -> new HashSet<>()).add(group(lineup)));
+        new GameQueries(store, number, season).games(game -> decided
+            .computeIfAbsent(game.decision(), key -> new HashSet<>()).add(group(game.lineup())));
     }
 
     /** Who meets in a decision: alone each on the same map. */

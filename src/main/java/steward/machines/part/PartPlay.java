@@ -14,6 +14,7 @@ import java.util.concurrent.Future;
 import java.util.function.Consumer;
 import steward.contest.Contest;
 import steward.files.InputException;
+import steward.league.EarlierGames;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.Pairing;
@@ -69,10 +70,10 @@ public final class PartPlay {
         play = new GamePlay(part.season(), contest, new Kept(), machine, System::currentTimeMillis);
         LeagueSettings settings = roster.settings();
         int players = part.season().players();
-        schedule = new Schedule(settings.seed(), players, settings.lag());
         try (GameStore league = GameStore.unused(folder)) {
             Optional<Integer> season = league == null ? Optional.empty() : league.season(part.season());
-            season.ifPresent(number -> new GameQueries(league, number, part.season()).decisions(schedule::stored));
+            schedule = new Schedule(settings.seed(), players, settings.lag(), season.isEmpty() ? new EarlierGames()
+                : new GameQueries(league, season.get(), part.season()).earlier());
         }
         schedule.play(roster.versions(), versions -> settings.gauntlet() == null
             ? Pairing.roundRobin(versions, players)

@@ -7,8 +7,8 @@ import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.TurnSink;
 import steward.physics.impulse.Collision;
+import steward.physics.time.CircleTime;
 import steward.physics.time.Magnitudes;
-import steward.physics.time.TimeOfImpact;
 
 /**
  * The event loop of {@link EventAdvance} for one kind of scene, several times as fast and with the same bits: circles
@@ -326,23 +326,12 @@ public final class OfficialAdvance implements Advance {
             double dy = bodies.y[i] - bodies.y[j];
             double square = dx * dx + dy * dy;
             double until = square <= greatestTouching ? 0
-                : until(dx, dy, bodies.vx[i] - bodies.vx[j], bodies.vy[i] - bodies.vy[j], square - touchSquare);
+                : CircleTime.official(dx, dy, bodies.vx[i] - bodies.vx[j], bodies.vy[i] - bodies.vy[j],
+                    square - touchSquare);
             if (until <= left) {
                 offer(now + until, pair);
             }
         }
-    }
-
-    /** As {@link TimeOfImpact#circlesOfficial}: the lesser of its two quotients is the second, because a > 0. */
-    private static double until(double dx, double dy, double wx, double wy, double c) {
-        double a = wx * wx + wy * wy;
-        double b = dx * wx + dy * wy;
-        double discriminant = b * b - a * c;
-        if (!(discriminant > 0) || a == 0) {
-            return Double.POSITIVE_INFINITY;
-        }
-        double root = (-b - Math.sqrt(discriminant)) / a;
-        return root > 0 ? root : Double.POSITIVE_INFINITY;
     }
 
     private void offer(double time, int pair) {

@@ -3,6 +3,7 @@ package steward.physics.event;
 import java.util.Arrays;
 import steward.physics.Arithmetic;
 import steward.physics.Bodies;
+import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.TurnSink;
 import steward.physics.time.PairTime;
@@ -17,7 +18,7 @@ public final class Standstill {
     private final ImpactQueue queue = new ImpactQueue.OneAtATime();
 
     Standstill(PhysicsParts parts) {
-        scans = Scan.of(parts, new PairTime.ApproachIsImpact(Arithmetic.DOUBLE));
+        scans = Scan.of(parts, PairTime.of(ImpactLaw.PHYSICS, Arithmetic.DOUBLE));
     }
 
     /** Plays the rest of the turn from {@code now}; velocities are restored afterwards. */

@@ -57,7 +57,7 @@ public final class StepAdvance implements Advance {
         this.steps = steps;
         walls = parts.walls().toArray(new Wall[0]);
         ImpactLaw law = parts.law();
-        PairTime touching = law.separatingPairsReact() ? new PairTime.Overlap() : new PairTime.ClosingOverlap();
+        PairTime touching = new PairTime.Overlap(!law.separatingPairsReact());
         scans = Scan.of(parts, touching);
         overlap = parts.contacts().hasReaches() ? new PairTime.AtOwnDistance(touching, parts.contacts()) : touching;
         response = ContactResponse.of(parts,

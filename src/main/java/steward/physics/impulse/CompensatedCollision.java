@@ -4,7 +4,7 @@ import steward.numerics.ErrorFree;
 import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 import steward.physics.Wall;
-import steward.physics.time.CompensatedTime;
+import steward.physics.time.CompensatedCircles;
 
 /*
  * Along a vector d from a to b, of any length, an impact with restitution e changes the velocities by
@@ -129,7 +129,8 @@ sealed class CompensatedCollision extends Collision permits ExactCollision, Comp
     }
 
     /**
-     * For the arithmetic {@code COMPENSATED}: a residual approach is removed until {@link CompensatedTime} sees none.
+     * For the arithmetic {@code COMPENSATED}: a residual approach is removed until {@link CompensatedCircles} sees none
+     * of it.
      */
     static final class Judging extends CompensatedCollision {
 
@@ -143,7 +144,7 @@ sealed class CompensatedCollision extends Collision permits ExactCollision, Comp
             boolean first = bodies.inverseMass[a] >= bodies.inverseMass[b];
             int body = first ? a : b;
             double step = first ? -Math.ulp(speeds) : Math.ulp(speeds);
-            while (CompensatedTime.areApproaching(bodies, a, b)) {
+            while (CompensatedCircles.areApproaching(bodies, a, b)) {
                 bodies.vx[body] += nx * step;
                 bodies.vy[body] += ny * step;
                 step *= 2;

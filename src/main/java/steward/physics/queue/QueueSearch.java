@@ -30,11 +30,12 @@ import steward.physics.time.TimeOfImpact;
  *
  * So a pair is left out without a root or a division if b >= 0, or c >= -2b times what is left until the impact that
  * was known before, or b^2 < a c. The present positions are accurate to a few units in the last place of the
- * coordinates x and of the paths since the last impacts, 2^-50 (|x| + |v|) for each; that moves c by at most 2 |d|
- * times as much, and 2 |d| e <= 2^-40 d.d + 2^40 e^2. At least this much is subtracted from c first, so pairs in doubt
- * are kept. For these the time is computed in the arithmetic of the rung, from the positions at the later start of the
- * two flights: a time of impact depends on nothing but the two flights, not on the body that searches nor on the time
- * of the search.
+ * coordinates x and of the paths since the last impacts, e = 2^-50 (|x| + |v|) for each; that moves c by at most 2 |d|
+ * times as much, and 2 |d| e <= 2^-40 d.d + 2^40 e^2. It moves b by at most 3 e sqrt a <= 2^-41 a + 2^43 e^2, and
+ * rounding b by 2^-51 |d| sqrt a <= 2^-52 (d.d + a): bodies that have just exchanged impulses at one instant can
+ * approach by no more than that. At least this much is subtracted from c and b first, so pairs in doubt are kept. For
+ * these the time is computed in the arithmetic of the rung, from the positions at the later start of the two flights: a
+ * time of impact depends on nothing but the two flights, not on the body that searches nor on the time of the search.
  */
 
 /**
@@ -47,6 +48,8 @@ sealed class QueueSearch permits ExactQueueSearch {
 
     /** Products below this have lost digits to underflow. */
     private static final double LEAST = 1e-250;
+    /** Sums of a few terms, and places after a flight, are off by less than this share of their terms. */
+    private static final double ROUNDING = 0x1p-46;
     /** A factor for the rounding error of a quotient. */
     private static final double JUST_BELOW_ONE = 1 - 0x1p-40;
 
@@ -203,11 +206,15 @@ sealed class QueueSearch permits ExactQueueSearch {
         double[] state = crowd.state;
         int at = 8 * body;
         double since = state[at + SINCE];
+        double speed = Math.abs(state[at + VX]) + Math.abs(state[at + VY]);
+        double size = Math.abs(state[at + X]) + Math.abs(state[at + Y]) + state[at + RADIUS] + speed;
         for (int w = 0; w < walls.length; w++) {
             HalfPlane plane = planes[w];
             if (plane != null) {
-                double closing = -(state[at + VX] * plane.insideX() + state[at + VY] * plane.insideY());
-                double gap = plane.gap(state[at + X], state[at + Y], state[at + RADIUS]);
+                double closing = ROUNDING * speed
+                    - (state[at + VX] * plane.insideX() + state[at + VY] * plane.insideY());
+                double gap = plane.gap(state[at + X], state[at + Y], state[at + RADIUS])
+                    - ROUNDING * (size + Math.abs(plane.x()) + Math.abs(plane.y()));
                 if (gap * JUST_BELOW_ONE > closing * (Math.min(best, 1) - since)) {
                     continue;                          // later than the best; most walls are receded from
                 }
@@ -258,9 +265,9 @@ sealed class QueueSearch permits ExactQueueSearch {
             double dx = x - (state[other + X] + state[other + VX] * of);
             double dy = y - (state[other + Y] + state[other + VY] * of);
             double a = dvx * dvx + dvy * dvy;
-            double b = dx * dvx + dy * dvy;
-            double touch = radius + state[other + RADIUS];
             double squared = dx * dx + dy * dy;
+            double b = dx * dvx + dy * dvy - (0x1p-46 * squared + 0x1p-40 * a + doubt);
+            double touch = radius + state[other + RADIUS];
             double c = squared - touch * touch - (0x1p-38 * squared + 0x1p-57 * a + doubt);
             double twice = b - Math.abs(b);            // 2b if they approach, otherwise 0
             double misses = 4 * (a * c) - twice * twice - LEAST;

@@ -1,30 +1,71 @@
 package steward.physics.time;
 
-import steward.numerics.DoubleDouble;
 import steward.physics.Arithmetic;
 
-/** The time of impact of two circles, in one arithmetic. */
-public abstract sealed class CircleTime {
+/*
+ * One quadratic. With d the vector from one centre to the other, v its velocity and s the touching distance,
+ *
+ *     |d + v t| = s    <=>    a t^2 + 2 b t + c = 0,    a = v.v,  b = d.v,  c = d.d - s^2,  D = b^2 - a c.
+ *
+ * They approach when b < 0; the first touch is then the smaller root (-b - sqrt D) / a. Both of its differences cancel:
+ * -b - sqrt D when c is small against the rest (a touch soon), and b^2 - a c when the path grazes or starts far away.
+ * Multiplying by (-b + sqrt D) gives the same root as c / (-b + sqrt D), a sum of positive terms; with c = (|d| - s)
+ * (|d| + s) nothing is lost to squaring; and by Lagrange's identity b^2 = a d.d - (d x v)^2, so
+ *
+ *     D = a s^2 - (d x v)^2 = (|v| s - |d x v|)(|v| s + |d x v|),
+ *
+ * in which the distance no longer appears: only s against the impact parameter p = |d x v| / |v|. There remain the two
+ * differences on which the decision itself depends, |d| - s and |v| s - |d x v|: close to contact and to a grazing path
+ * they are only as accurate as their terms.
+ *
+ * The members, with u = 2^-53 and cos that of the angle between v and the normal at the touch:
+ *
+ *     member              differences  decision right unless               time of impact
+ *     official            rounded      |p^2 - s^2| <= 16 u d.d             16 u d.d / s |v| cos, and bits of the server
+ *     stable              rounded      |p - s| or |d| - s <= 8 u |d|       16 u |d| / |v| cos
+ *     CompensatedCircles  two doubles  the same, 2^-46 in place of 8 u     5 units in the last place
+ *     FastCircles         two doubles  always; undecided if not clear      2^-62, relative
+ *     ExactCircles        two doubles  always                              2^-62, relative
+ *     WideCircles         decimals     always                              50 digits
+ *
+ * The reject. As a t^2 is never below 0, |d + v t|^2 - s^2 is at least c + 2 min(b, 0) up to t = 1. A pair is left out
+ * if that, as computed, is above m = 2^-40 (d.d + s^2), and then every member finds no impact within the turn. Computed
+ * c is off by at most 2^-49 d.d, computed b by e = 2^-51 |d| |v|; both are far below m unless |v| > 2^8 |d|.
+ *
+ * (1) |v| > 2^8 |d|. |b| <= c / 2 + e gives b^2 / a <= c^2 / (2 a) + 2 e^2 / a <= c 2^-17 + 2^-101 d.d < c / 2, as c
+ *     is above 2^-40 d.d. So D <= -a c / 2 < -2^-41 a d.d; its error is below 2^-48 a d.d in each member: a miss.
+ * (2) |v| <= 2^8 |d|. 2 e is at most m / 4, so truly c + 2 min(b, 0) > m / 2. Where |b| <= e, b^2 is far below a c: a
+ *     miss. Where b < -e, D is less than b^2 by a c >= 2^-40 a d.d, which is above its error: the computed sqrt D is at
+ *     most |b|, and c / (sqrt D - b) at least (2 |b| + m / 4) / (2 |b| + 2 e) > 1. For the root of the official
+ *     expressions see OfficialAdvance, (2), where the margin is the same share of d.d.
+ */
+
+/** The time of impact of two circles, in one arithmetic: a family of solutions of one quadratic. */
+public abstract sealed class CircleTime permits CircleTime.Official, CircleTime.Stable, CompensatedCircles {
+
+    static final double NEVER = Double.POSITIVE_INFINITY;
 
     /**
      * Relative to the square of the touching distance: 32 roundings, while the official root is accurate to about
      * three.
      */
     private static final double ROUNDING = 0x1p-48;
+    /** The margin of the reject, relative to the squared distances. */
+    private static final double MARGIN = 0x1p-40;
 
-    /** @return an instance for one thread at a time */
+    /** @return an instance for one thread at a time; {@code null} for {@code EXACT}, see {@link ExactPairs} */
     public static CircleTime of(Arithmetic arithmetic) {
         return switch (arithmetic) {
             case OFFICIAL, FORMER_OFFICIAL -> new Official();
             case DOUBLE -> new Stable();
-            case COMPENSATED -> new Compensated();
-            case EXACT -> new Exact();
+            case COMPENSATED -> new CompensatedCircles(false);
+            case EXACT -> null;
         };
     }
 
     /** The same for replays of formats 1 and 2, in which the compensated arithmetic rounded differences first. */
     static CircleTime ofFormerReplays(Arithmetic arithmetic) {
-        return arithmetic == Arithmetic.COMPENSATED ? new RoundedDifferences() : of(arithmetic);
+        return arithmetic == Arithmetic.COMPENSATED ? new CompensatedCircles(true) : of(arithmetic);
     }
 
     /**
@@ -40,7 +81,7 @@ public abstract sealed class CircleTime {
         double dvx = vx1 - vx2;
         double dvy = vy1 - vy2;
         if (!separatingReact && !(dx * dvx + dy * dvy < 0)) {
-            return Double.POSITIVE_INFINITY;
+            return NEVER;
         }
         double touch = r1 + r2;
         if (Math.sqrt(dx * dx + dy * dy) <= touch) {
@@ -56,16 +97,66 @@ public abstract sealed class CircleTime {
      * The same for a law in which only approach reacts: an approaching pair that touches except for rounding errors
      * must not be missed.
      */
-    public double untilApproachingMeet(double dx, double dy, double dvx, double dvy, double touch) {
+    double untilApproachingMeet(double dx, double dy, double dvx, double dvy, double touch) {
         return until(dx, dy, dvx, dvy, touch);
     }
 
-    /** {@link TimeOfImpact#circlesOfficial}. */
-    private static final class Official extends CircleTime {
+    /** Whether two circles surely do not touch within a turn: most pairs, without a root or a division. */
+    static boolean areFar(double dx, double dy, double dvx, double dvy, double touch) {
+        double squared = dx * dx + dy * dy;
+        double ss = touch * touch;
+        double b = dx * dvx + dy * dvy;
+        return squared - ss - MARGIN * (squared + ss) + (b - Math.abs(b)) > 0;
+    }
+
+    /**
+     * Circle and circle, in the form without avoidable cancellation.
+     *
+     * @param dx    from the centre of one to the centre of the other
+     * @param dvx   velocity of the other relative to the one
+     * @param touch the sum of the radii
+     */
+    static double stable(double dx, double dy, double dvx, double dvy, double touch) {
+        double b = dx * dvx + dy * dvy;
+        if (!(b < 0)) {
+            return NEVER;
+        }
+        double distance = Math.sqrt(dx * dx + dy * dy);
+        double c = (distance - touch) * (distance + touch);
+        if (c <= 0) {
+            return 0;
+        }
+        double speed = Math.sqrt(dvx * dvx + dvy * dvy);
+        double offset = Math.abs(dx * dvy - dy * dvx);
+        double discriminant = (speed * touch - offset) * (speed * touch + offset);
+        return discriminant > 0 ? c / (Math.sqrt(discriminant) - b) : NEVER;
+    }
+
+    /**
+     * Circle and circle, with the expressions of the published official referee in their order, including their
+     * cancellation, for two circles that do not touch now. It takes the lesser of two quotients: that is the second,
+     * because a > 0. Negating both vectors does not change a bit of the result.
+     *
+     * @param c the square of the distance less that of the touching distance
+     * @return above 0, or {@code POSITIVE_INFINITY}
+     */
+    public static double official(double dx, double dy, double dvx, double dvy, double c) {
+        double a = dvx * dvx + dvy * dvy;
+        double b = dx * dvx + dy * dvy;
+        double discriminant = b * b - a * c;
+        if (!(discriminant > 0) || a == 0) {
+            return NEVER;
+        }
+        double root = (-b - Math.sqrt(discriminant)) / a;
+        return root > 0 ? root : NEVER;
+    }
+
+    /** {@link #official}. */
+    static final class Official extends CircleTime {
 
         @Override
         double until(double dx, double dy, double dvx, double dvy, double touch) {
-            return TimeOfImpact.circlesOfficial(dx, dy, dvx, dvy, touch);
+            return official(dx, dy, dvx, dvy, dx * dx + dy * dy - touch * touch);
         }
 
         /**
@@ -73,62 +164,18 @@ public abstract sealed class CircleTime {
          * miss.
          */
         @Override
-        public double untilApproachingMeet(double dx, double dy, double dvx, double dvy, double touch) {
-            return dx * dx + dy * dy - touch * touch <= ROUNDING * touch * touch
-                ? 0 : TimeOfImpact.circlesOfficial(dx, dy, dvx, dvy, touch);
+        double untilApproachingMeet(double dx, double dy, double dvx, double dvy, double touch) {
+            double c = dx * dx + dy * dy - touch * touch;
+            return c <= ROUNDING * touch * touch ? 0 : official(dx, dy, dvx, dvy, c);
         }
     }
 
-    /** {@link TimeOfImpact#circles}. */
-    private static final class Stable extends CircleTime {
+    /** {@link #stable}. */
+    static final class Stable extends CircleTime {
 
         @Override
         double until(double dx, double dy, double dvx, double dvy, double touch) {
-            return TimeOfImpact.circles(dx, dy, dvx, dvy, touch);
-        }
-    }
-
-    /**
-     * {@link CompensatedTime}, of the differences with their rounding errors; but where separating pairs react, of the
-     * rounded differences, as the push-out sees them: otherwise a pair could react again and again.
-     */
-    private static final class Compensated extends CircleTime {
-
-        @Override
-        public double until(double x1, double x2, double y1, double y2, double vx1, double vx2, double vy1,
-                            double vy2, double r1, double r2, boolean separatingReact) {
-            return separatingReact ? super.until(x1, x2, y1, y2, vx1, vx2, vy1, vy2, r1, r2, true)
-                : CompensatedTime.circles(x1, x2, y1, y2, vx1, vx2, vy1, vy2, r1, r2);
-        }
-
-        @Override
-        double until(double dx, double dy, double dvx, double dvy, double touch) {
-            return CompensatedTime.circles(dx, dy, dvx, dvy, touch);
-        }
-    }
-
-    /** {@link CompensatedTime#circles}. */
-    private static final class RoundedDifferences extends CircleTime {
-
-        @Override
-        double until(double dx, double dy, double dvx, double dvy, double touch) {
-            return CompensatedTime.circles(dx, dy, dvx, dvy, touch);
-        }
-    }
-
-    /**
-     * {@link ExactCircles}, for callers that need only the time rounded to a double. The event loop does not use this:
-     * it refines the times of impacts that happen and keeps lower bounds for the others.
-     */
-    private static final class Exact extends CircleTime {
-
-        private final ExactCircles circles = new ExactCircles();
-        private final DoubleDouble time = new DoubleDouble();
-
-        @Override
-        double until(double dx, double dy, double dvx, double dvy, double touch) {
-            boolean hit = circles.load(dx, 0, dy, 0, dvx, 0, dvy, 0, touch, 0).firstTouch(time);
-            return hit ? time.high() : Double.POSITIVE_INFINITY;
+            return stable(dx, dy, dvx, dvy, touch);
         }
     }
 }

@@ -1,18 +1,13 @@
 package steward.physics.time;
 
 import steward.numerics.DoubleDouble;
-import steward.numerics.ErrorFree;
 import steward.numerics.Expansion;
 import steward.physics.Bodies;
 
 /*
- * |d + v t| = s with a = v.v, b = d.v, c = d.d - s^2, D = a s^2 - (d x v)^2, as in TimeOfImpact. The differences d and
- * v of two doubles and the sum s of two are exactly two doubles each. b and c are sums of products of these, D has one
- * more level of products. First each is computed as the rounded value plus the sum of all errors and low parts, which
- * is accurate to some units of u^2 = 2^-106 of the terms; where 36 bits or more cancel, the exact expansion replaces
- * it. So signs are right, and relative errors are below 40 * 2^-106 * 2^36 < 2^-64:
- *
- *     b: 12 u^2 per |dx vx| + |dy vy|        c: 20 u^2 per d.d + s^2        D: 40 u^2 per a s^2 + (d x v)^2
+ * The values of CircleTime. The differences d and v of two doubles and the sum s of two are exactly two doubles each;
+ * CircleSums says how accurate sums of products of these are. Where 36 bits or more cancel, the exact expansion
+ * replaces them: so signs are right, and relative errors are below 40 * 2^-106 * 2^36 < 2^-64.
  *
  * d x v itself can cancel, when the flight is almost central; then its square is small against a s^2, and the errors of
  * the products are relative to (|dx vy| + |dy vx|)^2. D is compared with this magnitude.
@@ -115,10 +110,8 @@ final class ExactCircles {
         double xvx = dx.high() * vx.high();
         double yvy = dy.high() * vy.high();
         double rounded = xvx + yvy;
-        double errors = ErrorFree.sumError(xvx, yvy, rounded) + (ErrorFree.productError(dx.high(), vx.high(), xvx)
-            + ErrorFree.productError(dy.high(), vy.high(), yvy));
-        double lows = (dx.high() * vx.low() + dx.low() * vx.high()) + (dy.high() * vy.low() + dy.low() * vy.high());
-        b.setFastSum(rounded, errors + lows);
+        b.setFastSum(rounded, CircleSums.dot(dx.high(), dx.low(), vx.high(), vx.low(), dy.high(), dy.low(), vy.high(),
+            vy.low(), xvx, yvy, rounded));
         if (Math.abs(rounded) <= CANCELLED * (Math.abs(xvx) + Math.abs(yvy))) {
             sum.clear().addProduct(dx, vx).addProduct(dy, vy).roundTo(b);
         }
@@ -130,11 +123,8 @@ final class ExactCircles {
         double ss = s.high() * s.high();
         double squared = xx + yy;
         double rounded = squared - ss;
-        double errors = ErrorFree.sumError(squared, -ss, rounded) + (ErrorFree.sumError(xx, yy, squared)
-            + (ErrorFree.productError(dx.high(), dx.high(), xx) + ErrorFree.productError(dy.high(), dy.high(), yy)
-            - ErrorFree.productError(s.high(), s.high(), ss)));
-        double lows = dx.high() * dx.low() + dy.high() * dy.low() - s.high() * s.low();
-        c.setFastSum(rounded, errors + 2 * lows);
+        c.setFastSum(rounded, CircleSums.excess(dx.high(), dx.low(), dy.high(), dy.low(), s.high(), s.low(), xx, yy, ss,
+            squared, rounded));
         if (Math.abs(rounded) <= CANCELLED * (squared + ss)) {
             sum.clear().addProduct(dx, dx).addProduct(dy, dy).subtractProduct(s, s).roundTo(c);
         }
@@ -144,9 +134,7 @@ final class ExactCircles {
         double xx = vx.high() * vx.high();
         double yy = vy.high() * vy.high();
         double rounded = xx + yy;
-        a.setFastSum(rounded, ErrorFree.sumError(xx, yy, rounded)
-            + (ErrorFree.productError(vx.high(), vx.high(), xx) + ErrorFree.productError(vy.high(), vy.high(), yy)
-            + 2 * (vx.high() * vx.low() + vy.high() * vy.low())));
+        a.setFastSum(rounded, CircleSums.squares(vx.high(), vx.low(), vy.high(), vy.low(), xx, yy, rounded));
     }
 
     /** d x v, and the largest magnitude of its terms. */
@@ -154,10 +142,8 @@ final class ExactCircles {
         double xvy = dx.high() * vy.high();
         double yvx = dy.high() * vx.high();
         double rounded = xvy - yvx;
-        double errors = ErrorFree.sumError(xvy, -yvx, rounded) + (ErrorFree.productError(dx.high(), vy.high(), xvy)
-            - ErrorFree.productError(dy.high(), vx.high(), yvx));
-        double lows = (dx.high() * vy.low() + dx.low() * vy.high()) - (dy.high() * vx.low() + dy.low() * vx.high());
-        work.setSum(rounded, errors + lows);
+        work.setSum(rounded, CircleSums.cross(dx.high(), dx.low(), vy.high(), vy.low(), dy.high(), dy.low(), vx.high(),
+            vx.low(), xvy, yvx, rounded));
         return Math.abs(xvy) + Math.abs(yvx);
     }
 
@@ -166,13 +152,11 @@ final class ExactCircles {
         double size = computeCross();
         double cross = work.high();
         double crossSquared = cross * cross;
-        double crossLow = ErrorFree.productError(cross, cross, crossSquared) + 2 * cross * work.low();
         double ss = s.high() * s.high();
-        double ssLow = ErrorFree.productError(s.high(), s.high(), ss) + 2 * s.high() * s.low();
         double ass = a.high() * ss;
-        double assLow = ErrorFree.productError(a.high(), ss, ass) + (a.high() * ssLow + a.low() * ss);
         double rounded = ass - crossSquared;
-        discriminant.setFastSum(rounded, ErrorFree.sumError(ass, -crossSquared, rounded) + (assLow - crossLow));
+        discriminant.setFastSum(rounded, CircleSums.discriminant(a.high(), a.low(), ss,
+            CircleSums.square(s.high(), s.low(), ss), cross, work.low(), ass, crossSquared, rounded));
         if (Math.abs(rounded) <= CANCELLED * (size * size + ass)) {
             squares.clear().addProduct(vx, vx).addProduct(vy, vy);
             others.clear().addProduct(s, s);

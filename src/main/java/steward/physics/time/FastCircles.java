@@ -4,9 +4,8 @@ import steward.numerics.DoubleDouble;
 import steward.numerics.ErrorFree;
 
 /*
- * The sums of ExactCircles, in the same order and with the same bounds, but with the high and low parts in local
- * variables, and only where b and c have not cancelled: 12 and 20 units of u^2 = 2^-106 of the terms are then below
- * 2^-65 of them.
+ * The values of CircleTime by CircleSums, in local variables, and only where b and c have not cancelled: 12 and 20
+ * units of u^2 = 2^-106 of the terms are then below 2^-65 of them.
  *
  * D may cancel much further, at grazing impacts and near misses: it is off by less than 40 u^2 S, with S = a
  * s^2 + (|dx vy| + |dy vx|)^2. Where |D| > 2^-96 S = 1024 u^2 S its sign is certain. An impact needs more: its impulse
@@ -91,16 +90,12 @@ final class FastCircles {
         double vxLow = ErrorFree.sumError(vx1, -vx2, vx);
         double vyLow = ErrorFree.sumError(vy1, -vy2, vy);
         double sLow = ErrorFree.sumError(r1, r2, s);
-        double ssError = ErrorFree.productError(s, s, ss);
-        double bLow = ErrorFree.sumError(xvx, yvy, b) + (ErrorFree.productError(dx, vx, xvx)
-            + ErrorFree.productError(dy, vy, yvy)) + ((dx * vxLow + dxLow * vx) + (dy * vyLow + dyLow * vy));
-        double cLow = ErrorFree.sumError(squared, -ss, c) + (ErrorFree.sumError(xx, yy, squared)
-            + (ErrorFree.productError(dx, dx, xx) + ErrorFree.productError(dy, dy, yy) - ssError))
-            + 2 * (dx * dxLow + dy * dyLow - s * sLow);
+        double bLow = CircleSums.dot(dx, dxLow, vx, vxLow, dy, dyLow, vy, vyLow, xvx, yvy, b);
+        double cLow = CircleSums.excess(dx, dxLow, dy, dyLow, s, sLow, xx, yy, ss, squared, c);
         double cSum = c + cLow;
         double bSum = b + bLow;
-        return byDiscriminant(dx, dxLow, dy, dyLow, vx, vxLow, vy, vyLow, ss, ssError + 2 * s * sLow, bSum,
-            ErrorFree.fastSumError(b, bLow, bSum), cSum, ErrorFree.fastSumError(c, cLow, cSum), grade, time);
+        return byDiscriminant(dx, dxLow, dy, dyLow, vx, vxLow, vy, vyLow, ss, CircleSums.square(s, sLow, ss),
+            bSum, ErrorFree.fastSumError(b, bLow, bSum), cSum, ErrorFree.fastSumError(c, cLow, cSum), grade, time);
     }
 
     /** Decides by the discriminant a s^2 - (d x v)^2. */
@@ -121,14 +116,9 @@ final class FastCircles {
         if (d < -CANCELLED * terms) {
             return NONE;
         }
-        double aLow = ErrorFree.sumError(vxx, vyy, a) + (ErrorFree.productError(vx, vx, vxx)
-            + ErrorFree.productError(vy, vy, vyy) + 2 * (vx * vxLow + vy * vyLow));
-        double crossLow = ErrorFree.sumError(xvy, -yvx, cross)
-            + (ErrorFree.productError(dx, vy, xvy) - ErrorFree.productError(dy, vx, yvx))
-            + ((dx * vyLow + dxLow * vy) - (dy * vxLow + dyLow * vx));
-        double dLow = ErrorFree.sumError(ass, -crossSquared, d)
-            + ((ErrorFree.productError(a, ss, ass) + (a * ssLow + aLow * ss))
-            - (ErrorFree.productError(cross, cross, crossSquared) + 2 * cross * crossLow));
+        double aLow = CircleSums.squares(vx, vxLow, vy, vyLow, vxx, vyy, a);
+        double crossLow = CircleSums.cross(dx, dxLow, vy, vyLow, dy, dyLow, vx, vxLow, xvy, yvx, cross);
+        double dLow = CircleSums.discriminant(a, aLow, ss, ssLow, cross, crossLow, ass, crossSquared, d);
         double dSum = d + dLow;
         if (!(dSum > grade * terms)) {
             return dSum < -COARSE * terms ? NONE : UNDECIDED;

@@ -9,58 +9,51 @@ import steward.physics.ImpactLaw;
  * The time of the next impact of a pair of circles. Whether a touching pair reacts depends on the law; the rest is
  * geometry.
  */
-public abstract sealed class PairTime permits PairTime.TouchIsImpact, PairTime.ApproachIsImpact, PairTime.Overlap,
-    PairTime.ClosingOverlap, PairTime.AtOwnDistance, ExactPairs {
+public abstract sealed class PairTime permits PairTime.OfCircles, PairTime.Overlap, PairTime.AtOwnDistance,
+    ExactPairs {
 
     private static final double NEVER = Double.POSITIVE_INFINITY;
 
-    /** Time from now to the impact of two circles, given by their indices; 0 for an impact now. */
+    /**
+     * Time from now to the impact of two circles, given by their indices; 0 for an impact now. What is later than the
+     * length of a turn may be given as infinite.
+     */
     public abstract double until(Bodies bodies, int i, int j);
 
     public static PairTime of(ImpactLaw law, Arithmetic arithmetic) {
-        return law.separatingPairsReact() ? new TouchIsImpact(CircleTime.of(arithmetic))
-            : new ApproachIsImpact(arithmetic);
+        return new OfCircles(CircleTime.of(arithmetic), law.separatingPairsReact());
     }
 
     /** The same for replays of formats 1 and 2. */
     public static PairTime ofFormerReplays(ImpactLaw law, Arithmetic arithmetic) {
-        CircleTime circles = CircleTime.ofFormerReplays(arithmetic);
-        return law.separatingPairsReact() ? new TouchIsImpact(circles) : new ApproachIsImpact(circles);
+        return new OfCircles(CircleTime.ofFormerReplays(arithmetic), law.separatingPairsReact());
     }
 
-    /** The official games: a touching pair reacts, even while separating. */
-    static final class TouchIsImpact extends PairTime {
+    /** By {@link CircleTime}, of pairs that are not surely too far. */
+    static final class OfCircles extends PairTime {
 
         private final CircleTime circles;
+        private final boolean separatingReact;
 
-        TouchIsImpact(CircleTime circles) {
+        OfCircles(CircleTime circles, boolean separatingReact) {
             this.circles = circles;
+            this.separatingReact = separatingReact;
         }
 
         @Override
         public double until(Bodies bodies, int i, int j) {
-            return circles.until(bodies.x[i], bodies.x[j], bodies.y[i], bodies.y[j], bodies.vx[i], bodies.vx[j],
-                bodies.vy[i], bodies.vy[j], bodies.radius[i], bodies.radius[j], true);
-        }
-    }
-
-    /** Physics: only an approach ends in an impact. */
-    public static final class ApproachIsImpact extends PairTime {
-
-        private final CircleTime circles;
-
-        public ApproachIsImpact(Arithmetic arithmetic) {
-            this(CircleTime.of(arithmetic));
-        }
-
-        ApproachIsImpact(CircleTime circles) {
-            this.circles = circles;
-        }
-
-        @Override
-        public double until(Bodies bodies, int i, int j) {
-            return circles.until(bodies.x[i], bodies.x[j], bodies.y[i], bodies.y[j], bodies.vx[i], bodies.vx[j],
-                bodies.vy[i], bodies.vy[j], bodies.radius[i], bodies.radius[j], false);
+            double x1 = bodies.x[i];
+            double x2 = bodies.x[j];
+            double y1 = bodies.y[i];
+            double y2 = bodies.y[j];
+            double vx1 = bodies.vx[i];
+            double vx2 = bodies.vx[j];
+            double vy1 = bodies.vy[i];
+            double vy2 = bodies.vy[j];
+            double r1 = bodies.radius[i];
+            double r2 = bodies.radius[j];
+            return CircleTime.areFar(x1 - x2, y1 - y2, vx1 - vx2, vy1 - vy2, r1 + r2) ? NEVER
+                : circles.until(x1, x2, y1, y2, vx1, vx2, vy1, vy2, r1, r2, separatingReact);
         }
     }
 
@@ -89,25 +82,20 @@ public abstract sealed class PairTime permits PairTime.TouchIsImpact, PairTime.A
     /** Present overlaps only: 0 for a touching pair, never for the others. */
     public static final class Overlap extends PairTime {
 
-        @Override
-        public double until(Bodies bodies, int i, int j) {
-            double dx = bodies.x[i] - bodies.x[j];
-            double dy = bodies.y[i] - bodies.y[j];
-            double touch = bodies.radius[i] + bodies.radius[j];
-            return dx * dx + dy * dy <= touch * touch ? 0 : NEVER;
+        private final boolean closingOnly;
+
+        /** @param closingOnly whether only approaching pairs count */
+        public Overlap(boolean closingOnly) {
+            this.closingOnly = closingOnly;
         }
-    }
-
-    /** Present overlaps of approaching pairs only. */
-    public static final class ClosingOverlap extends PairTime {
 
         @Override
         public double until(Bodies bodies, int i, int j) {
             double dx = bodies.x[i] - bodies.x[j];
             double dy = bodies.y[i] - bodies.y[j];
             double touch = bodies.radius[i] + bodies.radius[j];
-            return dx * dx + dy * dy <= touch * touch
-                && dx * (bodies.vx[i] - bodies.vx[j]) + dy * (bodies.vy[i] - bodies.vy[j]) < 0 ? 0 : NEVER;
+            return dx * dx + dy * dy <= touch * touch && (!closingOnly
+                || dx * (bodies.vx[i] - bodies.vx[j]) + dy * (bodies.vy[i] - bodies.vy[j]) < 0) ? 0 : NEVER;
         }
     }
 }

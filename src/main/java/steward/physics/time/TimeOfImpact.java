@@ -6,7 +6,8 @@ import steward.physics.Segment;
 import steward.physics.Wall;
 
 /**
- * The time at which a circle in free flight first touches another or a wall, in turns from now. "Never" is
+ * The time at which a circle in free flight first touches a wall, in turns from now; for another circle see
+ * {@link CircleTime}. "Never" is
  * {@code POSITIVE_INFINITY}. A present contact counts as 0 only while the two approach; a tangent path is a miss.
  * Inputs are finite.
  *
@@ -18,69 +19,6 @@ public final class TimeOfImpact {
     private static final double NEVER = Double.POSITIVE_INFINITY;
 
     private TimeOfImpact() {
-    }
-
-    /*
-     * Circle and circle. With d the vector from one centre to the other, v its velocity and s the touching distance,
-     *
-     *     |d + v t| = s    <=>    a t^2 + 2 b t + c = 0,    a = v.v,  b = d.v,  c = d.d - s^2,  D = b^2 - a c.
-     *
-     * They approach when b < 0; the first touch is then the smaller root (-b - sqrt D) / a. Both of its differences
-     * cancel: -b - sqrt D when c is small against the rest (a touch soon), and b^2 - a c when the path grazes or
-     * starts far away. Multiplying by (-b + sqrt D) gives the same root as c / (-b + sqrt D), a sum of positive terms;
-     * c = (|d| - s)(|d| + s) loses nothing to squaring; and by Lagrange's identity b^2 = a d.d - (d x v)^2, so
-     *
-     *     D = a s^2 - (d x v)^2 = (|v| s - |d x v|)(|v| s + |d x v|),
-     *
-     * in which the distance no longer appears: only s against the impact parameter |d x v| / |v|. There remain the two
-     * differences on which the decision itself depends, |d| - s and |v| s - |d x v|: close to contact and to a grazing
-     * path they are only as accurate as their terms.
-     */
-
-    /**
-     * Circle and circle, in the form without avoidable cancellation.
-     *
-     * @param dx    from the centre of one to the centre of the other
-     * @param dvx   velocity of the other relative to the one
-     * @param touch the sum of the radii
-     */
-    public static double circles(double dx, double dy, double dvx, double dvy, double touch) {
-        double b = dx * dvx + dy * dvy;
-        if (!(b < 0)) {
-            return NEVER;
-        }
-        double distance = Math.sqrt(dx * dx + dy * dy);
-        double c = (distance - touch) * (distance + touch);
-        if (c <= 0) {
-            return 0;
-        }
-        double speed = Math.sqrt(dvx * dvx + dvy * dvy);
-        double offset = Math.abs(dx * dvy - dy * dvx);
-        double discriminant = (speed * touch - offset) * (speed * touch + offset);
-        if (!(discriminant > 0)) {
-            return NEVER;
-        }
-        return c / (Math.sqrt(discriminant) - b);
-    }
-
-    /**
-     * Circle and circle, with the expressions of the published official referee in their order, including their
-     * cancellation, for two circles that do not touch now. Parameters as in {@link #circles}; negating both vectors
-     * does not change a bit of the result.
-     *
-     * @return above 0, or {@code POSITIVE_INFINITY}
-     */
-    public static double circlesOfficial(double dx, double dy, double dvx, double dvy, double touch) {
-        double a = dvx * dvx + dvy * dvy;
-        double b = dx * dvx + dy * dvy;
-        double c = dx * dx + dy * dy - touch * touch;
-        double discriminant = b * b - a * c;
-        if (!(discriminant > 0) || a == 0) {
-            return NEVER;
-        }
-        double squareRoot = Math.sqrt(discriminant);
-        double root = Math.min((-b + squareRoot) / a, (-b - squareRoot) / a);
-        return root > 0 ? root : NEVER;
     }
 
     /**
@@ -151,13 +89,14 @@ public final class TimeOfImpact {
                 return first;
             }
         }
-        return Math.min(circles(ax - x, ay - y, -vx, -vy, radius), circles(bx - x, by - y, -vx, -vy, radius));
+        return Math.min(CircleTime.stable(ax - x, ay - y, -vx, -vy, radius),
+            CircleTime.stable(bx - x, by - y, -vx, -vy, radius));
     }
 
     /*
      * Circle inside a circular arena. With d from the arena's centre and s the room for the centre, |d + v t| = s is
-     * the same quadratic, but from inside (c <= 0) the larger root (-b + sqrt D) / a counts. For b <= 0 its numerator
-     * is a sum of positive terms; for b > 0 the denominator of the other form, -c / (b + sqrt D), is.
+     * the quadratic of CircleTime, but from inside (c <= 0) the larger root (-b + sqrt D) / a counts. For b <= 0 its
+     * numerator is a sum of positive terms; for b > 0 the denominator of the other form, -c / (b + sqrt D), is.
      */
 
     /**

@@ -13,6 +13,7 @@ import java.sql.DriverManager;
 import java.sql.SQLException;
 import java.sql.Statement;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.BeforeEach;
@@ -21,6 +22,8 @@ import org.junit.jupiter.api.io.TempDir;
 import steward.files.InputException;
 import steward.league.GameName;
 import steward.league.LeagueFolder;
+import steward.league.Pairing;
+import steward.league.Schedule;
 import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
@@ -140,6 +143,29 @@ class GameStoreTest {
 
     private Path path() {
         return path;
+    }
+
+    /** Only games of the schedule that have come to their end are passed over when a league is resumed. */
+    @Test
+    void aLeagueIsResumedAfterTheGamesThatItHas() {
+        try (GameStore store = GameStore.write(folder)) {
+            int season = store.open(SEASON);
+            Version a = store.add("a", "./a", false, "1a", 1);
+            Version b = store.add("b", "./b", false, "1b", 2);
+            Version c = store.add("c", "./c", false, "1c", 3);
+            store.add(season, List.of(game(a, b, 0, 1, 1, true), game(b, a, 0, 1, 1, false), game(b, c, 2, 1, 1, true),
+                game(c, b, 2, 1, 1, true), game(c, a, 1, 1, 1, false), game(c, a, 1, 1, 2, true)));
+            int other = store.open(Season.of("duel", "key", "longer", "rules", 2, false));
+            store.add(other, List.of(game(a, c, 5, 1, 1, true)));
+            Schedule schedule = new Schedule(0, 2, 64, new GameQueries(store, season, SEASON).earlier());
+            schedule.play(List.of(a.id(), b.id(), c.id()), versions -> Pairing.roundRobin(versions, 2));
+            List<String> games = new ArrayList<>();
+            for (int k = 0; k < 6; k++) {
+                Schedule.Task task = schedule.next(Long.MAX_VALUE);
+                games.add(task.decision() + " " + Arrays.toString(task.lineup()));
+            }
+            assertEquals(List.of("0 [2, 1]", "1 [1, 3]", "3 [1, 2]", "3 [2, 1]", "4 [1, 3]", "4 [3, 1]"), games);
+        }
     }
 
     @Test

@@ -64,7 +64,7 @@ class CirclesTest {
         int undecided = 0;
         for (long seed = 1; seed <= CASES; seed++) {
             Case c = Case.of(seed);
-            double found = TimeOfImpact.circles(c.dx, c.dy, c.vx, c.vy, c.s);
+            double found = CircleTime.stable(c.dx, c.dy, c.vx, c.vy, c.s);
             BigDecimal[] exact = Exact.crossings(c.dx, c.dy, c.vx, c.vy, Exact.of(c.s));
             boolean hit = exact != null && exact[0].signum() > 0;
             if (Math.abs(c.miss() - c.s) <= 8 * Exact.ULP * c.distance()
@@ -101,7 +101,7 @@ class CirclesTest {
         int grazing = 0;
         for (long seed = 1; seed <= CASES; seed++) {
             Case c = Case.of(seed);
-            double found = TimeOfImpact.circles(c.dx, c.dy, c.vx, c.vy, c.s);
+            double found = CircleTime.stable(c.dx, c.dy, c.vx, c.vy, c.s);
             if (Math.abs(c.miss() - c.s) <= 8 * Exact.ULP * c.distance() && found < NEVER) {
                 double nearest = Exact.nearestTime(c.dx, c.dy, c.vx, c.vy).doubleValue();
                 double early = Math.sqrt(32 * Exact.ULP * c.distance() * c.s) / Math.hypot(c.vx, c.vy);
@@ -115,26 +115,30 @@ class CirclesTest {
     /** By hand. Along an axis everything is exact; elsewhere a root of a whole number is rounded. */
     @Test
     void flightsByHand() {
-        assertEquals(2, TimeOfImpact.circles(7, 0, -2, 0, 3), "7 - 2 * 2 = 3, head on");
-        assertEquals(1, TimeOfImpact.circles(12, 5, -8, 0, Math.sqrt(41)), 4 * Math.ulp(1.0), "(4, 5) is so far away");
-        assertEquals(0.5, TimeOfImpact.circles(6, 4, -6, 0, 5), 4 * Math.ulp(0.5), "(3, 4) is 5 away");
-        assertEquals(NEVER, TimeOfImpact.circles(10, 5, -1, 0, 5), "passes at 5: a tangent is a miss");
-        assertEquals(NEVER, TimeOfImpact.circles(10, 6, -1, 0, 5), "passes at 6");
-        assertEquals(NEVER, TimeOfImpact.circles(7, 0, 2, 0, 3), "recedes");
-        assertEquals(NEVER, TimeOfImpact.circles(7, 0, 0, 3, 3), "neither comes nor goes");
-        assertEquals(NEVER, TimeOfImpact.circles(7, 0, 0, 0, 3), "stands still");
+        assertEquals(2, CircleTime.stable(7, 0, -2, 0, 3), "7 - 2 * 2 = 3, head on");
+        assertEquals(1, CircleTime.stable(12, 5, -8, 0, Math.sqrt(41)), 4 * Math.ulp(1.0), "(4, 5) is so far away");
+        assertEquals(0.5, CircleTime.stable(6, 4, -6, 0, 5), 4 * Math.ulp(0.5), "(3, 4) is 5 away");
+        assertEquals(NEVER, CircleTime.stable(10, 5, -1, 0, 5), "passes at 5: a tangent is a miss");
+        assertEquals(NEVER, CircleTime.stable(10, 6, -1, 0, 5), "passes at 6");
+        assertEquals(NEVER, CircleTime.stable(7, 0, 2, 0, 3), "recedes");
+        assertEquals(NEVER, CircleTime.stable(7, 0, 0, 3, 3), "neither comes nor goes");
+        assertEquals(NEVER, CircleTime.stable(7, 0, 0, 0, 3), "stands still");
     }
 
     @Test
     void whoTouchesHitsAtOnceIfApproaching() {
-        assertEquals(0, TimeOfImpact.circles(3, 4, -1, -1, 5), "touching");
-        assertEquals(0, TimeOfImpact.circles(3, 4, -1, -1, 6), "overlapping");
-        assertEquals(0, TimeOfImpact.circles(3, 4, -1e-300, 0, 6), "however slowly");
-        assertEquals(NEVER, TimeOfImpact.circles(3, 4, 1, 1, 5), "touching, recedes");
-        assertEquals(NEVER, TimeOfImpact.circles(3, 4, 1, 1, 6), "overlapping, recedes");
-        assertEquals(NEVER, TimeOfImpact.circles(3, 4, -4, 3, 5), "touching, along the edge");
-        assertEquals(NEVER, TimeOfImpact.circles(3, 4, 0, 0, 5), "touching, at rest");
-        assertEquals(NEVER, TimeOfImpact.circles(0, 0, 1, 0, 5), "concentric: every way is out");
+        assertEquals(0, CircleTime.stable(3, 4, -1, -1, 5), "touching");
+        assertEquals(0, CircleTime.stable(3, 4, -1, -1, 6), "overlapping");
+        assertEquals(0, CircleTime.stable(3, 4, -1e-300, 0, 6), "however slowly");
+        assertEquals(NEVER, CircleTime.stable(3, 4, 1, 1, 5), "touching, recedes");
+        assertEquals(NEVER, CircleTime.stable(3, 4, 1, 1, 6), "overlapping, recedes");
+        assertEquals(NEVER, CircleTime.stable(3, 4, -4, 3, 5), "touching, along the edge");
+        assertEquals(NEVER, CircleTime.stable(3, 4, 0, 0, 5), "touching, at rest");
+        assertEquals(NEVER, CircleTime.stable(0, 0, 1, 0, 5), "concentric: every way is out");
+    }
+
+    private static double official(double dx, double dy, double vx, double vy, double s) {
+        return CircleTime.official(dx, dy, vx, vy, dx * dx + dy * dy - s * s);
     }
 
     /** The expressions of DESIGN, "Official pod-race turn" 2, in their order. */
@@ -156,8 +160,8 @@ class CirclesTest {
         for (long seed = 1; seed <= CASES; seed++) {
             Case c = Case.of(seed);
             double expected = asDesigned(c.dx, c.dy, c.vx, c.vy, c.s);
-            assertEquals(expected, TimeOfImpact.circlesOfficial(c.dx, c.dy, c.vx, c.vy, c.s), "seed " + seed);
-            assertEquals(expected, TimeOfImpact.circlesOfficial(-c.dx, -c.dy, -c.vx, -c.vy, c.s), "seed " + seed);
+            assertEquals(expected, official(c.dx, c.dy, c.vx, c.vy, c.s), "seed " + seed);
+            assertEquals(expected, official(-c.dx, -c.dy, -c.vx, -c.vy, c.s), "seed " + seed);
             hits += expected < NEVER ? 1 : 0;
         }
         assertTrue(hits > 3000, hits + " hits");
@@ -169,8 +173,8 @@ class CirclesTest {
      */
     @Test
     void theOfficialExpressionsLoseDigitsThatTheStableOnesKeep() {
-        double official = TimeOfImpact.circlesOfficial(9800.1, 700.3, -1.7, -0.1, 800);
-        double stable = TimeOfImpact.circles(9800.1, 700.3, -1.7, -0.1, 800);
+        double official = official(9800.1, 700.3, -1.7, -0.1, 800);
+        double stable = CircleTime.stable(9800.1, 700.3, -1.7, -0.1, 800);
         BigDecimal exact = Exact.crossings(9800.1, 700.3, -1.7, -0.1, Exact.of(800))[0];
         assertNotEquals(official, stable);
         assertTrue(Exact.error(stable, exact) <= Math.ulp(stable), "stable: " + Exact.error(stable, exact));
@@ -185,9 +189,9 @@ class CirclesTest {
             SplitMix64 random = new SplitMix64(seed);
             double aim = 1.8 * random.nextDouble() - 0.9;
             double dx = 1e9 * (1 + random.nextDouble());
-            boolean stable = TimeOfImpact.circles(dx, aim, -1, 0, 1) < NEVER;
+            boolean stable = CircleTime.stable(dx, aim, -1, 0, 1) < NEVER;
             assertTrue(stable, "seed " + seed);
-            wrong += TimeOfImpact.circlesOfficial(dx, aim, -1, 0, 1) < NEVER ? 0 : 1;
+            wrong += official(dx, aim, -1, 0, 1) < NEVER ? 0 : 1;
         }
         assertTrue(wrong > 100, wrong + " of 2000 hits missed");
     }

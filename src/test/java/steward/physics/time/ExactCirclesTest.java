@@ -92,8 +92,8 @@ class ExactCirclesTest {
         double vx = bodies.vx[0] - bodies.vx[1];
         double vy = bodies.vy[0] - bodies.vy[1];
         double s = bodies.radius[0] + bodies.radius[1];
-        wrongInDouble += hit == TimeOfImpact.circles(dx, dy, vx, vy, s) < NEVER ? 0 : 1;
-        wrongCompensated += hit == CompensatedTime.circles(dx, dy, vx, vy, s) < NEVER ? 0 : 1;
+        wrongInDouble += hit == CircleTime.stable(dx, dy, vx, vy, s) < NEVER ? 0 : 1;
+        wrongCompensated += hit == new CompensatedCircles(true).until(dx, dy, vx, vy, s) < NEVER ? 0 : 1;
     }
 
     /**

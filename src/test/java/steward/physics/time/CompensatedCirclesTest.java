@@ -9,9 +9,9 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.numerics.SplitMix64;
 
-/** The bound that {@link CompensatedTime} states, against 60 digits. */
+/** The bound that {@link CompensatedCircles} states, against 60 digits. */
 @Execution(ExecutionMode.CONCURRENT)
-class CompensatedTimeTest {
+class CompensatedCirclesTest {
 
     /** Derived in the class: 4.9 units, whatever cancels. */
     private static final double BOUND = 5;
@@ -41,7 +41,7 @@ class CompensatedTimeTest {
         double vx = speed * ux;
         double vy = speed * uy;
         BigDecimal[] crossings = Exact.crossings(dx, dy, vx, vy, Exact.of(length));
-        double found = CompensatedTime.circles(dx, dy, vx, vy, length);
+        double found = new CompensatedCircles(true).until(dx, dy, vx, vy, length);
         String what = "share " + share + ", gap " + gap + ", 2^" + lengths + ", 2^" + speeds;
         assertEquals(crossings != null, found < Double.POSITIVE_INFINITY, what);
         if (crossings != null) {

@@ -1,0 +1,50 @@
+package steward.league.rating;
+
+/**
+ * Bars that hold at every moment at once, so that one may look as often as one likes and stop when one likes.
+ *
+ * <p>An estimate whose variance is V has collected the information I = 1/V. Estimates at different moments have the
+ * covariance of the later variance, so that I times the error is a Brownian motion in the time I (C. Jennison and
+ * B. W. Turnbull, "Group-sequential analysis incorporating covariate information", Journal of the American Statistical
+ * Association 92, 1997). A Brownian motion W stays for all times within
+ *
+ * <pre>|W(I)| &lt;= sqrt((I + r) log((I + r) / (r alpha^2)))</pre>
+ *
+ * with probability 1 - alpha, for any r &gt; 0 (H. Robbins, "Statistical methods related to the law of the iterated
+ * logarithm", Annals of Mathematical Statistics 41, 1970: a mixture of likelihood ratios over a normal drift of
+ * variance 1/r). Divided by I it is the bar. That the variance is estimated makes it an asymptotic confidence sequence
+ * (I. Waudby-Smith, D. Arbour, R. Sinha, E. H. Kennedy and A. Ramdas, "Time-uniform central limit theory and asymptotic
+ * confidence sequences", Annals of Statistics 52, 2024); so that it holds from the first look on, the bar is widened as
+ * Student's t is against the normal distribution.
+ */
+public final class AnytimeBar {
+
+    /** 1 - the probability with which a bar holds. */
+    public static final double ALPHA = 0.05;
+    /**
+     * The standard deviation, in Elo, at which r = I: the bar is narrowest against the others of its kind where the
+     * deviation is about a third of it, which is where a bar of 30 Elo is reached.
+     */
+    private static final double MIXTURE_ELO = 28;
+    private static final double MIXTURE = square(RatingFit.ELO / MIXTURE_ELO);
+
+    private AnytimeBar() {
+    }
+
+    private static double square(double x) {
+        return x * x;
+    }
+
+    /**
+     * Half the width.
+     *
+     * @param variance of the estimate, in natural units of rating
+     * @param freedom  degrees of freedom of the variance
+     * @param alpha    the probability with which the truth may ever be outside
+     */
+    public static double of(double variance, double freedom, double alpha) {
+        double ratio = MIXTURE * variance;
+        double z = Math.sqrt((1 + ratio) * (StrictMath.log1p(1 / ratio) - 2 * StrictMath.log(alpha)));
+        return Math.sqrt(variance) * Normal.student(z, freedom);
+    }
+}

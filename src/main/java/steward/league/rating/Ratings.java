@@ -1,0 +1,67 @@
+package steward.league.rating;
+
+import java.util.List;
+
+/**
+ * The ratings of some versions of bots, from all games between them.
+ *
+ * @param versions ascending
+ * @param fit      in which they have the numbers 0, 1, ...
+ * @param weights  each version's share of the games; all the same where there are none. The mean with these weights is
+ *                 0: a bot that has just come does not widen the bars of the others
+ */
+public record Ratings(List<Integer> versions, RatingFit fit, double... weights) {
+
+    /** Copies. */
+    public Ratings {
+        versions = List.copyOf(versions);
+        weights = weights.clone();
+    }
+
+    /** Rates these versions. */
+    public static Ratings of(Results results, List<Integer> versions) {
+        List<Integer> sorted = versions.stream().sorted().toList();
+        List<Stratum> strata = results.strata(sorted.stream().mapToInt(Integer::intValue).toArray());
+        return new Ratings(sorted, RatingFit.of(sorted.size(), strata, results.alone()),
+            weights(sorted.size(), strata));
+    }
+
+    private static double[] weights(int bots, List<Stratum> strata) {
+        double[] weights = new double[bots];
+        double all = 0;
+        for (Stratum stratum : strata) {
+            int pair = 0;
+            for (int i = 0; i < stratum.bots.length; i++) {
+                for (int j = i + 1; j < stratum.bots.length; j++) {
+                    double games = stratum.sums[3 * pair++];
+                    weights[stratum.bots[i]] += games;
+                    weights[stratum.bots[j]] += games;
+                    all += 2 * games;
+                }
+            }
+        }
+        for (int i = 0; i < bots; i++) {
+            weights[i] = all > 0 ? weights[i] / all : 1.0 / bots;
+        }
+        return weights;
+    }
+
+    /** The rating of a version: its difference to the mean. */
+    public Difference rating(int version) {
+        return fit.toMean(place(version), weights);
+    }
+
+    /** The difference of the ratings of two versions. */
+    public Difference difference(int one, int other) {
+        return fit.difference(place(one), place(other));
+    }
+
+    /** How much more the first wins against the second than their ratings tell. */
+    public Residual residual(int one, int other) {
+        return fit.residual(place(one), place(other));
+    }
+
+    private int place(int version) {
+        return versions.indexOf(version);
+    }
+}

@@ -1,0 +1,252 @@
+package steward.league.rating;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Assumptions;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+
+/** The fit against closed forms, an optimiser of its own kind and another program. */
+class RatingFitTest {
+
+    private static final double ELO = 400 / Math.log(10);
+
+    /** Clusters of one game each between two bots. */
+    private static Stratum games(int one, int other, long wins, long ties, long losses) {
+        Stratum stratum = new Stratum(1, one, other);
+        stratum.add(stratum.pattern(1, 1, 0), wins);
+        stratum.add(stratum.pattern(1, 0.5, 1), ties);
+        stratum.add(stratum.pattern(1, 0, 0), losses);
+        return stratum;
+    }
+
+    @Test
+    void twoBotsDifferByTheLogarithmOfTheirOdds() {
+        // With n games and the share p the likelihood is greatest at 400 log10(p / (1 - p)); the bar of the difference
+        // is 1.96 (400 / ln 10) / sqrt(n p (1 - p)). The prior of 750 Elo pulls by less than 1 in 1000 at so many.
+        RatingFit fit = RatingFit.of(2, List.of(games(0, 1, 7500, 0, 2500)), false);
+        assertEquals(400 * Math.log10(3), fit.difference(0, 1).elo(), 0.2);
+        assertEquals(0, fit.rating(0) + fit.rating(1), 1e-9);
+        assertEquals(1.96 * ELO / Math.sqrt(10_000 * 0.75 * 0.25), fit.difference(0, 1).bar(), 0.02);
+        assertEquals(fit.difference(0, 1).bar() / 2, fit.toMean(0, 0.5, 0.5).bar(), 1e-9);
+    }
+
+    @Test
+    void tiesHaveDavidsonsClosedForm() {
+        // For two bots the model has as many parameters as outcomes: win/loss = exp(d), tie^2/(win loss) = n^2.
+        RatingFit fit = RatingFit.of(2, List.of(games(0, 1, 50_000, 30_000, 20_000)), false);
+        assertEquals(ELO * Math.log(2.5), fit.difference(0, 1).elo(), 0.05);
+        assertEquals(0.3 / Math.sqrt(0.5 * 0.2), fit.tieWeight(), 1e-3);
+    }
+
+    @Test
+    void gamesOfOneSeedCountAsOne() {
+        // Both games of a seed always go alike: 1000 seeds tell as much as 1000 games, not 2000.
+        Stratum stratum = new Stratum(1, 0, 1);
+        stratum.add(stratum.pattern(2, 2, 0), 600);
+        stratum.add(stratum.pattern(2, 0, 0), 400);
+        assertEquals(1.96 * ELO / Math.sqrt(1000 * 0.6 * 0.4),
+            RatingFit.of(2, List.of(stratum), false).difference(0, 1).bar(), 0.1);
+        // They always go against each other: the seeds tell nearly everything.
+        Stratum sides = new Stratum(1, 0, 1);
+        sides.add(sides.pattern(2, 1, 0), 998);
+        sides.add(sides.pattern(2, 2, 0), 1);
+        sides.add(sides.pattern(2, 0, 0), 1);
+        assertTrue(RatingFit.of(2, List.of(sides), false).difference(0, 1).bar() < 2);
+    }
+
+    @Test
+    void aBotThatHasWonEverythingIsFiniteAndUncertain() {
+        Stratum stratum = new Stratum(1, 0, 1);
+        stratum.add(stratum.pattern(2, 2, 0), 250);
+        Difference found = RatingFit.of(2, List.of(stratum), false).difference(0, 1);
+        assertTrue(found.elo() > 600 && found.elo() < 4000, found::toString);
+        assertTrue(found.bar() > 200, found::toString);
+    }
+
+    @Test
+    void whoWasPairedHowOftenDoesNotMoveTheFit() {
+        // Rock, paper, scissors and a fourth that draws with all: in truth all are equal. Rock has met scissors a
+        // hundred times as often as paper: weighed by games it would be far ahead.
+        List<Stratum> strata = List.of(games(0, 1, 20, 0, 80), games(1, 2, 20, 0, 80), games(0, 2, 8000, 0, 2000),
+            games(0, 3, 50, 0, 50), games(1, 3, 50, 0, 50), games(2, 3, 50, 0, 50));
+        RatingFit fit = RatingFit.of(4, strata, false);
+        for (int bot = 1; bot < 4; bot++) {
+            assertEquals(fit.rating(0), fit.rating(bot), 1e-6);
+        }
+        Residual residual = fit.residual(0, 2);
+        assertEquals(0.8, residual.share(), 1e-9);
+        assertEquals(0.5, residual.expected(), 1e-9);
+        assertTrue(residual.isSurprise(6) && residual.z() > 0 && fit.residual(2, 0).z() < 0, residual::toString);
+        assertTrue(!fit.residual(0, 3).isSurprise(6));
+    }
+
+    @Test
+    void aBotThatHasJustComeDoesNotWidenTheOthersBars() {
+        List<Stratum> strata = List.of(games(0, 1, 500, 0, 500), games(0, 2, 1, 0, 1));
+        RatingFit fit = RatingFit.of(3, strata, false);
+        double[] weights = {1002 / 2004.0, 1000 / 2004.0, 2 / 2004.0};
+        assertTrue(fit.toMean(0, weights).bar() < 13, () -> "bar " + fit.toMean(0, weights).bar());
+        assertTrue(fit.toMean(2, weights).bar() > 200, () -> "bar " + fit.toMean(2, weights).bar());
+    }
+
+    /** The logarithm of the posterior, written down anew. */
+    private static double posterior(List<Stratum> strata, double... x) {
+        int bots = x.length - 1;
+        double sum = 0;
+        for (int i = 0; i < bots; i++) {
+            sum -= x[i] * x[i] / 2 * Math.pow(ELO / 750, 2);
+        }
+        sum -= x[bots] * x[bots] / 18;
+        for (Stratum stratum : strata) {
+            double games = stratum.sums[0];
+            double ties = stratum.sums[2];
+            double wins = stratum.sums[1] - ties / 2;
+            double one = Math.exp(x[stratum.bots[0]]);
+            double other = Math.exp(x[stratum.bots[1]]);
+            double even = Math.exp(x[bots]) * Math.sqrt(one * other);
+            double all = one + other + even;
+            sum += wins * Math.log(one / all) + ties * Math.log(even / all)
+                + (games - wins - ties) * Math.log(other / all);
+        }
+        return sum;
+    }
+
+    /** Climbs along one axis after the other, with steps that get smaller. */
+    private static double[] climbed(List<Stratum> strata, int bots) {
+        double[] x = new double[bots + 1];
+        double best = posterior(strata, x);
+        for (double step = 0.5; step > 1e-9; step /= 2) {
+            boolean better = true;
+            while (better) {
+                better = false;
+                for (int k = 0; k <= bots; k++) {
+                    for (double by : new double[] {step, -step}) {
+                        x[k] += by;
+                        double now = posterior(strata, x);
+                        if (now > best) {
+                            best = now;
+                            better = true;
+                        } else {
+                            x[k] -= by;
+                        }
+                    }
+                }
+            }
+        }
+        return x;
+    }
+
+    @Test
+    void aClimberAlongTheAxesFindsTheSameTop() {
+        for (long seed = 0; seed < 10; seed++) {
+            SplittableRandom random = new SplittableRandom(seed);
+            int bots = 2 + random.nextInt(4);
+            List<Stratum> strata = new ArrayList<>();
+            for (int i = 0; i < bots; i++) {
+                for (int j = i + 1; j < bots; j++) {
+                    int wins = random.nextInt(40);
+                    int ties = 1 + random.nextInt(15);
+                    strata.add(games(i, j, wins, ties, 60 - wins - ties));
+                }
+            }
+            double[] climbed = climbed(strata, bots);
+            RatingFit fit = RatingFit.of(bots, strata, false);
+            for (int bot = 0; bot < bots; bot++) {
+                assertEquals(climbed[bot] * ELO, fit.rating(bot), 0.02, "seed " + seed);
+            }
+            assertEquals(Math.exp(climbed[bots]), fit.tieWeight(), 1e-4, "seed " + seed);
+        }
+    }
+
+    @Test
+    void choixFoundTheSame() {
+        // choix 0.4.1, opt_pairwise(4, data, alpha=p/2, tol=1e-12) with the penalty alpha (x0^2 + ... + x3^2), p being
+        // the prior's 1/variance (173.7178/750)^2.
+        List<Stratum> strata = List.of(games(0, 1, 41, 0, 19), games(0, 2, 45, 0, 15), games(0, 3, 54, 0, 6),
+            games(1, 2, 33, 0, 27), games(1, 3, 40, 0, 20), games(2, 3, 38, 0, 22));
+        double[] known = {0.96406524, 0.0290818, -0.19039506, -0.80275199};
+        RatingFit fit = RatingFit.of(4, strata, false);
+        for (int bot = 0; bot < 4; bot++) {
+            assertEquals(known[bot], fit.rating(bot) / ELO, 1e-6);
+        }
+    }
+
+    private static final String CHOIX = String.join("\n", "import sys", "import choix", "for line in sys.stdin:",
+        "    bots, penalty, *rest = line.split()", "    data = []", "    for pair in rest:",
+        "        i, j, a, b = map(int, pair.split(','))", "        data += [(i, j)] * a + [(j, i)] * b",
+        "    x = choix.opt_pairwise(int(bots), data, alpha=float(penalty), tol=1e-13)",
+        "    print(*(repr(float(each)) for each in x - x.mean()))");
+
+    @Test
+    @Tag("process")
+    @Tag("slow")
+    void choixFindsTheSame() throws IOException, InterruptedException {
+        Assumptions.assumeTrue(python("import choix") != null, "skipped: there is no python3 with choix");
+        StringBuilder questions = new StringBuilder();
+        List<RatingFit> fits = new ArrayList<>();
+        for (long seed = 0; seed < 40; seed++) {
+            SplittableRandom random = new SplittableRandom(seed);
+            int bots = 2 + random.nextInt(6);
+            boolean even = seed % 2 == 0;
+            List<Stratum> strata = new ArrayList<>();
+            // Equal weights for unequal numbers of games: choix is told the games of a pairing as often as makes all
+            // equal, and the penalty so many times.
+            int full = 120;
+            double all = 0;
+            StringBuilder pairs = new StringBuilder();
+            for (int i = 0; i < bots; i++) {
+                for (int j = i + 1; j < bots; j++) {
+                    int games = even ? full : full / (1 + random.nextInt(4));
+                    int wins = random.nextInt(games + 1);
+                    strata.add(games(i, j, wins, 0, games - wins));
+                    pairs.append(' ').append(i).append(',').append(j).append(',').append(wins * (full / games))
+                        .append(',').append((games - wins) * (full / games));
+                    all += games;
+                }
+            }
+            double told = full * bots * (bots - 1) / 2.0;
+            questions.append(bots).append(' ').append(RatingFit.PRIOR / 2 * told / all).append(pairs).append('\n');
+            fits.add(RatingFit.of(bots, strata, false));
+        }
+        List<String> answers = python(CHOIX, questions.toString());
+        assertEquals(40, answers.size());
+        for (int k = 0; k < 40; k++) {
+            double[] found = Arrays.stream(answers.get(k).split(" ")).mapToDouble(Double::parseDouble).toArray();
+            for (int bot = 0; bot < found.length; bot++) {
+                assertEquals(found[bot], fits.get(k).rating(bot) / ELO, 1e-6, "seed " + k);
+            }
+        }
+    }
+
+    private static List<String> python(String program) throws IOException, InterruptedException {
+        return python(program, "");
+    }
+
+    /** The lines that a Python program prints, or {@code null} if it fails. */
+    private static List<String> python(String program, String input) throws IOException, InterruptedException {
+        Process python;
+        try {
+            python = new ProcessBuilder("python3", "-c", program)
+                .redirectError(ProcessBuilder.Redirect.DISCARD).start();
+        } catch (IOException none) {
+            return null;
+        }
+        try (OutputStream in = python.getOutputStream()) {
+            in.write(input.getBytes(StandardCharsets.UTF_8));
+        } catch (IOException ended) {
+            python.waitFor();
+        }
+        String out = new String(python.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        return python.waitFor() == 0 ? out.lines().collect(Collectors.toList()) : null;
+    }
+}
