@@ -30,7 +30,7 @@ public final class Worker {
 
     private static final long POLL_MS = 500;
     private static final long PATIENCE_MS = 20_000;
-    private static final long SHORTEST_WAIT_MS = 1000;
+    private static final long SHORTEST_WAIT_MS = 250;
     private static final long LONGEST_WAIT_MS = 30_000;
 
     private final Options options;
@@ -106,8 +106,8 @@ public final class Worker {
                 told = what;
             }
             wait = played.get() > before ? SHORTEST_WAIT_MS : Math.min(LONGEST_WAIT_MS, wait * 2);
-            for (long slept = 0; slept < wait && !isOver(); slept += POLL_MS) {
-                TimeUnit.MILLISECONDS.sleep(POLL_MS);
+            for (long slept = 0; slept < wait && !isOver(); slept += SHORTEST_WAIT_MS) {
+                TimeUnit.MILLISECONDS.sleep(SHORTEST_WAIT_MS);
             }
         }
     }

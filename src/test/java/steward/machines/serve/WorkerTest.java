@@ -164,11 +164,11 @@ class WorkerTest {
     @Test
     void theGamesAreThoseOfASingleMachine() throws Exception {
         make("alone");
-        done("run", "TMP/alone", "--games", "40", "--quiet");
+        done("run", "TMP/alone", "--games", "100", "--quiet");
         make("many");
         WorkerToken one = token("many", "one");
         WorkerToken two = token("many", "two");
-        CompletableFuture<String> run = serve("many", 40);
+        CompletableFuture<String> run = serve("many", 100);
         play(worker(one, 2, Long.MAX_VALUE));
         play(worker(two, 1, Long.MAX_VALUE));
         String said = run.get(200, TimeUnit.SECONDS);
