@@ -117,6 +117,11 @@ public final class FaultMessages {
         return fault.startsWith(LATE);
     }
 
+    /** Whether a fault is one of time: {@link #late}, {@link #overCpu} or {@link #inputUnread}. */
+    public static boolean isTime(String fault) {
+        return isLate(fault) || fault.startsWith(UNREAD);
+    }
+
     /** Whether a fault is one of {@link #exited}, by itself or by a signal. */
     public static boolean isExit(String fault) {
         return fault.startsWith("exited with status ") || fault.startsWith("killed by signal ");

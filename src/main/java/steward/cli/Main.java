@@ -11,6 +11,8 @@ import steward.cli.lab.ExplainCommand;
 import steward.cli.lab.StabilityCommand;
 import steward.cli.lab.TradeoffCommand;
 import steward.cli.league.LeagueCommand;
+import steward.cli.machines.MachineCommands;
+import steward.cli.machines.WorkerCommand;
 import steward.cli.play.DemoCommand;
 import steward.cli.play.MatchCommand;
 import steward.cli.play.PlayCommand;
@@ -48,7 +50,7 @@ public final class Main {
     private static final int WIDTH = 80;
 
     private static final List<String> COMMANDS = List.of("match", "replay", "feed", "scene", "explain", "demo",
-        "league", "sprt", "tune",
+        "league", "worker", "sprt", "tune",
         "simulate", "import", "key", "referee", "play", "stability", "tradeoff", "bench", "new", "doctor",
         CompletionCommand.NAME, HelpCommand.NAME);
 
@@ -143,7 +145,8 @@ public final class Main {
             case "scene" -> new SceneCommand(streams);
             case "explain" -> new ExplainCommand(streams);
             case "demo" -> new DemoCommand(streams);
-            case "league" -> LeagueCommand.spec(streams);
+            case "league" -> LeagueCommand.spec(streams, MachineCommands.ofLeague(streams));
+            case "worker" -> new WorkerCommand(streams);
             case "sprt" -> new SprtCommand(streams);
             case "tune" -> new TuneCommand(streams);
             case "simulate" -> new SimulateCommand(streams);

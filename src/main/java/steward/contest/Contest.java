@@ -295,6 +295,12 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         return Referee.of(setup, seed, seats, time, listener).play();
     }
 
+    /** A bot by itself, not started yet, kept apart as in a match: to be asked again what it was asked. */
+    @Internal
+    public Player player(Entrant entrant) {
+        return entrant.player(isolation.get(), List.of());
+    }
+
     private ReplayHeader header(long seed, int rotation) {
         List<String> names = new ArrayList<>();
         List<String> bots = new ArrayList<>();

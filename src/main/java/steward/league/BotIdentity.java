@@ -71,7 +71,7 @@ public final class BotIdentity {
     }
 
     /** Its files: as league.json lists them, or every argument that is a file; of a builtin bot the program's own. */
-    static List<Path> files(LeagueBot bot, BotCommand command) {
+    public static List<Path> files(LeagueBot bot, BotCommand command) {
         if (bot.files() != null) {
             return bot.files().stream().map(Path::of).toList();
         }

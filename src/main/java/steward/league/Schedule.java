@@ -163,6 +163,14 @@ public final class Schedule {
         open.computeIfPresent(task.decision(), (number, count) -> count == 1 ? null : count - 1);
     }
 
+    /** A game that was over is to be played again: what came of it is not believed any more. */
+    public void again(Task task) {
+        games--;
+        if (Arrays.stream(task.lineup()).allMatch(active::contains)) {
+            waiting.addFirst(task);
+        }
+    }
+
     /** A game that was given out is to be played again, with the bots as they are now. */
     public void dropped(Task task) {
         over(task);

@@ -106,7 +106,7 @@ public final class JsonLine {
     }
 
     /** A number, or {@code whenNull} for null. */
-    double number(String name, double whenNull) {
+    public double number(String name, double whenNull) {
         Value value = values.get(name);
         if (value != null && value.token() == JsonToken.VALUE_NULL) {
             return whenNull;

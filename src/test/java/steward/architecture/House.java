@@ -34,10 +34,13 @@ final class House {
         "replay.sign", "replay", "replay.verify", "replay.feed", "replay.page", "contest", "live", "codingame",
         "league", "league.rating", "league.sequential", "league.pairing", "league.tune", "league.selfcheck",
         "league.store", "league.play", "league.page",
+        "machines.check", "machines.part", "machines.token", "machines.wire", "machines.bundle", "machines.broker",
+        "machines.serve", "machines.worker",
         "lab.oracle", "lab.trial", "lab.stability.pairs", "lab.stability.crowds", "lab.stability",
         "lab.timing", "lab.calibration", "lab.tradeoff", "lab.tradeoff.report",
         "bench", "bench.textbook", "bench.section",
         "cli.shared", "cli.options", "cli.bench", "cli.lab", "cli.replay", "cli.play", "cli.sequential", "cli.league",
+        "cli.machines",
         "cli.setup", "cli");
 
     /** The game for which there are commands and formats of its own. */
@@ -155,6 +158,23 @@ final class House {
             .should().dependOnClassesThat().resideInAnyPackage("org.sqlite..", "java.sql..");
     }
 
+    /** No other command needs the time to load it. */
+    ArchRule onlyTheBrokerKnowsArtemis() {
+        return noClasses().that().resideOutsideOfPackage(in("machines.broker"))
+            .should().dependOnClassesThat().resideInAnyPackage("org.apache.activemq..", "io.netty..");
+    }
+
+    ArchRule machinesKnowNoPhysicsAndNoRatings() {
+        return noClasses().that().resideInAPackage(in("machines"))
+            .should().dependOnClassesThat().resideInAnyPackage(in("physics"), in("league.rating"));
+    }
+
+    /** What arrives from other machines is JSON: nothing is made of it by Java itself. */
+    ArchRule machinesDoNotDeserialize() {
+        return noClasses().that().resideInAPackage(in("machines"))
+            .should().dependOnClassesThat().haveNameMatching("java\\.io\\.Object(Input|Output)Stream.*");
+    }
+
     ArchRule botsKnowNoRules() {
         return noClasses().that().resideInAPackage(in("bot"))
             .should().dependOnClassesThat(resideInAnyPackage(in("game"), in("scene"), in("physics")));
@@ -171,9 +191,10 @@ final class House {
             .should().dependOnClassesThat(resideInAPackage(in("replay")));
     }
 
-    /** But for the browser that shows a match, and JVMs that time one kind of turns each. */
+    /** But for the browser, JVMs that time one kind of turns each, and the JDK's own program that makes keys. */
     ArchRule onlyBotsAreProcesses() {
-        return noClasses().that().resideOutsideOfPackages(in("bot"), in("live"), in("lab.timing"))
+        return noClasses().that()
+            .resideOutsideOfPackages(in("bot"), in("live"), in("lab.timing"), in("machines.token"))
             .should().dependOnClassesThat().haveFullyQualifiedName(ProcessBuilder.class.getName())
             .orShould().dependOnClassesThat().haveFullyQualifiedName(Process.class.getName());
     }

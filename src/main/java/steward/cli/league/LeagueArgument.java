@@ -6,18 +6,18 @@ import steward.files.OutputFiles;
 import steward.league.LeagueFolder;
 
 /** The parameter that names a league. */
-final class LeagueArgument {
+public final class LeagueArgument {
 
     @Parameters(index = "0", paramLabel = "DIR", description = "The folder of the league.")
     private String folder;
 
     /** The folder as it was typed; it need not be there. */
-    Path path() {
+    public Path path() {
         return OutputFiles.path(folder);
     }
 
     /** The league in it. */
-    LeagueFolder open() {
+    public LeagueFolder open() {
         return LeagueFolder.open(path());
     }
 }

@@ -42,10 +42,16 @@ public final class LeagueCommand implements Callable<Integer> {
         this.streams = streams;
     }
 
-    /** The command with those in it. */
-    public static CommandSpec spec(Streams streams) {
+    /**
+     * The command with those in it.
+     *
+     * @param more commands by their names, {@code run} among them; others are listed behind those that are here
+     */
+    public static CommandSpec spec(Streams streams, Map<String, Object> more) {
         CommandSpec spec = CommandSpec.forAnnotatedObject(new LeagueCommand(streams));
-        commands(streams).forEach((name, command) ->
+        Map<String, Object> commands = commands(streams);
+        commands.putAll(more);                         // also in the place of one that is there
+        commands.forEach((name, command) ->
             spec.addSubcommand(name, CommandSpec.forAnnotatedObject(command)));
         return spec;
     }
@@ -57,7 +63,7 @@ public final class LeagueCommand implements Callable<Integer> {
         commands.put("retire", new RetireCommand(streams));
         commands.put("rename", new RenameCommand(streams));
         commands.put("list", new ListCommand(streams));
-        commands.put("run", new RunCommand(streams));
+        commands.put("run", null);                      // its options are known further up
         commands.put("table", new TableCommand(streams));
         commands.put("games", new GamesCommand(streams));
         commands.put("page", new PageCommand(streams));

@@ -29,7 +29,7 @@ import steward.text.NearestName;
 import steward.text.TextFormat;
 
 /** Opens what the settings of a league name. */
-final class LeagueOpening {
+public final class LeagueOpening {
 
     private static final String TUNED = "tune.";
 
@@ -37,12 +37,12 @@ final class LeagueOpening {
     }
 
     /** The scene. */
-    static GameSetup setup(LeagueFolder folder, LeagueSettings settings) {
+    public static GameSetup setup(LeagueFolder folder, LeagueSettings settings) {
         return Games.open(folder.scene(settings.scene()));
     }
 
     /** What is played, without bots. */
-    static Contest contest(LeagueFolder folder, LeagueSettings settings, Streams streams) {
+    public static Contest contest(LeagueFolder folder, LeagueSettings settings, Streams streams) {
         return Contest.withoutBots(Games.warn(setup(folder, settings), streams), settings.factor())
             .limitedBy(settings.basis()).isolatedBy(isolation(folder, settings, streams));
     }
@@ -58,7 +58,7 @@ final class LeagueOpening {
     }
 
     /** The variables that bots are passed by name. */
-    static Map<String, String> environment(LeagueSettings settings) {
+    public static Map<String, String> environment(LeagueSettings settings) {
         Map<String, String> passed = new TreeMap<>();
         for (Iterator<String> word = settings.sandbox().iterator(); word.hasNext();) {
             if (word.next().equals("--env") && word.hasNext()) {
@@ -84,7 +84,7 @@ final class LeagueOpening {
      * @return its number in the store
      * @throws InputException if the games so far are another season's
      */
-    static int season(LeagueFolder folder, GameStore store, Season season, boolean anew) {
+    public static int season(LeagueFolder folder, GameStore store, Season season, boolean anew) {
         Optional<Season> last = store.lastSeason();
         if (last.isPresent() && !last.get().key().equals(season.key()) && !anew) {
             long games = store.games(store.season(last.get()).orElseThrow());

@@ -42,6 +42,11 @@ final class LeagueProgress {
         played += game.counts() ? 1 : 0;
     }
 
+    /** Games that counted do no more: all of them, read anew. */
+    synchronized void replace(Results anew) {
+        results = anew;
+    }
+
     /** Games of this run. */
     synchronized long played() {
         return played;
@@ -57,13 +62,20 @@ final class LeagueProgress {
         return played * NANOS / Math.max(1, System.nanoTime() - began);
     }
 
-    /** The lines of a terminal. */
-    List<String> lines(LeagueRun run, Supplier<Colour> colour) {
+    /**
+     * The lines of a terminal.
+     *
+     * @param machines that play, too, or {@code null}
+     */
+    List<String> lines(LeagueRun run, Serving.Service machines, Supplier<Colour> colour) {
         LeagueTable table = table(run.roster().settings());
         List<String> rows = TableText.rows(table, colour.get());
         List<String> lines = new ArrayList<>(rows.subList(0, Math.min(rows.size(), 1 + MOST_ROWS)));
         if (rows.size() > 1 + MOST_ROWS) {
             lines.add("    and " + (rows.size() - 1 - MOST_ROWS) + " more");
+        }
+        if (machines != null) {
+            lines.addAll(machines.lines());
         }
         lines.add(standing(run));
         return lines;

@@ -45,7 +45,7 @@ import steward.text.TextFormat;
         "  steward league run night --until-ranked --equal 5",
         "", "Exit status: 0 an end was reached; 1 games could not be stored; 2 the call or",
         "the league is unusable; 130 interrupted."})
-final class RunCommand implements Callable<Integer> {
+public final class RunCommand implements Callable<Integer> {
 
     private static final Pattern TIME = Pattern.compile("([0-9]{1,9})([smhd])");
 
@@ -82,11 +82,16 @@ final class RunCommand implements Callable<Integer> {
     @Mixin
     private final WatchOptions watch = new WatchOptions();
 
+    @Mixin
+    private final Serving serving;
+
     @Option(names = "--quiet", description = "Prints no table at the end, and none while it plays.")
     private boolean quiet;
 
-    RunCommand(Streams streams) {
+    /** @param serving an object with options that let other machines play */
+    public RunCommand(Streams streams, Serving serving) {
         this.streams = streams;
+        this.serving = serving;
     }
 
     @Override
@@ -113,13 +118,18 @@ final class RunCommand implements Callable<Integer> {
     }
 
     /** What {@code --for} says, in nanoseconds; {@code Long.MAX_VALUE} where it is not there. */
-    static long nanos(String time) {
+    public static long nanos(String time) {
+        return nanos("--for", time);
+    }
+
+    /** The same for another option. */
+    public static long nanos(String option, String time) {
         if (time == null) {
             return Long.MAX_VALUE;
         }
         Matcher matcher = TIME.matcher(time);
         CallCheck.withHelp().that(matcher.matches() && Long.parseLong(matcher.group(1)) > 0,
-            "--for: found '" + time + "', expected a time such as 90s, 30m, 8h or 2d");
+            option + ": found '" + time + "', expected a time such as 90s, 30m, 8h or 2d");
         TimeUnit unit = switch (matcher.group(2)) {
             case "s" -> TimeUnit.SECONDS;
             case "m" -> TimeUnit.MINUTES;
@@ -146,15 +156,24 @@ final class RunCommand implements Callable<Integer> {
             run.until(rule);
         }
         AtomicBoolean told = new AtomicBoolean();
-        try (LeagueWatch page = watch.watch() ? LeagueWatch.start(folder, season, viewed, progress, watch) : null;
+        try (Serving.Service machines = serving.start(folder, season, contest, settings,
+                what -> say(screen.get(), what));
+             LeagueWatch page = watch.watch() ? LeagueWatch.start(folder, season, viewed, progress, watch) : null;
              Interruption interruption = new Interruption(streams, () -> told.getAndSet(true) ? null
                 : interrupted(run, progress, season, screen.get()))) {
             if (page != null) {
                 page.follow(run, streams, watch.open());
             }
-            screen.set(streams.errTerminal() && !quiet
-                ? new LiveTable(streams.err(), () -> progress.lines(run, streams::errColour)) : null);
+            if (machines != null) {
+                run.with(machines);
+                machines.follow(run, () -> progress.replace(viewed.results()));
+            }
+            screen.set(streams.errTerminal() && !quiet ? new LiveTable(streams.err(),
+                () -> progress.lines(run, machines, streams::errColour)) : null);
             run.play();
+            if (machines != null && !quiet) {
+                machines.lines().forEach(streams.out()::println);
+            }
             if (told.getAndSet(true)) {
                 return ExitStatus.FAILED;              // the process is about to end, with the status of its signal
             }
@@ -219,10 +238,15 @@ final class RunCommand implements Callable<Integer> {
     }
 
     /** What is noted with each game. */
-    static String machine(Contest contest) {
+    public static String machine(Contest contest) {
+        return machine(contest.sandbox());
+    }
+
+    /** The same for a level of isolation. */
+    public static String machine(String sandbox) {
         return "Java " + System.getProperty("java.version") + ", " + System.getProperty("os.name") + " "
             + System.getProperty("os.arch") + ", "
             + TextFormat.count(ManagementFactory.getOperatingSystemMXBean().getAvailableProcessors(), "processor")
-            + ", sandbox " + contest.sandbox();
+            + ", sandbox " + sandbox;
     }
 }

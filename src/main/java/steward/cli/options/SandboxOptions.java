@@ -101,7 +101,16 @@ public final class SandboxOptions {
      * @throws InputException if it cannot be had on this machine
      */
     public Supplier<Isolation> isolation(Streams streams) {
-        String word = level == null ? AUTO : level;
+        return isolation(streams, AUTO);
+    }
+
+    /**
+     * The same.
+     *
+     * @param usual the level where none is asked for, {@code auto} or {@code strict}
+     */
+    public Supplier<Isolation> isolation(Streams streams, String usual) {
+        String word = level == null ? usual : level;
         check.that(new Levels().contains(word), "--sandbox: found '" + word + "', expected auto, strict, light or off"
             + NearestName.question(word, new Levels(), "'"));
         ResourceLimits limits = limits();

@@ -1,7 +1,6 @@
 package steward.league.play;
 
 import java.io.ByteArrayOutputStream;
-import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -11,9 +10,7 @@ import steward.contest.Failure;
 import steward.contest.GameLog;
 import steward.contest.Hiccups;
 import steward.files.InputException;
-import steward.files.OutputFiles;
 import steward.league.GameName;
-import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.Schedule;
 import steward.league.Season;
@@ -25,11 +22,29 @@ import steward.match.MatchResult;
 /**
  * Plays one game of the schedule; again, once, if it was lost on time on a starved machine.
  *
- * @param contest of the scene, its limits and isolation
- * @param machine what is noted with each game
- * @param clock   milliseconds since 1970
+ * @param contest    of the scene, its limits and isolation
+ * @param recordings where replays go
+ * @param machine    what is noted with each game
+ * @param clock      milliseconds since 1970
  */
-record GamePlay(LeagueFolder folder, Season season, Contest contest, String machine, LongSupplier clock) {
+public record GamePlay(Season season, Contest contest, Recordings recordings, String machine, LongSupplier clock) {
+
+    /** What becomes of the replays of games that are over. */
+    public interface Recordings {
+
+        /** Whether anything has to be recorded. */
+        boolean isAny(LeagueSettings settings);
+
+        /**
+         * Takes a replay.
+         *
+         * @param game  its name
+         * @param kept  whether the settings say that it is kept
+         * @return its path in the folder of replays, or {@code null}
+         * @throws InputException if it cannot be written
+         */
+        String take(byte[] game, byte[] replay, boolean kept);
+    }
 
     /**
      * Plays.
@@ -38,13 +53,13 @@ record GamePlay(LeagueFolder folder, Season season, Contest contest, String mach
      * @return the attempts, of which the last one counts if it has a result
      * @throws InputException if the replay cannot be written
      */
-    List<StoredGame> play(Schedule.Task task, LeagueSettings settings, List<Member> members)
+    public List<StoredGame> play(Schedule.Task task, LeagueSettings settings, List<Member> members)
             throws InterruptedException {
         List<StoredGame> attempts = new ArrayList<>();
         for (int attempt = 1; attempt <= 2; attempt++) {
             Contest match = contest.between(members.stream().map(Member::entrant).toList());
             GameLog log = new GameLog(match, 0);
-            ByteArrayOutputStream recording = KeptGames.isAny(settings) ? new ByteArrayOutputStream() : null;
+            ByteArrayOutputStream recording = recordings.isAny(settings) ? new ByteArrayOutputStream() : null;
             MatchResult result = null;
             String problem = null;
             try {
@@ -66,26 +81,19 @@ record GamePlay(LeagueFolder folder, Season season, Contest contest, String mach
                               MatchResult result, String problem, boolean last, GameLog log,
                               ByteArrayOutputStream recording) {
         byte[] name = name(task, members, attempt);
-        String replay = null;
-        String[] names = members.stream().map(member -> member.bot().name()).toArray(String[]::new);
-        if (recording != null && recording.size() > 0 && KeptGames.keeps(settings, result, names)) {
-            try {
-                replay = KeptGames.write(folder, name, recording.toByteArray());
-            } catch (IOException failed) {
-                throw new InputException(folder.replays() + ": a replay cannot be written: "
-                    + OutputFiles.reason(folder.replays(), failed));
-            }
-        }
         List<StoredSeat> seats = new ArrayList<>();
         for (int seat = 0; seat < members.size(); seat++) {
             seats.add(seat(members.get(seat), seat, result, log));
         }
+        List<String> names = members.stream().map(member -> member.bot().name()).toList();
+        String replay = recording == null || recording.size() == 0 ? null : recordings.take(name,
+            recording.toByteArray(), KeptGames.keeps(settings, result != null, seats, names));
         return new StoredGame(0, name, task.decision(), task.seed(), attempt, last && result != null,
             result == null ? 0 : result.turns(), problem, clock.getAsLong(), machine, replay, seats);
     }
 
     /** The game's name. */
-    byte[] name(Schedule.Task task, List<Member> members, int attempt) {
+    public byte[] name(Schedule.Task task, List<Member> members, int attempt) {
         return GameName.of(season, task.seed(), members.stream().map(member -> member.version().identity()).toList(),
             attempt);
     }

@@ -5,42 +5,59 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.HexFormat;
+import java.util.List;
 import steward.contest.KeptReplays;
+import steward.files.InputException;
+import steward.files.OutputFiles;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.StoredGame;
-import steward.match.MatchResult;
+import steward.league.StoredGame.StoredSeat;
 
 /** The replays that a league keeps: which, and where. */
-final class KeptGames {
+public final class KeptGames implements GamePlay.Recordings {
 
-    private KeptGames() {
+    private final LeagueFolder folder;
+
+    /** Those of a league. */
+    public KeptGames(LeagueFolder folder) {
+        this.folder = folder;
     }
 
-    /** Whether anything has to be recorded. */
-    static boolean isAny(LeagueSettings settings) {
+    @Override
+    public boolean isAny(LeagueSettings settings) {
         return settings.keep() != KeptReplays.NONE;
+    }
+
+    @Override
+    public String take(byte[] game, byte[] replay, boolean kept) {
+        try {
+            return kept ? write(folder, game, replay) : null;
+        } catch (IOException failed) {
+            throw new InputException(folder.replays() + ": a replay cannot be written: "
+                + OutputFiles.reason(folder.replays(), failed));
+        }
     }
 
     /**
      * Whether the replay of a game that is over is kept.
      *
-     * @param result or {@code null}
+     * @param result whether it has one
      * @param names  of the bots, by seat
      */
-    static boolean keeps(LeagueSettings settings, MatchResult result, String... names) {
+    public static boolean keeps(LeagueSettings settings, boolean result, List<StoredSeat> seats, List<String> names) {
         return switch (settings.keep()) {
             case ALL -> true;
-            case FAILED -> result == null || result.anyFault();
-            case LOST -> result != null && isLost(settings, result, names);
+            case FAILED -> !result || seats.stream().anyMatch(seat -> seat.fault() != null);
+            case LOST -> result && isLost(settings, seats, names);
             case NONE -> false;
         };
     }
 
-    private static boolean isLost(LeagueSettings settings, MatchResult result, String... names) {
-        for (int seat = 0; seat < names.length; seat++) {
-            boolean meant = settings.keepOf().isEmpty() || settings.keepOf().contains(names[seat]);
-            if (meant && result.players().get(seat).rank() > 0) {
+    private static boolean isLost(LeagueSettings settings, List<StoredSeat> seats, List<String> names) {
+        for (int seat = 0; seat < seats.size(); seat++) {
+            boolean meant = settings.keepOf().isEmpty() || settings.keepOf().contains(names.get(seat));
+            if (meant && seats.get(seat).rank() > 0) {
                 return true;
             }
         }

@@ -48,6 +48,7 @@ public final class LeagueRun {
 
     private final LeagueFolder folder;
     private final GameStore store;
+    private final int season;
     private final GameWriter writer;
     private final GamePlay play;
     private final RosterReader reader;
@@ -57,6 +58,8 @@ public final class LeagueRun {
     private final Consumer<StoredGame> listener;
     private final long end;
     private final GameQueries queries;
+    /** Other machines, or {@code null}; set before the run begins. */
+    private Elsewhere elsewhere;
 
     /** Guarded by this, as is all below. */
     private KnownResults known;
@@ -72,7 +75,9 @@ public final class LeagueRun {
     private String unstable = "";
     private String told = "";
     private boolean brokenOff;
+    private boolean ended;
     private String stopped;
+    private long handed;
 
     /**
      * How long to play.
@@ -99,11 +104,12 @@ public final class LeagueRun {
                      Consumer<StoredGame> listener) {
         this.folder = folder;
         this.store = store;
+        this.season = season;
         this.reader = reader;
         this.limits = limits;
         this.teller = teller;
         this.listener = listener;
-        play = new GamePlay(folder, key, contest, machine, System::currentTimeMillis);
+        play = new GamePlay(key, contest, new KeptGames(folder), machine, System::currentTimeMillis);
         queries = new GameQueries(store, season, key);
         schedule = new Schedule(roster.settings().seed(), key.players(), roster.settings().lag(), queries.earlier());
         if (roster.settings().adaptive() && key.players() > 1) {
@@ -189,16 +195,23 @@ public final class LeagueRun {
         }
     }
 
+    /** Lets other machines play, too; before {@link #play}. */
+    public void with(Elsewhere machines) {
+        elsewhere = machines;
+    }
+
     /** Plays until an end is reached. Call once. */
     public void play() throws InterruptedException {
-        ExecutorService workers = Executors.newFixedThreadPool(limits.threads(), LeagueRun::daemon);
+        int far = elsewhere == null ? 0 : elsewhere.most();
+        ExecutorService workers = Executors.newFixedThreadPool(limits.threads() + far, LeagueRun::daemon);
         try {
             List<Future<?>> working = new ArrayList<>();
-            for (int k = 0; k < limits.threads(); k++) {
+            for (int k = 0; k < limits.threads() + far; k++) {
+                boolean here = k < limits.threads();
                 working.add(workers.submit(() -> {
                     boolean more = true;
                     while (more) {
-                        more = playNext();
+                        more = here ? playNext(play::play) : playFar();
                     }
                     return null;
                 }));
@@ -223,13 +236,35 @@ public final class LeagueRun {
         return thread;
     }
 
-    private boolean playNext() throws InterruptedException {
+    /** Who plays a game. */
+    private interface Player {
+        List<StoredGame> play(Schedule.Task task, LeagueSettings settings, List<Member> members)
+            throws InterruptedException;
+    }
+
+    private boolean playFar() throws InterruptedException {
+        if (!elsewhere.takePlace(WAIT_MS)) {
+            return !isOver();
+        }
+        try {
+            return playNext(elsewhere::play);
+        } finally {
+            elsewhere.leavePlace();
+        }
+    }
+
+    private synchronized boolean isOver() {
+        return ended || brokenOff || stopped != null;
+    }
+
+    private boolean playNext(Player player) throws InterruptedException {
         Schedule.Task task;
         List<Member> seats;
         LeagueSettings settings;
         synchronized (this) {
             task = take();
             if (task == null) {
+                ended = true;
                 return false;
             }
             seats = Arrays.stream(task.lineup()).mapToObj(members::get).toList();
@@ -238,7 +273,7 @@ public final class LeagueRun {
         List<StoredGame> attempts = List.of();
         String problem = null;
         try {
-            attempts = play.play(task, settings, seats);
+            attempts = player.play(task, settings, seats);
         } catch (InputException failed) {
             problem = failed.getMessage();
         }
@@ -248,7 +283,10 @@ public final class LeagueRun {
                 stop(problem);
             }
             boolean changed = seats.stream().anyMatch(member -> !reader.stamp(member.bot()).equals(member.stamp()));
-            if (brokenOff || problem != null || changed) {
+            boolean none = attempts == null || elsewhere != null
+                && attempts.stream().anyMatch(game -> !elsewhere.isTrusted(game.machine()));
+            attempts = attempts == null ? List.of() : attempts;
+            if (brokenOff || problem != null || changed || none) {
                 attempts.forEach(game -> KeptGames.remove(folder, game));
                 schedule.dropped(task);
                 looked = changed ? System.nanoTime() - TimeUnit.MILLISECONDS.toNanos(LOOK_MS) : looked;
@@ -258,6 +296,7 @@ public final class LeagueRun {
             know(attempts);
             schedule.over(task);
             notifyAll();
+            handed += attempts.size();
             if (!writer.add(attempts)) {
                 stop(writer.problem().getMessage());
                 return false;
@@ -370,6 +409,29 @@ public final class LeagueRun {
             : !read.sandbox().equals(old.sandbox()) ? "the sandbox"
             : read.adaptive() && !old.adaptive() && known == null ? "the pairing"
             : read.seed() != old.seed() ? "the seed" : read.lag() != old.lag() ? "the lag" : null;
+    }
+
+    /**
+     * Sets the games of a machine aside: they stay, but do not count, and are played again.
+     *
+     * @param machine how the texts begin that say where its games were played
+     * @param why     is noted with each
+     * @return how many counted
+     */
+    public synchronized int setAside(String machine, String why) throws InterruptedException {
+        while (writer.stored() < handed && writer.problem() == null) {
+            wait(1);
+        }
+        int games = 0;
+        for (GameStore.SetAside game : store.setAside(season, machine, why)) {
+            int[] lineup = GameQueries.lineup(game.lineup());
+            games++;
+            if (game.decision() >= 0) {
+                schedule.again(new Schedule.Task(game.decision(), game.seed(), lineup));
+            }
+        }
+        notifyAll();
+        return games;
     }
 
     private synchronized void stop(String why) {

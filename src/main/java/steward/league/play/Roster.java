@@ -39,14 +39,14 @@ public record Roster(LeagueSettings settings, List<Member> members) {
     }
 
     /** The members by the number of their version. */
-    Map<Integer, Member> byVersion() {
+    public Map<Integer, Member> byVersion() {
         Map<Integer, Member> members = new HashMap<>();
         this.members.forEach(member -> members.put(member.version().id(), member));
         return members;
     }
 
     /** The version of the bot of this name. */
-    Optional<Integer> versionOf(String name) {
+    public Optional<Integer> versionOf(String name) {
         return members.stream().filter(member -> member.bot().name().equals(name))
             .map(member -> member.version().id()).findFirst();
     }

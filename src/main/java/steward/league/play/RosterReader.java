@@ -74,7 +74,7 @@ public final class RosterReader {
     }
 
     /** What would make a bot another program; no file is read. */
-    String stamp(LeagueBot bot) {
+    public String stamp(LeagueBot bot) {
         return identity.stamp(bot);
     }
 

@@ -62,10 +62,78 @@ final class Database implements AutoCloseable {
         if (Files.isDirectory(file)) {
             throw new InputException(file + ": found a folder, expected a database");
         }
-        refuseUnusable(folder, write);
+        refuseUnusable(file, folder.path(), write);
         LeagueFolder.refuseRemote(folder.path());
         NativeLibrary.prepare(folder.path());
         boolean immutable = !write && !Files.isWritable(folder.path()) && Files.notExists(log(file));
+        return connect(file, write, immutable, patienceMs,
+            database -> database.prepare(write, durable));
+    }
+
+    /**
+     * Opens the games of a league as they lie there, for reading: also on a disk of another machine, where no other
+     * program may be using them. {@code null} if there are none yet.
+     *
+     * @throws InputException if it cannot be used
+     */
+    static Database unused(LeagueFolder folder) {
+        Path file = folder.database();
+        if (Files.notExists(file)) {
+            return null;
+        }
+        refuseUnusable(file, folder.path(), false);
+        if (log(file).toFile().length() > 0) {
+            throw new InputException(file + ": found " + log(file).getFileName() + " beside it, expected a league that "
+                + "nobody plays or looks at, and whose last run has ended by itself; a run that was killed: "
+                + "'steward league run' on its own machine brings it in order");
+        }
+        NativeLibrary.prepare(folder.path());
+        return connect(file, false, true, PATIENCE_MS, database ->
+            database.prepare(false, false));
+    }
+
+    /**
+     * Opens a part of a league: one file, which one program at a time uses, so that it may be on a disk of another
+     * machine.
+     *
+     * @param write whether it is written to; it is then made if it is not there
+     * @throws InputException if it cannot be used
+     */
+    static Database part(Path file, boolean write) {
+        Path folder = file.toAbsolutePath().getParent();
+        if (!Files.isDirectory(folder)) {
+            throw new InputException(file + ": found no folder " + folder + ", expected one that is there");
+        }
+        if (Files.isDirectory(file) || !write && Files.notExists(file)) {
+            throw new InputException(file + ": found " + (Files.isDirectory(file) ? "a folder" : "no such file")
+                + ", expected a part, as 'steward league shard' makes it");
+        }
+        boolean broken = Files.exists(file.resolveSibling(file.getFileName() + "-journal"));
+        refuseUnusable(file, folder, write || broken);
+        NativeLibrary.prepare(folder);
+        return connect(file, write || broken, false, PATIENCE_MS, database -> {
+            if (write) {
+                database.execute("PRAGMA locking_mode = EXCLUSIVE");
+                database.execute("PRAGMA journal_mode = TRUNCATE");
+                database.execute("PRAGMA synchronous = NORMAL");
+            }
+            if (SchemaVersion.isBehind(database.connection, file, SchemaVersion.PART)) {
+                if (!write) {
+                    throw new InputException(file + ": found " + database.unfit() + ", expected a part, as 'steward "
+                        + "league shard' makes it");
+                }
+                SchemaVersion.migrate(database.connection, SchemaVersion.PART);
+            }
+        });
+    }
+
+    /** What is done with a connection before it is used. */
+    private interface Preparation {
+        void of(Database database) throws SQLException;
+    }
+
+    private static Database connect(Path file, boolean write, boolean immutable, int patienceMs,
+                                    Preparation preparation) {
         SQLiteConfig config = new SQLiteConfig();
         config.setBusyTimeout(patienceMs);
         config.setOpenMode(SQLiteOpenMode.OPEN_URI);
@@ -78,7 +146,7 @@ final class Database implements AutoCloseable {
         try {
             connection = config.createConnection(address);
             Database database = new Database(file, connection);
-            database.prepare(write, durable);
+            preparation.of(database);
             return database;
         } catch (SQLException problem) {
             close(connection);
@@ -93,12 +161,11 @@ final class Database implements AutoCloseable {
         return file.resolveSibling(file.getFileName() + "-wal");
     }
 
-    private static void refuseUnusable(LeagueFolder folder, boolean write) {
-        Path file = folder.database();
+    private static void refuseUnusable(Path file, Path folder, boolean write) {
         if (Files.exists(file) && !Files.isReadable(file)) {
             throw new InputException(file + ": cannot be read: no permission" + owner(file));
         }
-        Path wanted = Files.exists(file) && !Files.isWritable(file) ? file : folder.path();
+        Path wanted = Files.exists(file) && !Files.isWritable(file) ? file : folder;
         if (write && !Files.isWritable(wanted)) {
             throw new InputException(wanted + ": cannot be written: no permission" + owner(wanted));
         }
@@ -114,13 +181,17 @@ final class Database implements AutoCloseable {
         }
     }
 
+    private String unfit() throws SQLException {
+        return SchemaVersion.number(connection, "user_version") == 0 ? "an empty database"
+            : "a database of an older form";
+    }
+
     private void prepare(boolean write, boolean durable) throws SQLException {
         execute("PRAGMA cache_size = -" + CACHE_KIB);
-        boolean behind = SchemaVersion.isBehind(connection, file);
+        boolean behind = SchemaVersion.isBehind(connection, file, SchemaVersion.APPLICATION);
         if (!write) {
             if (behind) {
-                throw new InputException(file + ": found " + (SchemaVersion.number(connection, "user_version") == 0
-                    ? "an empty database" : "a database of an older form") + ", expected one that 'steward league run' "
+                throw new InputException(file + ": found " + unfit() + ", expected one that 'steward league run' "
                     + "has made or brought up to date");
             }
             return;
@@ -129,7 +200,7 @@ final class Database implements AutoCloseable {
         execute("PRAGMA synchronous = " + (durable ? "FULL" : "NORMAL"));
         execute("PRAGMA foreign_keys = OFF");
         if (behind) {
-            SchemaVersion.migrate(connection);
+            SchemaVersion.migrate(connection, SchemaVersion.APPLICATION);
         }
     }
 

@@ -104,6 +104,11 @@ public final class GameQueries {
         results.addAloneGames(count);
     }
 
+    /** The versions of a lineup, as it is stored. */
+    public static int[] lineup(String text) {
+        return numbers(text);
+    }
+
     static int[] numbers(String text) {
         return text.isEmpty() ? new int[0] : Arrays.stream(text.split(" ")).mapToInt(Integer::parseInt).toArray();
     }

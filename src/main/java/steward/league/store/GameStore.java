@@ -46,13 +46,19 @@ public final class GameStore implements AutoCloseable {
         }
     }
 
-    private GameStore(Database database) {
+    GameStore(Database database) {
         this.database = database;
     }
 
     /** For reading alone; other programs may write meanwhile. */
     public static GameStore read(LeagueFolder folder) {
         return new GameStore(Database.open(folder, false, false));
+    }
+
+    /** For reading, where nobody else uses it, on a disk of any machine; {@code null} if there are no games yet. */
+    public static GameStore unused(LeagueFolder folder) {
+        Database database = Database.unused(folder);
+        return database == null ? null : new GameStore(database);
     }
 
     /** For reading and writing; made if it is not there. */
@@ -149,6 +155,38 @@ public final class GameStore implements AutoCloseable {
         return version(identity).orElseThrow();
     }
 
+    /** Takes over the versions and identities of another store, with their numbers; this one must have none. */
+    public void copyVersions(GameStore other) {
+        List<Object[]> versions = other.rows("SELECT id, bot, number, command, random, began FROM version", 6);
+        List<Object[]> identities = other.rows("SELECT hash, version, began FROM identity", 3);
+        database.inTransaction(() -> {
+            for (Object[] row : versions) {
+                database.update("INSERT INTO version (id, bot, number, command, random, began) "
+                    + "VALUES (?, ?, ?, ?, ?, ?)", row);
+            }
+            for (Object[] row : identities) {
+                database.update("INSERT INTO identity (hash, version, began) VALUES (?, ?, ?)", row);
+            }
+            return null;
+        });
+    }
+
+    private List<Object[]> rows(String sql, int columns) {
+        return database.with(() -> {
+            List<Object[]> rows = new ArrayList<>();
+            try (ResultSet row = database.query(sql)) {
+                while (row.next()) {
+                    Object[] values = new Object[columns];
+                    for (int k = 0; k < columns; k++) {
+                        values[k] = row.getObject(k + 1);
+                    }
+                    rows.add(values);
+                }
+            }
+            return rows;
+        });
+    }
+
     /** Another identity of a version: a change that is said to change nothing. */
     public void same(Version version, String identity, long now) {
         database.inTransaction(() -> database.update("INSERT INTO identity (hash, version, began) VALUES (?, ?, ?)",
@@ -217,18 +255,21 @@ public final class GameStore implements AutoCloseable {
      */
     public int add(int season, List<StoredGame> games) {
         try {
-            return database.inTransaction(() -> {
-                int added = 0;
-                for (StoredGame game : games) {
-                    added += add(season, game) ? 1 : 0;
-                }
-                return added;
-            });
+            return database.inTransaction(() -> addWithin(season, games));
         } catch (InputException failed) {
             lineups.clear();                           // what was rolled back may have been among them
             machines.clear();
             throw failed;
         }
+    }
+
+    /** The same within a transaction that has begun. */
+    int addWithin(int season, List<StoredGame> games) throws SQLException {
+        int added = 0;
+        for (StoredGame game : games) {
+            added += add(season, game) ? 1 : 0;
+        }
+        return added;
     }
 
     private boolean add(int season, StoredGame game) throws SQLException {
@@ -302,6 +343,38 @@ public final class GameStore implements AutoCloseable {
         }
         known.put(text, ((Number) found).longValue());
         return ((Number) found).longValue();
+    }
+
+    /**
+     * A game that counted and was set aside.
+     *
+     * @param decision or -1
+     * @param seed     its seed
+     * @param lineup   the versions by seat, apart by blanks
+     */
+    public record SetAside(int decision, long seed, String lineup) {
+    }
+
+    /**
+     * Sets games of a machine aside: they stay, under other names, have no result, and belong to no decision.
+     *
+     * @param machine how its name begins
+     * @return those that counted
+     */
+    public List<SetAside> setAside(int season, String machine, String why) {
+        String of = " WHERE season = ? AND machine IN (SELECT id FROM machine WHERE substr(name, 1, length(?)) = ?)";
+        return database.inTransaction(() -> {
+            List<SetAside> games = new ArrayList<>();
+            try (ResultSet row = database.query("SELECT coalesce(decision, -1), seed, (SELECT versions FROM lineup l "
+                + "WHERE l.id = game.lineup) FROM game" + of + " AND counts = 1", season, machine, machine)) {
+                while (row.next()) {
+                    games.add(new SetAside(row.getInt(1), row.getLong(2), row.getString(3)));
+                }
+            }
+            database.update("UPDATE game SET name = randomblob(16), decision = NULL, counts = 0, problem = ?" + of
+                + " AND problem IS NULL", why, season, machine, machine);
+            return games;
+        });
     }
 
     /** Forgets where a replay was. */

@@ -16,6 +16,8 @@ final class SchemaVersion {
 
     /** "Stwd": tells a league's database from others. */
     static final int APPLICATION = 0x53747764;
+    /** "StwP": a part of a league, with the same tables and two more. */
+    static final int PART = 0x53747750;
 
     /** From nothing to 1, from 1 to 2, and so on. */
     private static final List<List<String>> STEPS = List.of(List.of(
@@ -92,26 +94,30 @@ final class SchemaVersion {
     /**
      * Refuses what is no league's database, or a newer one's.
      *
+     * @param wanted {@link #APPLICATION} or {@link #PART}
      * @return whether there is nothing in it yet, or it is of an older form
      */
-    static boolean isBehind(Connection connection, Path file) throws SQLException {
+    static boolean isBehind(Connection connection, Path file, int wanted) throws SQLException {
         int found = number(connection, "user_version");
         int application = number(connection, "application_id");
-        if (found > 0 && application != APPLICATION) {
-            throw new InputException(file + ": found a database of another program, expected a league's");
+        String expected = wanted == PART ? "a part, as 'steward league shard' makes it" : "a league's";
+        if (found > 0 && application != wanted) {
+            throw new InputException(file + ": found " + (application == PART ? "a part of a league"
+                : application == APPLICATION ? "the database of a league" : "a database of another program")
+                + ", expected " + expected);
         }
         if (found > NEWEST) {
             throw new InputException(file + ": found a database of form " + found + " of a newer Steward, expected "
                 + NEWEST + " or older");
         }
         if (found == 0 && number(connection, "schema_version") > 0) {
-            throw new InputException(file + ": found a database of another program, expected a league's");
+            throw new InputException(file + ": found a database of another program, expected " + expected);
         }
         return found < NEWEST;
     }
 
     /** Brings it up to date. */
-    static void migrate(Connection connection) throws SQLException {
+    static void migrate(Connection connection, int application) throws SQLException {
         try (Statement statement = connection.createStatement()) {
             statement.execute("BEGIN IMMEDIATE");
             for (int step = number(connection, "user_version"); step < NEWEST; step++) {
@@ -119,7 +125,7 @@ final class SchemaVersion {
                     statement.execute(change);
                 }
             }
-            statement.execute("PRAGMA application_id = " + APPLICATION);
+            statement.execute("PRAGMA application_id = " + application);
             statement.execute("PRAGMA user_version = " + NEWEST);
             statement.execute("COMMIT");
         }

@@ -1,5 +1,6 @@
 package steward.replay.verify;
 
+import steward.game.Game;
 import steward.game.GameTypes;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayException;
@@ -40,11 +41,25 @@ public record Verification(int turns, int states, boolean whole, Difference diff
      * @throws steward.scene.json.SceneException if its scene cannot be played
      */
     public static Verification of(ReplayReader replay, GameTypes types) {
+        return of(replay, types, null);
+    }
+
+    /**
+     * The same.
+     *
+     * @param asked counts in how many turns each player was asked, one element a player; or {@code null}
+     * @throws ReplayException as above; also if there are not as many players
+     */
+    public static Verification of(ReplayReader replay, GameTypes types, int[] asked) {
         if (replay.header() == null) {
             return new Verification(0, 0, false, null, replay.warning(), ImpactCounts.NONE,
                 SignatureCheck.UNSIGNED);
         }
         Resimulation again = new Resimulation(replay.header(), types, replay.source());
+        if (asked != null && asked.length != again.game().players()) {
+            throw new ReplayException(replay.source() + ":1: players: found " + again.game().players() + ", expected "
+                + asked.length);
+        }
         SignedLines signed = new SignedLines(replay);
         LineCheck check = replay.format() < SPELLED_SINCE ? new EarlierLineCheck(replay, again)
             : new ExactLineCheck(replay, again, signed);
@@ -55,6 +70,7 @@ public record Verification(int turns, int states, boolean whole, Difference diff
         boolean whole = false;
         while (difference == null && !whole) {
             byte[] line = replay.nextLine();
+            count(again.game(), asked);
             if (line != null && check.isSame(line)) {
                 states++;
                 replay.passed(++turns);
@@ -76,5 +92,12 @@ public record Verification(int turns, int states, boolean whole, Difference diff
         }
         return new Verification(turns, states, whole, difference, replay.warning(), check.impacts(),
             signed.check(whole));
+    }
+
+    /** Those who are to be asked in the next turn, if there is one. */
+    private static void count(Game game, int... asked) {
+        for (int player = 0; asked != null && !game.isOver() && player < asked.length; player++) {
+            asked[player] += game.isIn(player) ? 1 : 0;
+        }
     }
 }

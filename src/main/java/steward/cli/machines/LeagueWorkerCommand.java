@@ -1,0 +1,78 @@
+package steward.cli.machines;
+
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import steward.cli.options.CallCheck;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Streams;
+import steward.files.OutputFiles;
+import steward.league.LeagueFolder;
+import steward.machines.token.BrokerKey;
+import steward.machines.token.WorkerList;
+
+/** {@code steward league worker}: who may play for a league. */
+@Command(name = "worker", description = "Says which workers may play for a league: add, revoke, list; renew the "
+    + "broker's certificate.",
+    footer = {"",
+        "add makes a token, a file that belongs to one worker; keep it as you would a",
+        "password. revoke ends what it allows, also while the league is played. renew",
+        "makes a new certificate for the broker's key, which workers go on trusting.",
+        "", "Examples:",
+        "  steward league worker add night attic",
+        "  steward league worker revoke night attic"})
+final class LeagueWorkerCommand implements Callable<Integer> {
+
+    private final Streams streams;
+    private final CallCheck check = CallCheck.withHelp();
+
+    @Parameters(index = "0", paramLabel = "ACTION", description = "add, revoke, list or renew.")
+    private String action;
+
+    @Parameters(index = "1", paramLabel = "DIR", description = "The folder of the league.")
+    private String folder;
+
+    @Parameters(index = "2", arity = "0..1", paramLabel = "NAME", description = "The worker, for add and revoke.")
+    private String name;
+
+    @Option(names = "--out", paramLabel = "FILE", description = "With add: where the token goes (default: NAME.token).")
+    private String out;
+
+    LeagueWorkerCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() {
+        boolean named = action.equals("add") || action.equals("revoke");
+        check.that(named || action.equals("list") || action.equals("renew"), "found '" + action
+            + "', expected add, revoke, list or renew");
+        check.that(named == (name != null), named ? "found no NAME, expected that of a worker"
+            : "found the name '" + name + "', expected none with " + action);
+        check.that(out == null || action.equals("add"), "--out is for add, expected none with " + action);
+        LeagueFolder league = LeagueFolder.open(OutputFiles.path(folder));
+        switch (action) {
+            case "add" -> {
+                Path token = OutputFiles.path(out == null ? name + ".token" : out);
+                WorkerList.add(league, name, token);
+                streams.out().println(token + ": the token of " + name + "; on its machine:");
+                streams.out().println("  steward worker --join HOST:PORT --token-file " + token);
+            }
+            case "revoke" -> {
+                WorkerList.revoke(league, name, "by hand");
+                streams.out().println(name + " is revoked");
+            }
+            case "renew" -> {
+                BrokerKey key = new BrokerKey(league);
+                key.make();
+                key.renew();
+                streams.out().println("A new certificate for the key " + key.fingerprint());
+            }
+            default -> WorkerList.read(league).workers().forEach(worker -> streams.out().println(worker.name()
+                + (worker.revoked() == null ? "" : " (revoked: " + worker.revoked() + ")")));
+        }
+        return ExitStatus.DONE;
+    }
+}

@@ -1,0 +1,141 @@
+package steward.cli.machines;
+
+import java.net.InetSocketAddress;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Supplier;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import steward.bot.isolation.Isolation;
+import steward.cli.league.RunCommand;
+import steward.cli.options.CallCheck;
+import steward.cli.options.SandboxOptions;
+import steward.cli.options.ThreadsOption;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Games;
+import steward.cli.shared.Interruption;
+import steward.cli.shared.Streams;
+import steward.files.OutputFiles;
+import steward.machines.token.PrivateFile;
+import steward.machines.token.WorkerToken;
+import steward.machines.worker.Worker;
+import steward.text.TextFormat;
+
+/** {@code steward worker}: plays games of a league that is on another machine. */
+@Command(name = "worker", description = "Plays games of a league that runs elsewhere with 'league run --serve'.",
+    footer = {"",
+        "The token comes from 'steward league worker add'; without --token-file it is",
+        "the text in the variable STEWARD_TOKEN. Bots are kept apart strictly unless",
+        "told otherwise: they are programs of whoever keeps the league. After Ctrl-C the",
+        "games that are under way are finished, and no others begun.",
+        "", "Example:", "  steward worker --join attic.example:7161 --token-file mine.token --threads auto",
+        "", "Exit status: 0 it has ended; 2 the call is unusable, or the league refuses;",
+        "130 interrupted."})
+public final class WorkerCommand implements Callable<Integer> {
+
+    private static final String VARIABLE = "STEWARD_TOKEN";
+
+    private final Streams streams;
+    private final CallCheck check = CallCheck.withHelp();
+
+    @Option(names = "--join", required = true, paramLabel = "HOST:PORT", description = "Where the league listens.")
+    private String address;
+
+    @Option(names = "--token-file", paramLabel = "FILE", description = "The worker's token (default: the text in the "
+        + "variable " + VARIABLE + ").")
+    private String tokenFile;
+
+    @Mixin
+    private final ThreadsOption threads = new ThreadsOption();
+
+    @Option(names = "--games", paramLabel = "N", description = "Ends after N games.")
+    private Long games;
+
+    @Option(names = "--for", paramLabel = "TIME", description = "Ends after so long, such as 90s, 30m, 8h or 2d.")
+    private String time;
+
+    @Option(names = "--bundles", paramLabel = "DIR", description = "Where bots are unpacked (default: "
+        + "steward/bundles in the user's cache folder).")
+    private String bundles;
+
+    @Mixin
+    private final SandboxOptions sandbox = new SandboxOptions();
+
+    /** The command. */
+    public WorkerCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() throws InterruptedException {
+        threads.check();
+        check.range("--games", games, 1, Integer.MAX_VALUE);
+        InetSocketAddress found = ServeOptions.address(check, "--join", address);
+        long nanos = RunCommand.nanos(time);
+        Supplier<Isolation> isolation = sandbox.isolation(streams, "strict");
+        WorkerToken token = token();
+        Worker worker = new Worker(new Worker.Options(found.getHostString(), found.getPort(), token,
+            threads.count(streams), games == null ? Long.MAX_VALUE : games, nanos, isolation, folder(),
+            ProgramVersion.text(), RunCommand.machine(isolation.get().level().word())), Games.types(),
+            what -> streams.err().println("steward: " + TextFormat.plain(what)));
+        return play(worker);
+    }
+
+    @SuppressWarnings("try")                           // only closed, never used
+    private int play(Worker worker) throws InterruptedException {
+        Thread playing = Thread.currentThread();
+        AtomicBoolean over = new AtomicBoolean();
+        try (Interruption interruption = new Interruption(streams, () -> {
+            if (over.get()) {
+                return null;
+            }
+            worker.drain();
+            streams.err().println("steward: the games that are under way are finished, no others begun");
+            join(playing, over);
+            return TextFormat.count(worker.played(), "game") + " played";
+        })) {
+            worker.play();
+        } finally {
+            over.set(true);
+        }
+        streams.out().println(TextFormat.count(worker.played(), "game") + " played");
+        return ExitStatus.DONE;
+    }
+
+    private static void join(Thread playing, AtomicBoolean over) {
+        while (playing.isAlive() && !over.get()) {
+            try {
+                Thread.sleep(50);
+            } catch (InterruptedException end) {
+                return;
+            }
+        }
+    }
+
+    private WorkerToken token() {
+        if (tokenFile != null) {
+            Path file = OutputFiles.path(tokenFile);
+            WorkerToken token = WorkerToken.read(file);
+            String warning = PrivateFile.warning(file);
+            if (warning != null) {
+                streams.warn(warning);
+            }
+            return token;
+        }
+        String text = System.getenv(VARIABLE);
+        check.that(text != null, "found no --token-file, and no variable " + VARIABLE + ", expected one of them");
+        return WorkerToken.parse(text, VARIABLE);
+    }
+
+    private Path folder() {
+        if (bundles != null) {
+            return OutputFiles.path(bundles);
+        }
+        String given = System.getenv("XDG_CACHE_HOME");
+        Path base = given != null && !given.isEmpty() ? Path.of(given)
+            : Path.of(System.getProperty("user.home"), ".cache");
+        return base.resolve("steward").resolve("bundles");
+    }
+}

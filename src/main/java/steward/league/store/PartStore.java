@@ -1,0 +1,175 @@
+package steward.league.store;
+
+import java.nio.file.Path;
+import java.sql.ResultSet;
+import java.sql.SQLException;
+import java.util.List;
+import java.util.Optional;
+import steward.files.InputException;
+import steward.league.Season;
+import steward.league.StoredGame;
+
+/**
+ * A part of a league's schedule in a file of its own: the games of some decisions with their replays, to be merged into
+ * the league. It has the tables of a league, and of its own {@code part}, with one row that says which part it is, and
+ * {@code recording}, with the replays, compressed by gzip. One program at a time uses it. Thread-safe.
+ */
+public final class PartStore implements AutoCloseable {
+
+    private static final List<String> TABLES = List.of(
+        "CREATE TABLE IF NOT EXISTS part (part INTEGER NOT NULL, parts INTEGER NOT NULL, games INTEGER NOT NULL, "
+            + "seed INTEGER NOT NULL, pairing TEXT NOT NULL)",
+        "CREATE TABLE IF NOT EXISTS recording (game INTEGER PRIMARY KEY REFERENCES game, replay BLOB NOT NULL)");
+
+    private final Database database;
+    private final GameStore games;
+    private final Head head;
+    private final Season season;
+    private final int number;
+
+    /**
+     * Which part of what.
+     *
+     * @param part    from 1
+     * @param parts   how many there are
+     * @param games   of the league in all, when every part is played
+     * @param seed    of the league's first decision
+     * @param pairing who meets whom, as league.json says it
+     */
+    public record Head(int part, int parts, long games, long seed, String pairing) {
+
+        /** What differs from another, for a person; {@code null} if nothing. */
+        String difference(Head other) {
+            return part != other.part || parts != other.parts
+                ? "part " + part + "/" + parts + ", expected part " + other.part + "/" + other.parts
+                : games != other.games ? "a part of " + games + " games, expected one of " + other.games
+                : seed != other.seed ? "the seed " + seed + ", expected the league's, " + other.seed
+                : !pairing.equals(other.pairing) ? "the pairing '" + pairing + "', expected the league's, '"
+                    + other.pairing + "'" : null;
+        }
+    }
+
+    private PartStore(Database database, Head head, Season season, int number) {
+        this.database = database;
+        games = new GameStore(database);
+        this.head = head;
+        this.season = season;
+        this.number = number;
+    }
+
+    /**
+     * Opens a part to play it, new or again.
+     *
+     * @throws InputException if it cannot be used, or is another part, or one of another season
+     */
+    public static PartStore write(Path file, Head head, Season season) {
+        Database database = Database.part(file, true);
+        try {
+            GameStore games = new GameStore(database);
+            Optional<Season> last = games.lastSeason();
+            if (last.isPresent() && !last.get().key().equals(season.key())) {
+                throw new InputException(file + ": found a part of another season, expected one of this league's: "
+                    + season.difference(last.get()));
+            }
+            Optional<Head> found = database.inTransaction(() -> {
+                for (String table : TABLES) {
+                    database.execute(table);
+                }
+                Optional<Head> there = head(database);
+                if (there.isEmpty()) {
+                    database.update("INSERT INTO part (part, parts, games, seed, pairing) VALUES (?, ?, ?, ?, ?)",
+                        head.part(), head.parts(), head.games(), head.seed(), head.pairing());
+                }
+                return there;
+            });
+            String difference = found.map(there -> there.difference(head)).orElse(null);
+            if (difference != null) {
+                throw new InputException(file + ": found " + difference + "; another --out begins a new one");
+            }
+            return new PartStore(database, head, season, games.open(season));
+        } catch (InputException refused) {
+            database.close();
+            throw refused;
+        }
+    }
+
+    /**
+     * Opens a part to merge it.
+     *
+     * @throws InputException if it cannot be used
+     */
+    public static PartStore read(Path file) {
+        Database database = Database.part(file, false);
+        try {
+            GameStore games = new GameStore(database);
+            Optional<Season> season = games.lastSeason();
+            Optional<Head> head = season.isEmpty() ? Optional.empty() : database.with(() -> head(database));
+            if (head.isEmpty()) {
+                throw new InputException(file + ": found no part of a league in it, expected one, as 'steward league "
+                    + "shard' makes it");
+            }
+            return new PartStore(database, head.get(), season.get(), games.season(season.get()).orElseThrow());
+        } catch (InputException refused) {
+            database.close();
+            throw refused;
+        }
+    }
+
+    private static Optional<Head> head(Database database) throws SQLException {
+        try (ResultSet row = database.query("SELECT part, parts, games, seed, pairing FROM part")) {
+            return row.next() ? Optional.of(new Head(row.getInt(1), row.getInt(2), row.getLong(3), row.getLong(4),
+                row.getString(5))) : Optional.empty();
+        }
+    }
+
+    /** Which part it is. */
+    public Head head() {
+        return head;
+    }
+
+    /** What all its games have in common. */
+    public Season season() {
+        return season;
+    }
+
+    /** Its games and versions of bots. */
+    public GameStore games() {
+        return games;
+    }
+
+    /** What can be read of its games. */
+    public GameQueries queries() {
+        return new GameQueries(games, number, season);
+    }
+
+    /** How many games it has. */
+    public long count() {
+        return games.games(number);
+    }
+
+    /**
+     * Stores the attempts at a game with their replays, all or none; those that are there stay as they are.
+     *
+     * @param replays one for each attempt, compressed by gzip
+     */
+    public void add(List<StoredGame> attempts, List<byte[]> replays) {
+        database.inTransaction(() -> {
+            games.addWithin(number, attempts);
+            for (int k = 0; k < attempts.size(); k++) {
+                database.update("INSERT OR IGNORE INTO recording (game, replay) "
+                    + "SELECT id, ? FROM game WHERE name = ?", replays.get(k), attempts.get(k).name());
+            }
+            return null;
+        });
+    }
+
+    /** The replay of a game by its number, compressed by gzip; {@code null} if there is none. */
+    public byte[] replay(long game) {
+        return database.with(() -> (byte[]) database.value("SELECT replay FROM recording WHERE game = ?", game));
+    }
+
+    @Override
+    public void close() {
+        database.close();
+    }
+}

@@ -1,0 +1,87 @@
+package steward.machines.broker;
+
+import java.util.Set;
+import java.util.function.BiPredicate;
+import javax.security.auth.Subject;
+import org.apache.activemq.artemis.core.remoting.impl.invm.InVMConnection;
+import org.apache.activemq.artemis.core.security.CheckType;
+import org.apache.activemq.artemis.core.security.Role;
+import org.apache.activemq.artemis.spi.core.protocol.RemotingConnection;
+import org.apache.activemq.artemis.spi.core.security.ActiveMQSecurityManager5;
+import org.apache.activemq.artemis.spi.core.security.jaas.NoCacheLoginException;
+import org.apache.activemq.artemis.spi.core.security.jaas.UserPrincipal;
+
+/**
+ * Who may do what: the league itself, from within its process, everything; a worker may take jobs, send reports and
+ * read what it is told, and nothing else.
+ */
+final class BrokerSecurity implements ActiveMQSecurityManager5 {
+
+    private final String league;
+    private final String secret;
+    private final BiPredicate<String, String> admits;
+
+    /**
+     * @param league the name of the league itself, which no worker can have
+     * @param secret its secret
+     * @param admits whether a worker of a name has a secret and may play
+     */
+    BrokerSecurity(String league, String secret, BiPredicate<String, String> admits) {
+        this.league = league;
+        this.secret = secret;
+        this.admits = admits;
+    }
+
+    @Override
+    public Subject authenticate(String user, String password, RemotingConnection connection, String domain)
+            throws NoCacheLoginException {
+        boolean inside = connection != null && connection.getTransportConnection() instanceof InVMConnection;
+        boolean known = inside ? league.equals(user) && secret.equals(password)
+            : !league.equals(user) && admits.test(user, password);
+        if (!known) {
+            throw new NoCacheLoginException("unknown, or revoked");
+        }
+        Subject subject = new Subject();
+        subject.getPrincipals().add(new UserPrincipal(user));
+        return subject;
+    }
+
+    @Override
+    public boolean authorize(Subject subject, Set<Role> roles, CheckType type, String address) {
+        String user = subject == null ? null : getUserFromSubject(subject);
+        if (user == null || address == null) {
+            return false;
+        }
+        return user.equals(league) || isAllowed(user, type, address.split("::|\\.(?=jobs$)")[0]);
+    }
+
+    private static boolean isAllowed(String user, CheckType type, String address) {
+        return switch (type) {
+            case CONSUME -> address.equals(Queues.JOBS) || isOwn(user, address);
+            case SEND -> address.equals(Queues.REPORTS);
+            default -> false;
+        };
+    }
+
+    /** A consumer is checked by its address and queue, which have the same name. */
+    private static boolean isOwn(String user, String address) {
+        String own = Queues.TO + user;
+        return address.equals(own) || address.equals(own + "." + own);
+    }
+
+    @Override
+    public String getUserFromSubject(Subject subject) {
+        return subject.getPrincipals(UserPrincipal.class).stream().map(UserPrincipal::getName).findFirst()
+            .orElse(null);
+    }
+
+    @Override
+    public boolean validateUser(String user, String password) {
+        return false;                                  // the methods above are asked instead
+    }
+
+    @Override
+    public boolean validateUserAndRole(String user, String password, Set<Role> roles, CheckType type) {
+        return false;
+    }
+}

@@ -1,0 +1,290 @@
+package steward.machines.broker;
+
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.nio.file.Path;
+import java.security.SecureRandom;
+import java.util.HashMap;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.BiPredicate;
+import org.apache.activemq.artemis.api.core.ActiveMQException;
+import org.apache.activemq.artemis.api.core.Message;
+import org.apache.activemq.artemis.api.core.QueueConfiguration;
+import org.apache.activemq.artemis.api.core.RoutingType;
+import org.apache.activemq.artemis.api.core.SimpleString;
+import org.apache.activemq.artemis.api.core.TransportConfiguration;
+import org.apache.activemq.artemis.api.core.client.ActiveMQClient;
+import org.apache.activemq.artemis.api.core.client.ClientConsumer;
+import org.apache.activemq.artemis.api.core.client.ClientMessage;
+import org.apache.activemq.artemis.api.core.client.ClientProducer;
+import org.apache.activemq.artemis.api.core.client.ClientSession;
+import org.apache.activemq.artemis.api.core.client.ClientSessionFactory;
+import org.apache.activemq.artemis.api.core.client.ServerLocator;
+import org.apache.activemq.artemis.core.config.Configuration;
+import org.apache.activemq.artemis.core.config.impl.ConfigurationImpl;
+import org.apache.activemq.artemis.core.remoting.impl.invm.InVMAcceptorFactory;
+import org.apache.activemq.artemis.core.remoting.impl.invm.InVMConnectorFactory;
+import org.apache.activemq.artemis.core.remoting.impl.netty.NettyAcceptorFactory;
+import org.apache.activemq.artemis.core.remoting.impl.netty.TransportConstants;
+import org.apache.activemq.artemis.core.server.ServerSession;
+import org.apache.activemq.artemis.core.server.impl.ActiveMQServerImpl;
+import org.apache.activemq.artemis.core.settings.impl.AddressFullMessagePolicy;
+import org.apache.activemq.artemis.core.settings.impl.AddressSettings;
+import steward.files.InputException;
+import steward.machines.token.BrokerKey;
+import steward.machines.wire.WireMessage;
+
+/**
+ * The broker in a league's process. It keeps nothing on disk: the league's database is the truth, and what is not
+ * stored there is offered again. Only TLS 1.3 is spoken, and the broker, not a message, says who sent it.
+ */
+public final class LeagueBroker implements AutoCloseable {
+
+    /** After so long without a sign of life a connection is closed, and its jobs go to others; in milliseconds. */
+    static final long TTL_MS = 10_000;
+    private static final String LEAGUE = "the league";
+    private static final long MOST_WAITING = 256L << 20;
+    private static final int CONNECTIONS = 2000;
+
+    private final ActiveMQServerImpl server;
+    private final LeasePlugin leases = new LeasePlugin();
+    private final ServerLocator locator;
+    private final ClientSessionFactory factory;
+    private final ClientSession sending;
+    private final ClientProducer producer;
+    private final ClientSession receiving;
+    private final ClientConsumer reports;
+
+    /**
+     * What a worker said.
+     *
+     * @param worker its name, as the broker knows it
+     * @param bytes  of the message
+     */
+    public record Report(String worker, byte[] bytes) {
+    }
+
+    /**
+     * Starts.
+     *
+     * @param address to listen at
+     * @param key     of the broker
+     * @param workers whom there may be a queue for
+     * @param admits  whether a worker of a name has a secret and may play
+     * @throws InputException if the port is taken, or nothing can listen there
+     */
+    public LeagueBroker(InetSocketAddress address, BrokerKey key, Iterable<String> workers,
+                        BiPredicate<String, String> admits) {
+        refuseTaken(address);
+        byte[] random = new byte[32];
+        new SecureRandom().nextBytes(random);
+        String secret = HexFormat.of().formatHex(random);
+        int id = new SecureRandom().nextInt(Integer.MAX_VALUE);
+        server = new ActiveMQServerImpl(configuration(address, key, id), null,
+            new BrokerSecurity(LEAGUE, secret, admits));
+        server.registerBrokerPlugin(leases);
+        try {
+            server.start();
+            if (!server.getRemotingService().isStarted() || server.getRemotingService().getAcceptor("workers") == null
+                || !server.getRemotingService().getAcceptor("workers").isStarted()) {
+                throw new InputException("--serve: nothing can listen at " + address);
+            }
+            locator = ActiveMQClient.createServerLocatorWithoutHA(new TransportConfiguration(
+                InVMConnectorFactory.class.getName(), Map.of("serverId", Integer.toString(id))));
+            locator.setMinLargeMessageSize(Integer.MAX_VALUE);
+            factory = locator.createSessionFactory();
+            sending = factory.createSession(LEAGUE, secret, false, true, true, false, 0);
+            producer = sending.createProducer();
+            receiving = factory.createSession(LEAGUE, secret, false, true, true, true, 0);
+            reports = receiving.createConsumer(Queues.REPORTS);
+            receiving.start();
+            for (String worker : workers) {
+                open(worker);
+            }
+        } catch (InputException refused) {
+            stop();
+            throw refused;
+        } catch (Exception problem) {
+            stop();
+            throw new InputException("--serve: the broker cannot be started: " + problem.getMessage());
+        }
+    }
+
+    /** Artemis would only log that. */
+    private static void refuseTaken(InetSocketAddress address) {
+        if (address.isUnresolved()) {
+            throw new InputException("--serve: found the unknown host '" + address.getHostString()
+                + "', expected one of this machine");
+        }
+        try (ServerSocket trial = new ServerSocket()) {
+            trial.setReuseAddress(true);
+            trial.bind(address);
+        } catch (java.io.IOException problem) {
+            throw new InputException("--serve: nothing can listen at " + address.getHostString() + ":"
+                + address.getPort() + ": " + problem.getMessage() + "; another HOST:PORT may be free");
+        }
+    }
+
+    private static Configuration configuration(InetSocketAddress address, BrokerKey key, int id) {
+        Path folder = key.store().getParent();
+        Map<String, Object> tls = new HashMap<>();
+        InetAddress host = address.getAddress();
+        tls.put(TransportConstants.HOST_PROP_NAME, host.getHostAddress());
+        tls.put(TransportConstants.PORT_PROP_NAME, Integer.toString(address.getPort()));
+        tls.put(TransportConstants.SSL_ENABLED_PROP_NAME, "true");
+        tls.put(TransportConstants.KEYSTORE_PATH_PROP_NAME, key.store().toAbsolutePath().toString());
+        tls.put(TransportConstants.KEYSTORE_PASSWORD_PROP_NAME, BrokerKey.PASSWORD);
+        tls.put(TransportConstants.KEYSTORE_TYPE_PROP_NAME, "PKCS12");
+        tls.put(TransportConstants.ENABLED_PROTOCOLS_PROP_NAME, "TLSv1.3");
+        tls.put(TransportConstants.PROTOCOLS_PROP_NAME, "CORE");
+        tls.put(TransportConstants.USE_EPOLL_PROP_NAME, "false");
+        tls.put(TransportConstants.USE_KQUEUE_PROP_NAME, "false");
+        tls.put(TransportConstants.CONNECTIONS_ALLOWED, Integer.toString(CONNECTIONS));
+        AddressSettings settings = new AddressSettings().setAutoCreateAddresses(false).setAutoCreateQueues(false)
+            .setMaxSizeBytes(MOST_WAITING).setAddressFullMessagePolicy(AddressFullMessagePolicy.BLOCK)
+            .setMaxDeliveryAttempts(-1).setRedeliveryDelay(0);
+        Configuration configuration = new ConfigurationImpl().setName("steward").setPersistenceEnabled(false)
+            .setSecurityEnabled(true).setJMXManagementEnabled(false).setPopulateValidatedUser(true)
+            .setSecurityInvalidationInterval(0).setMaxDiskUsage(-1).setGracefulShutdownEnabled(false)
+            .setConnectionTTLOverride(TTL_MS).setConnectionTtlCheckInterval(TTL_MS / 10)
+            .setJournalDirectory(folder.resolve("none/journal").toString())
+            .setBindingsDirectory(folder.resolve("none/bindings").toString())
+            .setPagingDirectory(folder.resolve("none/paging").toString())
+            .setLargeMessagesDirectory(folder.resolve("none/large").toString())
+            .addAddressSetting("#", settings)
+            .addAcceptorConfiguration(new TransportConfiguration(InVMAcceptorFactory.class.getName(),
+                Map.of("serverId", Integer.toString(id)), "inside"))
+            .addAcceptorConfiguration(new TransportConfiguration(NettyAcceptorFactory.class.getName(), tls,
+                "workers"));
+        for (String queue : List.of(Queues.JOBS, Queues.REPORTS)) {
+            configuration.addQueueConfiguration(queue(queue));
+        }
+        return configuration;
+    }
+
+    private static QueueConfiguration queue(String name) {
+        return QueueConfiguration.of(name).setAddress(name).setRoutingType(RoutingType.ANYCAST).setDurable(false);
+    }
+
+    /** Makes the queue of a worker, if it is not there. One connection at a time may read it. */
+    public synchronized void open(String worker) {
+        try {
+            if (server.locateQueue(SimpleString.of(Queues.TO + worker)) == null) {
+                server.createQueue(queue(Queues.TO + worker).setMaxConsumers(1).setAutoCreateAddress(true));
+            }
+        } catch (Exception problem) {
+            throw new InputException("the broker refuses a queue for " + worker + ": " + problem.getMessage());
+        }
+    }
+
+    /** Tells a worker something. */
+    public void tell(String worker, byte[] message) {
+        send(Queues.TO + worker, message, null, Set.of());
+    }
+
+    /**
+     * Offers a job to all workers.
+     *
+     * @param job     its id
+     * @param bundles the bots that it needs, by their hashes
+     */
+    public void offer(String job, Set<String> bundles, byte[] message) {
+        send(Queues.JOBS, message, job, bundles);
+    }
+
+    private synchronized void send(String queue, byte[] bytes, String job, Set<String> bundles) {
+        try {
+            ClientMessage message = sending.createMessage(false);
+            message.getBodyBuffer().writeBytes(bytes);
+            if (job != null) {
+                message.putStringProperty(Queues.JOB, job);
+                bundles.forEach(bundle -> message.putBooleanProperty(Queues.NEEDS + bundle, true));
+            }
+            producer.send(queue, message);
+        } catch (ActiveMQException problem) {
+            throw new InputException("the broker refuses a message: " + problem.getMessage());
+        }
+    }
+
+    /**
+     * What a worker says next.
+     *
+     * @return {@code null} if nobody says anything for so long
+     */
+    public Report next(long waitMs) throws InterruptedException {
+        try {
+            ClientMessage message = reports.receive(waitMs);
+            if (message == null) {
+                return null;
+            }
+            String worker = message.getStringProperty(Message.HDR_VALIDATED_USER);
+            int size = Math.min(message.getBodySize(), WireMessage.LONGEST + 1);
+            byte[] bytes = new byte[size];
+            message.getBodyBuffer().readBytes(bytes);
+            return new Report(worker == null ? "" : worker, bytes);
+        } catch (ActiveMQException problem) {
+            if (problem.getCause() instanceof InterruptedException) {
+                throw (InterruptedException) problem.getCause();
+            }
+            return null;
+        }
+    }
+
+    /** Who has a job, or {@code null}. */
+    public String holder(String job) {
+        return leases.holder(job);
+    }
+
+    /** For how long it has had it, in nanoseconds; 0 if nobody has. */
+    public long heldNanos(String job) {
+        Long since = leases.since(job);
+        return since == null ? 0 : System.nanoTime() - since;
+    }
+
+    /** The job is over, or taken away. */
+    public void forget(String job) {
+        leases.forget(job);
+    }
+
+    /** The workers that are connected, by name. */
+    public Set<String> connected() {
+        Set<String> workers = new TreeSet<>();
+        for (ServerSession session : server.getSessions()) {
+            if (!LEAGUE.equals(session.getUsername())) {
+                workers.add(String.valueOf(session.getUsername()));
+            }
+        }
+        return workers;
+    }
+
+    /** Closes the connections of a worker; jobs that it had go to others. */
+    public void disconnect(String worker) {
+        for (ServerSession session : server.getSessions()) {
+            if (worker.equals(session.getUsername())) {
+                session.getRemotingConnection().fail(new ActiveMQException("revoked"));
+            }
+        }
+    }
+
+    private void stop() {
+        try {
+            server.stop(false, true);
+        } catch (Exception gone) {
+            return;
+        }
+    }
+
+    @Override
+    public void close() {
+        try {
+            locator.close();
+        } finally {
+            stop();
+        }
+    }
+}

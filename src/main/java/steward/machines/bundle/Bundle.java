@@ -1,0 +1,109 @@
+package steward.machines.bundle;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.ArrayList;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipOutputStream;
+import steward.bot.command.BotCommand;
+import steward.files.InputException;
+import steward.files.OutputFiles;
+import steward.league.BotIdentity;
+import steward.league.LeagueBot;
+import steward.machines.wire.HeaderText;
+
+/**
+ * A bot's files, packed: a ZIP archive whose first entry, {@value #LIST}, has the command and says which of its words
+ * are files. Symbolic links are packed as what they lead to.
+ *
+ * @param hash  SHA-256 of the bytes, 64 hexadecimal digits
+ * @param bytes the archive; not copied
+ */
+public record Bundle(String hash, byte[] bytes) {
+
+    /** How large a bundle may be, packed, in bytes. */
+    public static final int LARGEST = 64 << 20;
+    /** How many files it may have. */
+    static final int MOST_FILES = 900;
+    static final String LIST = "bundle.json";
+    /** Where files are in it that are in the folder of the call; and all others. */
+    static final String HERE = "here/";
+    private static final String ELSEWHERE = "elsewhere/";
+
+    /**
+     * Packs a bot.
+     *
+     * @throws InputException if its files cannot be read, or are too many or too large
+     */
+    public static Bundle of(LeagueBot bot) {
+        BotCommand command = bot.parsed();
+        boolean builtin = bot.files() == null && command.prefix() == BotCommand.Prefix.BUILTIN;
+        List<Path> files = builtin ? List.of() : BotIdentity.files(bot, command);
+        if (files.size() > MOST_FILES) {
+            throw new InputException("bot '" + bot.name() + "': found " + files.size() + " files, expected at most "
+                + MOST_FILES + " for workers; pack them into an archive that it reads");
+        }
+        HeaderText list = new HeaderText().put("command", new BotCommand(null, command.prefix(), command.words())
+            .toString());
+        List<HeaderText> entries = new ArrayList<>();
+        for (Path file : files) {
+            entries.add(new HeaderText().put("typed", file.toString()).put("place", place(file))
+                .put("executable", Files.isExecutable(file)));
+        }
+        list.put("files", entries);
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (ZipOutputStream zip = new ZipOutputStream(bytes)) {
+            entry(zip, LIST, list.text().getBytes(StandardCharsets.UTF_8));
+            for (Path file : files) {
+                if (Files.size(file) + bytes.size() > LARGEST) {
+                    throw tooLarge(bot, file);
+                }
+                entry(zip, place(file), Files.readAllBytes(file));
+            }
+        } catch (IOException problem) {
+            throw new InputException("bot '" + bot.name() + "': its files cannot be packed for workers: "
+                + OutputFiles.reason(files.get(0), problem));
+        }
+        return new Bundle(hash(bytes.toByteArray()), bytes.toByteArray());
+    }
+
+    private static InputException tooLarge(LeagueBot bot, Path file) {
+        return new InputException("bot '" + bot.name() + "': found more than " + (LARGEST >> 20)
+            + " MiB of files (at " + file + "), expected less for workers; put large files on the workers' machines, "
+            + "and list in \"files\" only the others");
+    }
+
+    private static void entry(ZipOutputStream zip, String name, byte[] bytes) throws IOException {
+        ZipEntry entry = new ZipEntry(name);
+        entry.setTime(0);
+        zip.putNextEntry(entry);
+        zip.write(bytes);
+        zip.closeEntry();
+    }
+
+    /** Where a file is in the bundle. */
+    private static String place(Path file) {
+        Path plain = file.normalize();
+        boolean here = !plain.isAbsolute() && !plain.startsWith("..") && !plain.toString().isEmpty();
+        StringBuilder place = new StringBuilder(here ? HERE : ELSEWHERE);
+        for (Path part : here ? plain : file.toAbsolutePath().normalize()) {
+            place.append(place.charAt(place.length() - 1) == '/' ? "" : "/").append(part);
+        }
+        return place.toString();
+    }
+
+    static String hash(byte[] bytes) {
+        try {
+            return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes));
+        } catch (NoSuchAlgorithmException impossible) {
+            throw new IllegalStateException(impossible);
+        }
+    }
+}

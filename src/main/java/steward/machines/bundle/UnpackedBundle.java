@@ -1,0 +1,201 @@
+package steward.machines.bundle;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipInputStream;
+import steward.bot.command.BotCommand;
+import steward.bot.command.ProgramTrial;
+import steward.files.InputException;
+import steward.files.OutputFiles;
+import steward.scene.json.Block;
+import steward.scene.json.JsonTree;
+import steward.scene.json.SceneException;
+
+/**
+ * A bundle's files on this machine, in a folder that is called like its hash, and the command with the words that name
+ * them there.
+ *
+ * @param folder  of the files
+ * @param command as it is to be started here
+ * @param words   the program and its arguments
+ */
+public record UnpackedBundle(Path folder, BotCommand command, List<String> words) {
+
+    /** How much a bundle may come to when it is unpacked, in bytes. */
+    static final long LARGEST_UNPACKED = 1L << 30;
+    private static final long TRIAL_MS = 10_000;
+
+    /** Copies the words. */
+    public UnpackedBundle {
+        words = List.copyOf(words);
+    }
+
+    /** Whether a program can be started in a folder of its own by {@code env -C}. */
+    private static final class Change {
+        static final boolean POSSIBLE = find();
+
+        private static boolean find() {
+            try {
+                return ProgramTrial.of(List.of("env", "-C", "/", "true"), TRIAL_MS).works();
+            } catch (InterruptedException interrupted) {
+                Thread.currentThread().interrupt();
+                return false;
+            }
+        }
+    }
+
+    /**
+     * Unpacks a bundle, unless it is there. It appears as a whole or not at all. Nothing is written outside its folder.
+     *
+     * @param parent where bundles are
+     * @param hash   that its bytes have to have
+     * @throws InputException if it is not what it should be, its bot cannot be started here, or the disk is full
+     */
+    public static UnpackedBundle of(Path parent, String hash, byte[] bytes) {
+        if (!Bundle.hash(bytes).equals(hash)) {
+            throw new InputException("bundle " + hash + ": found other bytes, expected those of that hash");
+        }
+        Path folder = parent.resolve(hash);
+        try {
+            Map<String, byte[]> files = files(hash, bytes);
+            Block list = list(hash, files.remove(Bundle.LIST));
+            if (!Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS)) {
+                Files.createDirectories(parent);
+                Path part = Files.createTempDirectory(parent, "unpacking");
+                try {
+                    write(part, files, list);
+                    Files.move(part, folder, StandardCopyOption.ATOMIC_MOVE);
+                } finally {
+                    remove(part);
+                }
+            }
+            return of(folder, list);
+        } catch (IOException problem) {
+            throw new InputException(folder + ": the bundle cannot be unpacked: "
+                + OutputFiles.reason(folder, problem));
+        } catch (SceneException problem) {
+            throw new InputException(problem.getMessage());
+        }
+    }
+
+    /** The entries of an archive, their names checked. */
+    private static Map<String, byte[]> files(String hash, byte[] bytes) throws IOException {
+        Map<String, byte[]> files = new HashMap<>();
+        long size = 0;
+        try (ZipInputStream zip = new ZipInputStream(new ByteArrayInputStream(bytes))) {
+            for (ZipEntry entry = zip.getNextEntry(); entry != null; entry = zip.getNextEntry()) {
+                String name = entry.getName();
+                if (!isPlain(name) || entry.isDirectory()) {
+                    throw new InputException("bundle " + hash + ": found the file name '" + name + "', expected one "
+                        + "within the bundle");
+                }
+                byte[] content = zip.readNBytes((int) Math.min(Integer.MAX_VALUE - 8, LARGEST_UNPACKED - size + 1));
+                size += content.length;
+                if (size > LARGEST_UNPACKED || files.size() > Bundle.MOST_FILES
+                    || files.put(name, content) != null) {
+                    throw new InputException("bundle " + hash + ": found more than " + (LARGEST_UNPACKED >> 20)
+                        + " MiB, more than " + Bundle.MOST_FILES + " files, or a file twice, expected less");
+                }
+            }
+        } catch (IllegalArgumentException damaged) {
+            throw new IOException(damaged.getMessage(), damaged);
+        }
+        return files;
+    }
+
+    /** Whether a name leads nowhere else: words apart by slashes, none of them empty or only dots. */
+    static boolean isPlain(String name) {
+        if (name.isEmpty() || name.length() > 1000 || name.indexOf('\\') >= 0 || name.indexOf(':') >= 0
+            || name.chars().anyMatch(c -> c < ' ' || c == 0x7F)) {
+            return false;
+        }
+        return Stream.of(name.split("/", -1)).noneMatch(word -> word.isEmpty() || word.chars().allMatch(c -> c == '.'));
+    }
+
+    private static Block list(String hash, byte[] list) {
+        String source = "bundle " + hash + ": " + Bundle.LIST;
+        if (list == null) {
+            throw new InputException(source + ": found no such file, expected the list of the others");
+        }
+        return new Block(source, "", JsonTree.read(new String(list, StandardCharsets.UTF_8), source, "a bundle"));
+    }
+
+    private static void write(Path folder, Map<String, byte[]> files, Block list) throws IOException {
+        Files.createDirectories(folder.resolve(Bundle.HERE));
+        for (Map.Entry<String, byte[]> file : files.entrySet()) {
+            Path path = inside(folder, file.getKey());
+            Files.createDirectories(path.getParent());
+            try (OutputStream out = Files.newOutputStream(path)) {
+                out.write(file.getValue());
+            }
+        }
+        for (Block file : list.blocks("files")) {
+            if (file.flag("executable", false) && files.containsKey(file.text("place"))) {
+                inside(folder, file.text("place")).toFile().setExecutable(true, true);
+            }
+        }
+    }
+
+    private static Path inside(Path folder, String name) throws IOException {
+        try {
+            Path path = folder.resolve(name).normalize();
+            if (isPlain(name) && path.startsWith(folder)) {
+                return path;
+            }
+        } catch (InvalidPathException problem) {
+            throw new IOException(problem.getMessage(), problem);
+        }
+        throw new IOException("'" + name + "' is not within the bundle");
+    }
+
+    private static UnpackedBundle of(Path folder, Block list) throws IOException {
+        Map<String, String> places = new HashMap<>();
+        for (Block file : list.blocks("files")) {
+            places.put(file.text("typed"), inside(folder, file.text("place")).toAbsolutePath().toString());
+            file.flag("executable", false);
+        }
+        BotCommand typed;
+        try {
+            typed = BotCommand.parse(list.text("command"));
+        } catch (IllegalArgumentException problem) {
+            throw list.error("command", problem.getMessage(), "a program and its arguments");
+        }
+        list.done();
+        List<String> words = typed.words().stream().map(word -> places.getOrDefault(word, word)).toList();
+        BotCommand here = new BotCommand(typed.name(), typed.prefix(), words);
+        List<String> resolved;
+        try {
+            resolved = here.resolve();
+        } catch (IllegalArgumentException problem) {
+            throw new InputException(problem.getMessage());
+        }
+        if (here.prefix() == BotCommand.Prefix.BUILTIN || !Change.POSSIBLE) {
+            return new UnpackedBundle(folder, here, resolved);
+        }
+        List<String> inFolder = new ArrayList<>(List.of("env", "-C",
+            folder.resolve(Bundle.HERE).toAbsolutePath().toString()));
+        inFolder.addAll(resolved);
+        return new UnpackedBundle(folder, here, inFolder);
+    }
+
+    private static void remove(Path folder) {
+        try (Stream<Path> files = Files.exists(folder) ? Files.walk(folder) : Stream.empty()) {
+            files.sorted((one, other) -> other.compareTo(one)).forEach(file -> file.toFile().delete());
+        } catch (IOException stays) {
+            return;
+        }
+    }
+}

@@ -1,0 +1,102 @@
+package steward.machines.check;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.ScheduledFuture;
+import java.util.concurrent.TimeUnit;
+import steward.bot.FaultMessages;
+import steward.bot.Player;
+import steward.contest.Contest;
+import steward.contest.Contest.Entrant;
+import steward.game.GameTypes;
+import steward.replay.RecordedMatch;
+import steward.replay.RecordedTurn;
+import steward.replay.ReplayException;
+import steward.replay.ReplayReader;
+import steward.replay.feed.FedTurn;
+import steward.replay.feed.Feed;
+
+/**
+ * Asks a bot that does not draw by lot once more what it was asked in a game, without deadlines, and compares answer by
+ * answer. A missed deadline cannot be repeated and proves nothing.
+ */
+public final class AnswerCheck {
+
+    /** How long a bot may take for a whole game that it has played within its limits before, in seconds. */
+    private static final long PATIENCE_S = 600;
+    private static final ScheduledExecutorService CLOCK = Executors.newSingleThreadScheduledExecutor(work -> {
+        Thread thread = new Thread(work, "answers asked again");
+        thread.setDaemon(true);
+        return thread;
+    });
+
+    private final Contest contest;
+    private final GameTypes types;
+
+    /** @param contest of the scene, with the isolation in which bots are asked */
+    public AnswerCheck(Contest contest, GameTypes types) {
+        this.contest = contest;
+        this.types = types;
+    }
+
+    /**
+     * Reads a replay that has been verified.
+     *
+     * @throws DisprovedException if it cannot be read
+     */
+    public static RecordedMatch read(String source, byte[] gzip) throws DisprovedException {
+        try (ReplayReader replay = new ReplayReader(GzipText.open(gzip), source)) {
+            return RecordedMatch.read(replay);
+        } catch (IOException | UncheckedIOException | ReplayException problem) {
+            throw new DisprovedException(source + ": " + problem.getMessage());
+        }
+    }
+
+    /**
+     * Asks a bot again.
+     *
+     * @param entrant how it is started here
+     * @throws DisprovedException if it answers something else than is recorded
+     */
+    public void check(RecordedMatch match, int player, Entrant entrant) throws DisprovedException {
+        Player bot = contest.player(entrant);
+        String[] found = {null};
+        ScheduledFuture<?> end = CLOCK.schedule(bot::close, PATIENCE_S, TimeUnit.SECONDS);
+        try {
+            new Feed(match, types, player, entrant.protocol(), bot).run(lastRepeatable(match, player), turn -> { },
+                turn -> found[0] = found[0] == null ? difference(turn) : found[0]);
+        } finally {
+            end.cancel(false);
+            bot.close();
+        }
+        if (found[0] != null) {
+            throw new DisprovedException(match.source() + ": " + entrant.name() + " answers otherwise when it is asked "
+                + "again: " + found[0]);
+        }
+    }
+
+    /** The last turn before one in which it was late: there it might never answer. */
+    private static int lastRepeatable(RecordedMatch match, int player) {
+        for (RecordedTurn turn : match.turns()) {
+            if (turn.faults()[player] != null && FaultMessages.isTime(turn.faults()[player])) {
+                return turn.number() - 1;
+            }
+        }
+        return Integer.MAX_VALUE;
+    }
+
+    /** What disproves a turn, or {@code null}. */
+    private static String difference(FedTurn turn) {
+        String recorded = turn.recordedFault();
+        if (!turn.differences().isEmpty()) {
+            return turn.differences().get(0).toString();
+        }
+        boolean same = turn.fault() == null ? recorded == null
+            : recorded != null && FaultMessages.withoutTimes(turn.fault()).equals(FaultMessages.withoutTimes(recorded));
+        return same ? null : "turn " + turn.number() + ": found "
+            + (recorded == null ? "a command" : "the fault '" + recorded + "'") + ", expected "
+            + (turn.fault() == null ? "a command" : "the fault '" + turn.fault() + "'");
+    }
+}

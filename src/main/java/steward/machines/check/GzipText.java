@@ -1,0 +1,77 @@
+package steward.machines.check;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.FilterInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.util.zip.GZIPInputStream;
+import java.util.zip.GZIPOutputStream;
+
+/** Replays compressed by gzip, and what is in them up to a size: a small text may stand for an endless one. */
+public final class GzipText {
+
+    /** How long a replay may be, in bytes: some hundred times that of a long match. */
+    public static final int LONGEST = 64 << 20;
+
+    private GzipText() {
+    }
+
+    /** Compresses. */
+    public static byte[] compressed(byte[] bytes) {
+        ByteArrayOutputStream out = new ByteArrayOutputStream(bytes.length / 4 + 64);
+        try (GZIPOutputStream gzip = new GZIPOutputStream(out)) {
+            gzip.write(bytes);
+        } catch (IOException inMemory) {
+            throw new UncheckedIOException(inMemory);
+        }
+        return out.toByteArray();
+    }
+
+    /**
+     * What is in it, to be read once.
+     *
+     * @throws IOException if it is not compressed by gzip; also later, if there is more than {@link #LONGEST}
+     */
+    public static InputStream open(byte[] compressed) throws IOException {
+        return new Bounded(new GZIPInputStream(new ByteArrayInputStream(compressed)));
+    }
+
+    /**
+     * All that is in it.
+     *
+     * @throws IOException if it is damaged or too long
+     */
+    public static byte[] bytes(byte[] compressed) throws IOException {
+        try (InputStream in = open(compressed)) {
+            return in.readAllBytes();
+        }
+    }
+
+    /** Ends with an error after so many bytes. */
+    private static final class Bounded extends FilterInputStream {
+
+        private long count;
+
+        Bounded(InputStream in) {
+            super(in);
+        }
+
+        @Override
+        public int read() throws IOException {
+            byte[] one = new byte[1];
+            return read(one, 0, 1) < 0 ? -1 : one[0] & 0xFF;
+        }
+
+        @Override
+        public int read(byte[] bytes, int from, int length) throws IOException {
+            int read = super.read(bytes, from, length);
+            count += Math.max(0, read);
+            if (count > LONGEST) {
+                throw new IOException("more than " + LONGEST + " bytes when unpacked");
+            }
+            return read;
+        }
+    }
+}

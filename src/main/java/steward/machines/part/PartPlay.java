@@ -1,0 +1,220 @@
+package steward.machines.part;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.function.Consumer;
+import steward.contest.Contest;
+import steward.files.InputException;
+import steward.league.EarlierGames;
+import steward.league.LeagueFolder;
+import steward.league.LeagueSettings;
+import steward.league.Pairing;
+import steward.league.Schedule;
+import steward.league.StoredGame;
+import steward.league.play.GamePlay;
+import steward.league.play.Roster;
+import steward.league.play.Roster.Member;
+import steward.league.play.RosterReader;
+import steward.league.store.GameQueries;
+import steward.league.store.GameStore;
+import steward.league.store.PartStore;
+import steward.machines.check.GzipText;
+
+/**
+ * Plays one part of a league's schedule: every so-manieth decision, from the state of the league as it lies there. The
+ * schedule is fixed, so that all parts together are the games that one machine would play. The league's folder is only
+ * read. A part that was ended goes on where it was.
+ */
+public final class PartPlay {
+
+    private final PartStore part;
+    private final Roster roster;
+    private final RosterReader reader;
+    private final Map<Integer, Member> members;
+    private final GamePlay play;
+    private final Schedule schedule;
+    private final long end;
+    private final Consumer<StoredGame> listener;
+    private final Map<String, byte[]> replays = new ConcurrentHashMap<>();
+
+    private boolean brokenOff;
+    private String stopped;
+    private int underWay;
+
+    /**
+     * A part that is to be played.
+     *
+     * @param part     with the versions of its bots, see {@link #prepare}
+     * @param roster   the bots, read by {@code reader}
+     * @param contest  of the scene
+     * @param machine  what is noted with each game
+     * @param nanos    after which no game is begun; {@code Long.MAX_VALUE} for no end
+     * @param listener is told of each attempt that is stored, by any thread
+     */
+    public PartPlay(LeagueFolder folder, PartStore part, Roster roster, RosterReader reader, Contest contest,
+                    String machine, long nanos, Consumer<StoredGame> listener) {
+        this.part = part;
+        this.roster = roster;
+        this.reader = reader;
+        this.listener = listener;
+        members = roster.byVersion();
+        play = new GamePlay(part.season(), contest, new Kept(), machine, System::currentTimeMillis);
+        LeagueSettings settings = roster.settings();
+        int players = part.season().players();
+        try (GameStore league = GameStore.unused(folder)) {
+            Optional<Integer> season = league == null ? Optional.empty() : league.season(part.season());
+            schedule = new Schedule(settings.seed(), players, settings.lag(), season.isEmpty() ? new EarlierGames()
+                : new GameQueries(league, season.get(), part.season()).earlier());
+        }
+        schedule.play(roster.versions(), versions -> settings.gauntlet() == null
+            ? Pairing.roundRobin(versions, players)
+            : Pairing.gauntlet(versions, players, roster.versionOf(settings.gauntlet()).orElseThrow(() ->
+                new InputException("pairing: the bot '" + settings.gauntlet() + "' of the gauntlet is retired, "
+                    + "expected one that plays"))));
+        if (roster.members().size() < players) {
+            throw new InputException("found " + roster.members().size() + " bots that play, expected at least "
+                + players);
+        }
+        end = nanos == Long.MAX_VALUE ? Long.MAX_VALUE : System.nanoTime() + nanos;
+    }
+
+    /** Gives a new part the versions of the league's bots, with their numbers: all parts then decide alike. */
+    public static void prepare(LeagueFolder folder, PartStore part) {
+        if (part.games().versions().isEmpty()) {
+            try (GameStore league = GameStore.unused(folder)) {
+                if (league != null) {
+                    part.games().copyVersions(league);
+                }
+            }
+        }
+    }
+
+    /** All replays go into the part: whoever merges it plays them again. */
+    private final class Kept implements GamePlay.Recordings {
+
+        @Override
+        public boolean isAny(LeagueSettings settings) {
+            return true;
+        }
+
+        @Override
+        public String take(byte[] game, byte[] replay, boolean kept) {
+            replays.put(HexFormat.of().formatHex(game), GzipText.compressed(replay));
+            return null;
+        }
+    }
+
+    /** Plays until the part or the time is over. Call once. */
+    public void play(int threads) throws InterruptedException {
+        ExecutorService workers = Executors.newFixedThreadPool(threads, work -> {
+            Thread thread = new Thread(work, "part");
+            thread.setDaemon(true);
+            return thread;
+        });
+        try {
+            List<Future<?>> working = new ArrayList<>();
+            for (int k = 0; k < threads; k++) {
+                working.add(workers.submit(() -> {
+                    for (Schedule.Task task = next(); task != null; task = next()) {
+                        play(task);
+                    }
+                    return null;
+                }));
+            }
+            for (Future<?> one : working) {
+                one.get();
+            }
+        } catch (ExecutionException problem) {
+            if (problem.getCause() instanceof InputException refused) {
+                throw refused;
+            }
+            throw new IllegalStateException("a game of the part", problem.getCause());
+        } finally {
+            workers.shutdownNow();
+        }
+    }
+
+    private synchronized Schedule.Task next() throws InterruptedException {
+        while (!brokenOff && stopped == null && (end == Long.MAX_VALUE || System.nanoTime() - end < 0)) {
+            Schedule.Task task = schedule.next(part.head().games());
+            if (task == null && underWay == 0) {
+                return null;
+            }
+            if (task == null) {
+                wait();
+                continue;
+            }
+            boolean ours = task.decision() % part.head().parts() == part.head().part() - 1;
+            if (ours && !part.games().has(play.name(task, seats(task), 1))) {
+                underWay++;
+                return task;
+            }
+            schedule.over(task);
+        }
+        return null;
+    }
+
+    private List<Member> seats(Schedule.Task task) {
+        return Arrays.stream(task.lineup()).mapToObj(members::get).toList();
+    }
+
+    private void play(Schedule.Task task) throws InterruptedException {
+        try {
+            List<StoredGame> attempts = play.play(task, roster.settings(), seats(task));
+            if (isStored(task, attempts)) {
+                attempts.forEach(listener);
+            }
+        } catch (InputException problem) {
+            synchronized (this) {
+                stopped = stopped == null ? problem.getMessage() : stopped;
+                notifyAll();
+            }
+        }
+    }
+
+    private boolean isStored(Schedule.Task task, List<StoredGame> attempts) {
+        List<byte[]> kept = attempts.stream().map(game -> replays.remove(HexFormat.of().formatHex(game.name())))
+            .toList();
+        synchronized (this) {
+            underWay--;
+            schedule.over(task);
+            notifyAll();
+            Optional<Member> changed = seats(task).stream().filter(member ->
+                !reader.stamp(member.bot()).equals(member.stamp())).findFirst();
+            if (changed.isPresent() && stopped == null) {
+                stopped = changed.get().bot().name() + " has changed while the part was played; a part has one program "
+                    + "for each bot";
+            }
+            if (brokenOff || stopped != null) {
+                return false;
+            }
+            part.add(attempts, kept);
+            return true;
+        }
+    }
+
+    /**
+     * Breaks it off, from any thread: games that are under way are not stored.
+     *
+     * @return how many were under way
+     */
+    public synchronized int breakOff() {
+        brokenOff = true;
+        notifyAll();
+        return underWay;
+    }
+
+    /** Why it ended before its time, or {@code null}. */
+    public synchronized String stopped() {
+        return stopped;
+    }
+}

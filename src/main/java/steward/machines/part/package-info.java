@@ -1,0 +1,5 @@
+/** Parts of a league's schedule, played by machines that cannot reach each other, and merged into the league. */
+@Internal
+package steward.machines.part;
+
+import steward.Internal;

@@ -1,0 +1,492 @@
+package steward.machines.serve;
+
+import java.net.InetSocketAddress;
+import java.nio.charset.StandardCharsets;
+import java.security.SecureRandom;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.Consumer;
+import steward.contest.Contest;
+import steward.files.InputException;
+import steward.game.GameTypes;
+import steward.league.LeagueFolder;
+import steward.league.LeagueSettings;
+import steward.league.Schedule;
+import steward.league.Season;
+import steward.league.StoredGame;
+import steward.league.StoredGame.StoredSeat;
+import steward.league.play.Elsewhere;
+import steward.league.play.Roster.Member;
+import steward.machines.broker.LeagueBroker;
+import steward.machines.bundle.Bundle;
+import steward.machines.check.DisprovedException;
+import steward.machines.token.BrokerKey;
+import steward.machines.token.WorkerList;
+import steward.machines.wire.HeaderText;
+import steward.machines.wire.WireMessage;
+import steward.scene.PhysicsFingerprint;
+import steward.scene.json.Block;
+import steward.scene.json.SceneException;
+
+/**
+ * Games of a league that workers play. A result counts only for a job that the broker handed to the worker that sends
+ * it. What a game came to is read from its replay, which is played again; in a worker's first games, and in a share of
+ * the others, the bots are asked again. A worker that is caught is revoked and its games are set aside.
+ *
+ * <p>Longer than others: a game is followed here from the offer to the answer, and each word of a worker.
+ */
+public final class RemoteGames implements Elsewhere, AutoCloseable {
+
+    /** All of a new worker's first games are asked again. */
+    static final int FIRST = 20;
+    /** More games than this are never under way on workers; a schedule seldom has as many. */
+    private static final int MOST = 256;
+    private static final int MOST_SLOTS = 256;
+    private static final long POLL_MS = 200;
+    /** How long an offered game waits for a worker when none is connected, in nanoseconds. */
+    private static final long ALONE_NANOS = TimeUnit.SECONDS.toNanos(5);
+    private static final int LONGEST_TEXT = 200;
+
+    private final LeagueFolder folder;
+    private final Contest contest;
+    private final LeagueSettings settings;
+    private final LeagueBroker broker;
+    private final ReportedGames reported;
+    private final double share;
+    private final long leaseNanos;
+    private final String version;
+    private final Consumer<String> teller;
+    private final SecureRandom random = new SecureRandom();
+    private final Map<String, Offer> offers = new ConcurrentHashMap<>();
+    private final Map<String, Bundle> bundles = new ConcurrentHashMap<>();
+    private final Map<String, Bundle> byStamp = new ConcurrentHashMap<>();
+    private final Thread listening = new Thread(this::listen, "what workers say");
+    private volatile WorkerList list;
+    private volatile boolean closed;
+    private volatile SettingAside setter = (machine, why) -> 0;
+
+    /** Guarded by this. */
+    private final Map<String, WorkerState> workers = new TreeMap<>();
+    private int taken;
+    private String stamp;
+
+    /** Sets the games of a machine aside. */
+    public interface SettingAside {
+        /** See {@link steward.league.play.LeagueRun#setAside}. */
+        int setAside(String machine, String why) throws InterruptedException;
+    }
+
+    /** A job that is offered, and what comes of it: {@code null} if somebody else has to play it. */
+    private record Offer(CompletableFuture<Played> played) {
+    }
+
+    /** What a worker says of a job. */
+    private record Played(String worker, List<byte[]> replays, List<Boolean> starved) {
+    }
+
+    /**
+     * How workers are served.
+     *
+     * @param address    to listen at
+     * @param share      of the games whose bots are asked again, 0..1
+     * @param leaseNanos after which a job is offered again that a worker has
+     * @param version    of this program
+     */
+    public record Service(InetSocketAddress address, double share, long leaseNanos, String version) {
+    }
+
+    /**
+     * Begins to serve.
+     *
+     * @param contest of the scene
+     * @param teller  is told what happens, by any thread
+     * @throws InputException if nothing can listen there
+     */
+    public RemoteGames(LeagueFolder folder, Season season, Contest contest, LeagueSettings settings, GameTypes types,
+                       Service service, Consumer<String> teller) {
+        this.folder = folder;
+        this.contest = contest;
+        this.settings = settings;
+        this.teller = teller;
+        share = service.share();
+        leaseNanos = service.leaseNanos();
+        version = service.version();
+        reported = new ReportedGames(folder, season, contest, types);
+        stamp = WorkerList.stamp(folder);
+        list = WorkerList.read(folder);
+        BrokerKey key = new BrokerKey(folder);
+        key.make();
+        broker = new LeagueBroker(service.address(), key, list.workers().stream().map(WorkerList.Worker::name).toList(),
+            (name, secret) -> list.admits(name, secret));
+        listening.setDaemon(true);
+        listening.start();
+    }
+
+    /** Says how games are set aside; before any are played. */
+    public void onCaught(SettingAside how) {
+        setter = how;
+    }
+
+    // ---- games -----------------------------------------------------------------------------------
+
+    @Override
+    public int most() {
+        return MOST;
+    }
+
+    @Override
+    public synchronized boolean takePlace(long waitMs) throws InterruptedException {
+        if (taken >= places()) {
+            wait(waitMs);
+        }
+        if (taken >= places()) {
+            return false;
+        }
+        taken++;
+        return true;
+    }
+
+    /** As many games as workers play at the same time, and some that wait, so that nobody has to. */
+    private int places() {
+        int slots = workers.values().stream().mapToInt(worker -> worker.slots).sum();
+        return Math.min(MOST, slots + (slots + 3) / 4);
+    }
+
+    @Override
+    public synchronized void leavePlace() {
+        taken--;
+        notifyAll();
+    }
+
+    @Override
+    public List<StoredGame> play(Schedule.Task task, LeagueSettings now, List<Member> members)
+            throws InterruptedException {
+        HeaderText header = new HeaderText();
+        byte[] id = new byte[16];
+        random.nextBytes(id);
+        String job = HexFormat.of().formatHex(id);
+        Set<String> needs = new TreeSet<>();
+        List<HeaderText> seats = new ArrayList<>();
+        for (Member member : members) {
+            Bundle bundle = bundle(member);
+            needs.add(bundle.hash());
+            seats.add(new HeaderText().put("name", member.entrant().name()).put("bundle", bundle.hash())
+                .put("size", bundle.bytes().length));
+        }
+        header.put("type", "job").put("job", job).put("seed", Long.toString(task.seed())).put("seats", seats);
+        Offer offer = new Offer(new CompletableFuture<>());
+        offers.put(job, offer);
+        try {
+            broker.offer(job, needs, WireMessage.bytes(header));
+            Played played = await(job, offer);
+            return played == null ? null : believed(task, now, members, played);
+        } finally {
+            offers.remove(job);
+            broker.forget(job);
+        }
+    }
+
+    private Bundle bundle(Member member) {
+        Bundle bundle = byStamp.computeIfAbsent(member.bot().name() + "\n" + member.stamp(),
+            key -> Bundle.of(member.bot()));
+        bundles.put(bundle.hash(), bundle);
+        return bundle;
+    }
+
+    private Played await(String job, Offer offer) throws InterruptedException {
+        long alone = 0;
+        while (!closed) {
+            try {
+                return offer.played().get(POLL_MS, TimeUnit.MILLISECONDS);
+            } catch (TimeoutException none) {
+                alone = isAnyConnected() ? 0 : alone == 0 ? System.nanoTime() : alone;
+                if (alone != 0 && System.nanoTime() - alone > ALONE_NANOS) {
+                    return null;
+                }
+                if (broker.heldNanos(job) > leaseNanos) {
+                    say("worker " + broker.holder(job) + " has not finished a game within "
+                        + TimeUnit.NANOSECONDS.toSeconds(leaseNanos) + " s; it goes to others");
+                    return null;
+                }
+            } catch (ExecutionException impossible) {
+                throw new IllegalStateException(impossible);
+            }
+        }
+        return null;
+    }
+
+    private synchronized boolean isAnyConnected() {
+        return workers.values().stream().anyMatch(worker -> worker.slots > 0);
+    }
+
+    /** The game as its replays tell it; {@code null} if they are disproved, which has consequences for the worker. */
+    private List<StoredGame> believed(Schedule.Task task, LeagueSettings now, List<Member> members, Played played)
+            throws InterruptedException {
+        String worker = played.worker();
+        WorkerState state = state(worker);
+        try {
+            String machine;
+            synchronized (this) {
+                machine = WorkerState.machine(worker) + state.machine;
+            }
+            List<StoredGame> attempts = reported.attempts(task, now, members, played.replays(), played.starved(),
+                machine);
+            boolean again;
+            synchronized (this) {
+                again = share > 0 && (state.checked < FIRST || random.nextDouble() < share);
+                state.checked += again ? 1 : 0;
+            }
+            if (again) {
+                reported.askAgain(task, members, played.replays().get(attempts.size() - 1));
+            }
+            synchronized (this) {
+                if (state.caught) {
+                    return null;
+                }
+                count(state, attempts);
+            }
+            return attempts;
+        } catch (DisprovedException wrong) {
+            caught(state, wrong.getMessage());
+            return null;
+        }
+    }
+
+    private static void count(WorkerState state, List<StoredGame> attempts) {
+        state.games++;
+        state.repeated += attempts.size() - 1;
+        for (StoredSeat seat : attempts.get(attempts.size() - 1).seats()) {
+            state.faults += seat.fault() == null ? 0 : 1;
+            state.answers += seat.answers();
+        }
+    }
+
+    private void caught(WorkerState state, String why) throws InterruptedException {
+        synchronized (this) {
+            if (state.caught) {
+                return;
+            }
+            state.caught = true;
+            state.slots = 0;
+        }
+        try {
+            WorkerList.revoke(folder, state.name, "caught: " + shown(why));
+        } catch (InputException gone) {
+            say(gone.getMessage());
+        }
+        list = WorkerList.read(folder);
+        broker.disconnect(state.name);
+        int games = setter.setAside(WorkerState.machine(state.name), "set aside: worker " + state.name
+            + " was caught");
+        say("worker " + state.name + " is caught and revoked: " + why + "; " + games
+            + " of its games are set aside and played again");
+    }
+
+    @Override
+    public synchronized boolean isTrusted(String machine) {
+        return workers.values().stream().noneMatch(worker -> worker.caught
+            && machine.startsWith(WorkerState.machine(worker.name)));
+    }
+
+    // ---- what workers say ------------------------------------------------------------------------
+
+    private void listen() {
+        long looked = System.nanoTime();
+        while (!closed) {
+            try {
+                LeagueBroker.Report report = broker.next(POLL_MS);
+                if (report != null) {
+                    heard(report);
+                }
+                if (System.nanoTime() - looked > TimeUnit.MILLISECONDS.toNanos(POLL_MS)) {
+                    looked = System.nanoTime();
+                    look();
+                }
+            } catch (InterruptedException end) {
+                return;
+            } catch (RuntimeException problem) {
+                if (closed) {
+                    return;
+                }
+                say("what a worker says cannot be used: " + problem);
+            }
+        }
+    }
+
+    /** Looks who is there, and whether somebody was added or revoked. */
+    private void look() {
+        Set<String> connected = broker.connected();
+        synchronized (this) {
+            workers.values().forEach(worker -> worker.slots = connected.contains(worker.name) ? worker.slots : 0);
+            notifyAll();
+        }
+        String now = WorkerList.stamp(folder);
+        if (now.equals(stamp)) {
+            return;
+        }
+        stamp = now;
+        try {
+            list = WorkerList.read(folder);
+        } catch (InputException problem) {
+            say(problem.getMessage() + "; the workers stay as they were");
+            return;
+        }
+        for (WorkerList.Worker worker : list.workers()) {
+            if (worker.revoked() == null) {
+                broker.open(worker.name());
+            } else if (connected.contains(worker.name())) {
+                broker.disconnect(worker.name());
+                say("worker " + worker.name() + " is revoked");
+            }
+        }
+    }
+
+    private void heard(LeagueBroker.Report report) {
+        try {
+            WireMessage message = WireMessage.read(report.bytes(), "worker " + report.worker());
+            WorkerState state = state(report.worker());
+            synchronized (this) {
+                state.lastWord = System.currentTimeMillis();
+            }
+            Block header = message.header();
+            String type = header.text("type");
+            switch (type) {
+                case "hello" -> hello(state, header);
+                case "fetch" -> fetch(state, header);
+                case "result" -> result(state, message);
+                case "unfit" -> say("worker " + state.name + " cannot play a bot: " + shown(text(header, "reason")));
+                case "bye" -> leave(state);
+                default -> throw header.error("type", header.shown("type"), "one that workers send");
+            }
+        } catch (InputException | SceneException problem) {
+            say("worker " + report.worker() + " is sent away: " + shown(problem.getMessage()));
+            broker.disconnect(report.worker());
+        }
+    }
+
+    private static String text(Block header, String name) {
+        String text = header.text(name);
+        header.done();
+        return text;
+    }
+
+    private static String shown(String text) {
+        String plain = String.valueOf(text).replaceAll("[^ -~]", "?");
+        return plain.length() > LONGEST_TEXT ? plain.substring(0, LONGEST_TEXT) : plain;
+    }
+
+    private void hello(WorkerState state, Block header) {
+        String theirs = header.text("version");
+        String bits = header.text("bits");
+        String machine = header.text("machine");
+        int slots = header.integer("slots", 1, MOST_SLOTS);
+        header.done();
+        String own = PhysicsFingerprint.text();
+        if (!bits.equals(own)) {
+            String why = "found Steward " + shown(theirs) + " (results " + shown(bits) + ") on worker " + state.name
+                + " and Steward " + version + " (results " + own + ") in the league, expected versions that "
+                + "compute the same";
+            say(why);
+            broker.tell(state.name, WireMessage.bytes(new HeaderText().put("type", "refused").put("reason", why)));
+            return;
+        }
+        synchronized (this) {
+            state.slots = slots;
+            state.version = shown(theirs);
+            state.machine = shown(machine);
+            state.began = state.began == 0 ? System.nanoTime() : state.began;
+            notifyAll();
+        }
+        say("worker " + state.name + " plays " + slots + (slots == 1 ? " game" : " games") + " at a time: "
+            + shown(machine));
+        HeaderText welcome = new HeaderText().put("type", "welcome").put("factor", Double.toString(settings.factor()))
+            .put("basis", settings.basis().word()).put("hiccups", settings.hiccups().word());
+        broker.tell(state.name, WireMessage.bytes(welcome,
+            contest.setup().scene().json().getBytes(StandardCharsets.UTF_8)));
+    }
+
+    private void fetch(WorkerState state, Block header) {
+        String hash = header.text("bundle");
+        int from = header.integer("from", 0, Bundle.LARGEST);
+        header.done();
+        Bundle bundle = bundles.get(hash);
+        HeaderText answer = new HeaderText().put("type", "bundle").put("bundle", hash).put("from", from);
+        byte[] part = {};
+        if (bundle != null && from <= bundle.bytes().length) {
+            part = Arrays.copyOfRange(bundle.bytes(), from, Math.min(bundle.bytes().length, from + WireMessage.CHUNK));
+        }
+        broker.tell(state.name, WireMessage.bytes(answer.put("known", bundle != null), part));
+    }
+
+    private synchronized void leave(WorkerState state) {
+        state.slots = 0;
+        notifyAll();
+    }
+
+    private void result(WorkerState state, WireMessage message) {
+        Block header = message.header();
+        String job = header.text("job");
+        List<byte[]> found = new ArrayList<>();
+        List<Boolean> starved = new ArrayList<>();
+        int at = 0;
+        for (Block attempt : header.blocks("attempts")) {
+            int size = attempt.integer("size", 1, message.payload().length - at);
+            starved.add(attempt.flag("starved", false));
+            found.add(Arrays.copyOfRange(message.payload(), at, at + size));
+            at += size;
+        }
+        String problem = header.has("problem") ? header.text("problem") : null;
+        header.done();
+        Offer offer = offers.get(job);
+        if (offer == null || !state.name.equals(broker.holder(job))) {
+            return;                                    // too late, or never its own: somebody else plays it
+        }
+        if (problem != null || found.isEmpty() || found.size() > 2) {
+            say("worker " + state.name + " could not play a game: " + shown(problem));
+            offer.played().complete(null);
+            return;
+        }
+        offer.played().complete(new Played(state.name, found, starved));
+    }
+
+    private synchronized WorkerState state(String name) {
+        return workers.computeIfAbsent(name, WorkerState::new);
+    }
+
+    private void say(String what) {
+        teller.accept(what);
+    }
+
+    // ---- for people ------------------------------------------------------------------------------
+
+    /** All workers that have said anything. */
+    public synchronized List<WorkerSeen> seen() {
+        List<WorkerSeen> seen = new ArrayList<>();
+        for (WorkerState worker : new HashMap<>(workers).values()) {
+            double seconds = Math.max(1, System.nanoTime() - worker.began) / 1e9;
+            seen.add(new WorkerSeen(worker.name, worker.slots, worker.games, worker.games / seconds, worker.faults,
+                worker.repeated, worker.version, System.currentTimeMillis() - worker.lastWord, worker.caught));
+        }
+        seen.sort((one, other) -> one.name().compareTo(other.name()));
+        return seen;
+    }
+
+    @Override
+    public void close() {
+        closed = true;
+        listening.interrupt();
+        broker.close();
+    }
+}

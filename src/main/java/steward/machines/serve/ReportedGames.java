@@ -1,0 +1,108 @@
+package steward.machines.serve;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.HexFormat;
+import java.util.List;
+import steward.bot.FaultMessages;
+import steward.contest.Contest;
+import steward.contest.Hiccups;
+import steward.game.GameTypes;
+import steward.league.GameName;
+import steward.league.LeagueFolder;
+import steward.league.LeagueSettings;
+import steward.league.Schedule;
+import steward.league.Season;
+import steward.league.StoredGame;
+import steward.league.StoredGame.StoredSeat;
+import steward.league.play.KeptGames;
+import steward.league.play.Roster.Member;
+import steward.machines.check.AnswerCheck;
+import steward.machines.check.DisprovedException;
+import steward.machines.check.GzipText;
+import steward.machines.check.ReplayCheck;
+import steward.replay.RecordedMatch;
+
+/** Makes of a worker's replays what is stored of a game, or disproves them. Thread-safe. */
+final class ReportedGames {
+
+    private final Season season;
+    private final ReplayCheck replays;
+    private final AnswerCheck answers;
+    private final KeptGames keeper;
+
+    ReportedGames(LeagueFolder folder, Season season, Contest contest, GameTypes types) {
+        this.season = season;
+        replays = new ReplayCheck(contest, types);
+        answers = new AnswerCheck(contest, types);
+        keeper = new KeptGames(folder);
+    }
+
+    /**
+     * The attempts at a game as their replays tell them.
+     *
+     * @param sent    the replays, compressed
+     * @param starved of each attempt, whether it is said that the machine was starved
+     * @param machine where they were played
+     * @throws DisprovedException if it was not so
+     */
+    List<StoredGame> attempts(Schedule.Task task, LeagueSettings now, List<Member> members, List<byte[]> sent,
+                              List<Boolean> starved, String machine) throws DisprovedException {
+        List<StoredGame> attempts = new ArrayList<>();
+        for (int k = 0; k < sent.size(); k++) {
+            attempts.add(attempt(task, now, members, sent, starved, machine, k));
+        }
+        return attempts;
+    }
+
+    private StoredGame attempt(Schedule.Task task, LeagueSettings now, List<Member> members, List<byte[]> sent,
+                               List<Boolean> starved, String machine, int k)
+            throws DisprovedException {
+        byte[] name = GameName.of(season, task.seed(),
+            members.stream().map(member -> member.version().identity()).toList(), k + 1);
+        String source = "game " + HexFormat.of().formatHex(name);
+        ReplayCheck.Outcome outcome = replays.check(source, sent.get(k), new ReplayCheck.Expected(
+            task.seed(), members.stream().map(member -> member.entrant().name()).toList(),
+            members.stream().map(member -> member.entrant().protocol()).toList()));
+        boolean last = k == sent.size() - 1;
+        boolean late = outcome.seats().stream().anyMatch(seat -> seat.fault() != null
+            && FaultMessages.isTime(seat.fault()));
+        if (last ? starved.get(k) : !late || !starved.get(k) || now.hiccups() != Hiccups.REPLAY) {
+            throw new DisprovedException(source + ": found attempt " + (k + 1) + " of " + sent.size()
+                + (late ? "" : ", in which nobody was late") + ", expected another only for one lost on time");
+        }
+        List<StoredSeat> seats = new ArrayList<>();
+        for (int seat = 0; seat < members.size(); seat++) {
+            ReplayCheck.Seat told = outcome.seats().get(seat);
+            seats.add(new StoredSeat(members.get(seat).version().id(), told.rank(), told.score(), told.fault(),
+                told.answers(), told.meanNanos(), told.worstNanos(), told.firstNanos()));
+        }
+        String file = null;
+        List<String> names = members.stream().map(member -> member.bot().name()).toList();
+        if (KeptGames.keeps(now, true, seats, names)) {
+            try {
+                file = keeper.take(name, GzipText.bytes(sent.get(k)), true);
+            } catch (IOException damaged) {
+                throw new DisprovedException(source + ": " + damaged.getMessage());
+            }
+        }
+        return new StoredGame(0, name, task.decision(), task.seed(), k + 1, last, outcome.turns(), null,
+            System.currentTimeMillis(), machine, file, seats);
+    }
+
+    /**
+     * Asks bots again what they were asked, those that do not draw by lot.
+     *
+     * @param replay of the last attempt
+     * @throws DisprovedException if one answers otherwise
+     */
+    void askAgain(Schedule.Task task, List<Member> members, byte[] replay) throws DisprovedException {
+        RecordedMatch match = AnswerCheck.read("game of seed " + task.seed(), replay);
+        for (int seat = 0; seat < members.size(); seat++) {
+            Member member = members.get(seat);
+            if (!member.bot().random() && !member.version().random()) {
+                answers.check(match, seat, member.entrant());
+            }
+        }
+    }
+}

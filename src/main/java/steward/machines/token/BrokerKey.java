@@ -1,0 +1,127 @@
+package steward.machines.token;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.GeneralSecurityException;
+import java.security.KeyStore;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.security.PublicKey;
+import java.security.cert.Certificate;
+import java.util.ArrayList;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import steward.files.InputException;
+import steward.league.LeagueFolder;
+
+/**
+ * The key that a league's broker shows to its workers, with a certificate that it has signed itself. Workers know it by
+ * its fingerprint, SHA-256 over the encoded public key (X.509 SubjectPublicKeyInfo), so that the certificate can be
+ * renewed under the same key. Made by the JDK's {@code keytool}.
+ */
+public final class BrokerKey {
+
+    /** What the store of keys is locked with. It protects nothing: that is done by the file's permissions. */
+    public static final String PASSWORD = "steward";
+    private static final String ALIAS = "broker";
+    private static final String DAYS = "3650";
+    private static final long PATIENCE_S = 60;
+
+    private final Path store;
+
+    /** The key of a league; it need not be there. */
+    public BrokerKey(LeagueFolder folder) {
+        store = WorkerList.folder(folder).resolve("broker.p12");
+    }
+
+    /** The store of keys, of type PKCS12. */
+    public Path store() {
+        return store;
+    }
+
+    /** Makes a key and a certificate, if they are not there. */
+    public void make() {
+        if (Files.exists(store)) {
+            return;
+        }
+        PrivateFile.folder(store.getParent());
+        keytool(List.of("-genkeypair", "-alias", ALIAS, "-keyalg", "EC", "-groupname", "secp256r1", "-sigalg",
+            "SHA256withECDSA", "-dname", "CN=steward league", "-validity", DAYS, "-keystore", store.toString(),
+            "-storetype", "PKCS12"));
+    }
+
+    /** Makes a new certificate for the same key: workers go on trusting it. */
+    public void renew() {
+        Path request = store.resolveSibling("broker.csr");
+        Path certificate = store.resolveSibling("broker.crt");
+        try {
+            keytool(List.of("-certreq", "-alias", ALIAS, "-keystore", store.toString(), "-file", request.toString()));
+            keytool(List.of("-gencert", "-alias", ALIAS, "-keystore", store.toString(), "-validity", DAYS, "-infile",
+                request.toString(), "-outfile", certificate.toString()));
+            keytool(List.of("-importcert", "-noprompt", "-alias", ALIAS, "-keystore", store.toString(), "-file",
+                certificate.toString()));
+        } finally {
+            request.toFile().delete();
+            certificate.toFile().delete();
+        }
+    }
+
+    private static void keytool(List<String> options) {
+        List<String> words = new ArrayList<>();
+        words.add(Path.of(System.getProperty("java.home"), "bin", "keytool").toString());
+        words.addAll(options);
+        words.addAll(List.of("-storepass", PASSWORD));
+        try {
+            Process process = new ProcessBuilder(words).redirectErrorStream(true).start();
+            process.getOutputStream().close();
+            String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8).strip();
+            if (!process.waitFor(PATIENCE_S, TimeUnit.SECONDS) || process.exitValue() != 0) {
+                process.destroyForcibly();
+                throw new InputException("keytool " + options.get(0) + " failed: " + said.replace('\n', ' '));
+            }
+        } catch (IOException problem) {
+            throw new InputException("found no program " + words.get(0) + ", expected the keytool of Java: "
+                + problem.getMessage());
+        } catch (InterruptedException interrupted) {
+            Thread.currentThread().interrupt();
+            throw new InputException("keytool was interrupted");
+        }
+    }
+
+    /** The certificate as it is now. */
+    Certificate certificate() {
+        try (InputStream in = Files.newInputStream(store)) {
+            KeyStore keys = KeyStore.getInstance("PKCS12");
+            keys.load(in, PASSWORD.toCharArray());
+            Certificate certificate = keys.getCertificate(ALIAS);
+            if (certificate == null) {
+                throw new InputException(store + ": found no key '" + ALIAS + "', expected the broker's");
+            }
+            return certificate;
+        } catch (IOException | GeneralSecurityException problem) {
+            throw new InputException(store + ": cannot be read: " + problem.getMessage());
+        }
+    }
+
+    /** The fingerprint of the key. */
+    public String fingerprint() {
+        return fingerprint(certificate().getPublicKey());
+    }
+
+    /** The fingerprint of any key: 64 hexadecimal digits. */
+    public static String fingerprint(PublicKey key) {
+        return HexFormat.of().formatHex(sha256(key.getEncoded()));
+    }
+
+    static byte[] sha256(byte[] bytes) {
+        try {
+            return MessageDigest.getInstance("SHA-256").digest(bytes);
+        } catch (NoSuchAlgorithmException impossible) {
+            throw new IllegalStateException(impossible);
+        }
+    }
+}

@@ -1,0 +1,92 @@
+package steward.machines.token;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.attribute.PosixFilePermission;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.Set;
+import steward.files.InputException;
+import steward.files.OutputFiles;
+import steward.scene.json.JsonLimits;
+
+/** Files and folders that their owner alone may read. */
+public final class PrivateFile {
+
+    private static final Set<PosixFilePermission> OTHERS = PosixFilePermissions.fromString("---rwxrwx");
+
+    private PrivateFile() {
+    }
+
+    /** Makes a folder, if it is not there. */
+    static void folder(Path folder) {
+        try {
+            Files.createDirectories(folder);
+            if (isPosix(folder)) {
+                Files.setPosixFilePermissions(folder, PosixFilePermissions.fromString("rwx------"));
+            }
+        } catch (IOException problem) {
+            throw new InputException(folder + ": cannot be made: " + OutputFiles.reason(folder, problem));
+        }
+    }
+
+    /** Writes a file as a whole: it is never there with other permissions, nor in part. */
+    static void write(Path file, String text, boolean replace) {
+        Path part = file.resolveSibling(file.getFileName() + ".part");
+        try {
+            if (!replace && Files.exists(file)) {
+                throw new InputException(file + ": exists already, and is kept; expected the name of a new file");
+            }
+            Files.deleteIfExists(part);
+            if (isPosix(file.toAbsolutePath().getParent())) {
+                Files.createFile(part, PosixFilePermissions.asFileAttribute(
+                    PosixFilePermissions.fromString("rw-------")));
+            } else {
+                Files.createFile(part);
+            }
+            Files.writeString(part, text);
+            Files.move(part, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+        } catch (IOException problem) {
+            throw new InputException(file + ": cannot be written: " + OutputFiles.reason(file, problem));
+        }
+    }
+
+    /** Its text. */
+    static String read(Path file, String expected) {
+        try {
+            if (Files.isDirectory(file) || Files.notExists(file)) {
+                throw new InputException(file + ": found " + (Files.isDirectory(file) ? "a folder" : "no such file")
+                    + ", expected " + expected);
+            }
+            if (Files.size(file) > JsonLimits.BYTES) {
+                throw new InputException(file + ": found a file of " + Files.size(file) + " bytes, expected "
+                    + expected);
+            }
+            return Files.readString(file, StandardCharsets.UTF_8);
+        } catch (IOException problem) {
+            throw new InputException(file + ": cannot be read: " + OutputFiles.reason(file, problem));
+        }
+    }
+
+    /** What is to be said where others may read or write a file; {@code null} if they may not. */
+    public static String warning(Path file) {
+        try {
+            if (isPosix(file)) {
+                Set<PosixFilePermission> found = Files.getPosixFilePermissions(file);
+                if (found.stream().anyMatch(OTHERS::contains)) {
+                    return file + ": found it readable or writable by others (" + PosixFilePermissions.toString(found)
+                        + "), expected a file of yours alone: chmod 600 " + file;
+                }
+            }
+            return null;
+        } catch (IOException gone) {
+            return null;
+        }
+    }
+
+    private static boolean isPosix(Path file) {
+        return file.getFileSystem().supportedFileAttributeViews().contains("posix");
+    }
+}

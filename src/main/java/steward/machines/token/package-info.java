@@ -1,0 +1,5 @@
+/** Who may play for a league: the broker's key, the workers and their tokens, in private files. */
+@Internal
+package steward.machines.token;
+
+import steward.Internal;

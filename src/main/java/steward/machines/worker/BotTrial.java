@@ -1,0 +1,40 @@
+package steward.machines.worker;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.Collections;
+import java.util.List;
+import steward.bot.FaultMessages;
+import steward.contest.Contest;
+import steward.contest.Contest.Entrant;
+import steward.match.MatchListener;
+import steward.match.Turn;
+
+/** Tries whether a bot runs on this machine: it is asked once, in the first turn of a game against itself. */
+final class BotTrial {
+
+    private BotTrial() {
+    }
+
+    /** Why it does not run here, or {@code null}. A late answer says nothing: the machine may be busy. */
+    static String problem(Contest contest, Entrant entrant) throws InterruptedException {
+        if (entrant.problem() != null) {
+            return entrant.problem();
+        }
+        List<Entrant> all = Collections.nCopies(contest.players(), entrant);
+        String[] found = {null};
+        try {
+            contest.between(all).play(0, 0, null, new MatchListener() {
+                @Override
+                public void commands(Turn turn) {
+                    String fault = turn.fault(0);
+                    found[0] = fault != null && !FaultMessages.isTime(fault) ? fault : null;
+                    throw new UncheckedIOException(new IOException("the trial is over"));
+                }
+            });
+        } catch (UncheckedIOException over) {
+            return found[0];
+        }
+        return found[0];
+    }
+}

@@ -1,0 +1,189 @@
+package steward.machines.worker;
+
+import java.io.ByteArrayOutputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Supplier;
+import steward.bot.TimeBasis;
+import steward.bot.command.BotCommand;
+import steward.bot.isolation.Isolation;
+import steward.contest.Contest;
+import steward.contest.Contest.Entrant;
+import steward.contest.Failure;
+import steward.contest.GameLog;
+import steward.contest.Hiccups;
+import steward.files.InputException;
+import steward.game.GameSetup;
+import steward.game.GameTypes;
+import steward.machines.bundle.Bundle;
+import steward.machines.bundle.UnpackedBundle;
+import steward.machines.check.GzipText;
+import steward.machines.wire.HeaderText;
+import steward.machines.wire.WireMessage;
+import steward.match.MatchResult;
+import steward.match.Protocol;
+import steward.scene.json.Block;
+
+/** Plays jobs of a league: its scene and limits, and the bots that have been fetched. Thread-safe. */
+final class JobPlay {
+
+    private static final int MOST_SEATS = 16;
+
+    private final Contest contest;
+    private final Hiccups hiccups;
+    private final Path folder;
+    private final Map<String, Entrant> bots = new ConcurrentHashMap<>();
+
+    /** Brings the bytes of a bundle. */
+    interface Fetcher {
+        byte[] fetch(String bundle, int size) throws Exception;
+    }
+
+    /**
+     * A job.
+     *
+     * @param id    of the job
+     * @param seed  of the game
+     * @param seats the players in order
+     */
+    record Job(String id, long seed, List<Seat> seats) {
+
+        /** A player. */
+        record Seat(String name, String bundle, int size) {
+        }
+    }
+
+    /** A bot that does not run here. */
+    static final class UnfitException extends Exception {
+
+        private static final long serialVersionUID = 1;
+
+        private final String bundle;
+
+        UnfitException(String bundle, String message) {
+            super(message);
+            this.bundle = bundle;
+        }
+
+        String bundle() {
+            return bundle;
+        }
+    }
+
+    /**
+     * Takes what the league says of its games.
+     *
+     * @param folder where bundles go
+     * @throws InputException if it cannot be used
+     */
+    JobPlay(WireMessage welcome, GameTypes types, Supplier<Isolation> isolation, Path folder) {
+        Block header = welcome.header();
+        header.text("type");
+        double factor;
+        try {
+            factor = Double.parseDouble(header.text("factor"));
+        } catch (NumberFormatException problem) {
+            throw header.error("factor", header.shown("factor"), "a number");
+        }
+        TimeBasis basis = TimeBasis.of(header.text("basis")).orElseThrow(() ->
+            header.error("basis", header.shown("basis"), "wall or cpu"));
+        hiccups = Hiccups.of(header.text("hiccups")).orElseThrow(() ->
+            header.error("hiccups", header.shown("hiccups"), "replay or count"));
+        header.done();
+        GameSetup setup = types.open(new String(welcome.payload(), StandardCharsets.UTF_8),
+            "the league's scene");
+        contest = Contest.withoutBots(setup, factor).limitedBy(basis).isolatedBy(isolation);
+        this.folder = folder;
+    }
+
+    /** Reads a job. */
+    static Job job(WireMessage message) {
+        Block header = message.header();
+        header.text("type");
+        String id = header.text("job");
+        long seed;
+        try {
+            seed = Long.parseLong(header.text("seed"));
+        } catch (NumberFormatException problem) {
+            throw header.error("seed", header.shown("seed"), "a whole number of 64 bits as a text");
+        }
+        List<Job.Seat> seats = new ArrayList<>();
+        for (Block seat : header.blocks("seats")) {
+            String bundle = seat.text("bundle");
+            if (seats.size() == MOST_SEATS || !bundle.matches("[0-9a-f]{64}")) {
+                throw seat.error("bundle", seat.shown("bundle"), "a hash, and at most " + MOST_SEATS + " seats");
+            }
+            seats.add(new Job.Seat(seat.text("name"), bundle,
+                seat.integer("size", 1, Bundle.LARGEST)));
+        }
+        header.done();
+        return new Job(id, seed, seats);
+    }
+
+    /**
+     * Plays a job.
+     *
+     * @return the report for the league
+     * @throws UnfitException if a bot does not run here
+     */
+    byte[] play(Job job, Fetcher fetcher) throws Exception {
+        List<Entrant> entrants = new ArrayList<>();
+        for (Job.Seat seat : job.seats()) {
+            entrants.add(entrant(seat, fetcher).named(seat.name()));
+        }
+        if (entrants.size() != contest.players()) {
+            throw new InputException("found a job of " + entrants.size() + " seats, expected " + contest.players());
+        }
+        List<HeaderText> attempts = new ArrayList<>();
+        List<byte[]> replays = new ArrayList<>();
+        String problem = null;
+        for (int attempt = 1; attempt <= 2 && problem == null; attempt++) {
+            Contest match = contest.between(entrants);
+            GameLog log = new GameLog(match, 0);
+            ByteArrayOutputStream recording = new ByteArrayOutputStream();
+            MatchResult result = null;
+            try {
+                result = match.play(job.seed(), 0, recording, log);
+            } catch (UncheckedIOException failed) {
+                problem = String.valueOf(failed.getMessage());
+            }
+            boolean again = attempt == 1 && result != null && hiccups == Hiccups.REPLAY
+                && log.failures().stream().anyMatch(Failure::starved);
+            byte[] replay = GzipText.compressed(recording.toByteArray());
+            replays.add(replay);
+            attempts.add(new HeaderText().put("size", replay.length).put("starved", again));
+            if (!again) {
+                break;
+            }
+        }
+        return WireMessage.bytes(new HeaderText().put("type", "result").put("job", job.id()).put("attempts", attempts)
+            .put("problem", problem), replays.toArray(byte[][]::new));
+    }
+
+    private synchronized Entrant entrant(Job.Seat seat, Fetcher fetcher) throws Exception {
+        Entrant known = bots.get(seat.bundle());
+        if (known != null) {
+            return known;
+        }
+        UnpackedBundle unpacked;
+        try {
+            unpacked = UnpackedBundle.of(folder, seat.bundle(), fetcher.fetch(seat.bundle(), seat.size()));
+        } catch (InputException problem) {
+            throw new UnfitException(seat.bundle(), seat.name() + ": " + problem.getMessage());
+        }
+        Protocol protocol = unpacked.command().prefix() == BotCommand.Prefix.CODINGAME ? Protocol.CODINGAME
+            : Protocol.JSON;
+        Entrant entrant = new Entrant(seat.name(), unpacked.command().toString(), protocol, unpacked.words());
+        String problem = BotTrial.problem(contest, entrant);
+        if (problem != null) {
+            throw new UnfitException(seat.bundle(), seat.name() + " does not run here: " + problem);
+        }
+        bots.put(seat.bundle(), entrant);
+        return entrant;
+    }
+}

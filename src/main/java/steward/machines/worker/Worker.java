@@ -1,0 +1,239 @@
+package steward.machines.worker;
+
+import java.io.ByteArrayOutputStream;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.ConcurrentSkipListSet;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import steward.bot.isolation.Isolation;
+import steward.files.InputException;
+import steward.game.GameTypes;
+import steward.machines.broker.BrokerClient;
+import steward.machines.broker.BrokerClient.BrokenException;
+import steward.machines.token.WorkerToken;
+import steward.machines.wire.HeaderText;
+import steward.machines.wire.WireMessage;
+import steward.scene.PhysicsFingerprint;
+import steward.scene.json.SceneException;
+
+/**
+ * Plays games of a league until it is told to end. A connection that breaks is made anew; the games that were under way
+ * then are lost here and go to others.
+ */
+public final class Worker {
+
+    private static final long POLL_MS = 500;
+    private static final long PATIENCE_MS = 20_000;
+    private static final long SHORTEST_WAIT_MS = 250;
+    private static final long LONGEST_WAIT_MS = 30_000;
+
+    private final Options options;
+    private final GameTypes types;
+    private final Consumer<String> teller;
+    private final long end;
+    private final AtomicLong begun = new AtomicLong();
+    private final AtomicLong played = new AtomicLong();
+    private final Set<String> unfit = new ConcurrentSkipListSet<>();
+    private volatile boolean draining;
+
+    /**
+     * What a worker does.
+     *
+     * @param host      of the league
+     * @param port      of its broker
+     * @param token     who it is
+     * @param slots     games at the same time
+     * @param games     after which it ends; {@code Long.MAX_VALUE} for no end
+     * @param nanos     after which no game is begun; {@code Long.MAX_VALUE} for no end
+     * @param isolation how bots are kept apart
+     * @param folder    where bundles go
+     * @param version   of this program
+     * @param machine   what it is played on
+     */
+    public record Options(String host, int port, WorkerToken token, int slots, long games, long nanos,
+                          Supplier<Isolation> isolation, Path folder, String version, String machine) {
+    }
+
+    /** @param teller is told what happens, by any thread */
+    public Worker(Options options, GameTypes types, Consumer<String> teller) {
+        this.options = options;
+        this.types = types;
+        this.teller = teller;
+        end = options.nanos() == Long.MAX_VALUE ? Long.MAX_VALUE : System.nanoTime() + options.nanos();
+    }
+
+    /** Takes no game any more; those under way are finished. From any thread. */
+    public void drain() {
+        draining = true;
+    }
+
+    /** How many games were played and reported. */
+    public long played() {
+        return played.get();
+    }
+
+    private boolean isOver() {
+        return draining || begun.get() >= options.games()
+            || end != Long.MAX_VALUE && System.nanoTime() - end >= 0;
+    }
+
+    /**
+     * Plays until it is over. Call once.
+     *
+     * @throws InputException if the league sends it away
+     */
+    public void play() throws InterruptedException {
+        long wait = SHORTEST_WAIT_MS;
+        String told = "";
+        while (!isOver()) {
+            long before = played.get();
+            try (BrokerClient client = new BrokerClient(options.host(), options.port(), options.token())) {
+                session(client);
+            } catch (BrokenException problem) {
+                if (problem.isRefused() && played.get() == before) {
+                    throw new InputException(problem.getMessage());
+                }
+                String what = problem.getMessage() + "; it is tried again";
+                if (!what.equals(told)) {
+                    teller.accept(what);
+                }
+                told = what;
+            }
+            wait = played.get() > before ? SHORTEST_WAIT_MS : Math.min(LONGEST_WAIT_MS, wait * 2);
+            for (long slept = 0; slept < wait && !isOver(); slept += SHORTEST_WAIT_MS) {
+                TimeUnit.MILLISECONDS.sleep(SHORTEST_WAIT_MS);
+            }
+        }
+    }
+
+    /** One connection. */
+    private void session(BrokerClient client) throws BrokenException, InterruptedException {
+        client.say(WireMessage.bytes(new HeaderText().put("type", "hello").put("version", options.version())
+            .put("bits", PhysicsFingerprint.text()).put("machine", options.machine()).put("slots", options.slots())));
+        JobPlay jobs = welcome(client);
+        teller.accept("joined " + options.host() + ":" + options.port() + " as " + options.token().worker() + ", "
+            + options.slots() + (options.slots() == 1 ? " game" : " games") + " at a time");
+        List<Thread> threads = new ArrayList<>();
+        List<Exception> problems = Collections.synchronizedList(new ArrayList<>());
+        for (int slot = 0; slot < options.slots(); slot++) {
+            Thread thread = new Thread(() -> {
+                try {
+                    slot(client, jobs);
+                } catch (Exception problem) {
+                    problems.add(problem);
+                }
+            }, "worker");
+            thread.setDaemon(true);
+            thread.start();
+            threads.add(thread);
+        }
+        for (Thread thread : threads) {
+            thread.join();
+        }
+        if (problems.isEmpty()) {
+            client.say(WireMessage.bytes(new HeaderText().put("type", "bye")));
+            return;
+        }
+        Exception first = problems.get(0);
+        if (first instanceof BrokenException broken) {
+            throw broken;
+        }
+        throw new InputException("what the league says cannot be used: " + first.getMessage());
+    }
+
+    private JobPlay welcome(BrokerClient client) throws BrokenException {
+        long began = System.nanoTime();
+        while (System.nanoTime() - began < TimeUnit.MILLISECONDS.toNanos(PATIENCE_MS)) {
+            byte[] bytes = client.listen(POLL_MS);
+            if (bytes == null) {
+                continue;
+            }
+            WireMessage message = WireMessage.read(bytes, "the league");
+            switch (message.header().text("type")) {
+                case "refused" -> throw new InputException(message.header().text("reason"));
+                case "welcome" -> {
+                    try {
+                        return new JobPlay(message, types, options.isolation(), options.folder());
+                    } catch (SceneException problem) {
+                        throw new InputException(problem.getMessage());
+                    }
+                }
+                default -> {
+                    continue;                          // of an earlier connection
+                }
+            }
+        }
+        throw new InputException(options.host() + ":" + options.port() + ": the league does not answer, expected a "
+            + "league that is played");
+    }
+
+    /** One place: takes jobs until it is over. */
+    private void slot(BrokerClient client, JobPlay jobs) throws Exception {
+        while (!isOver()) {
+            int known = unfit.size();
+            try (BrokerClient.Taker taker = client.taker(unfit)) {
+                while (!isOver() && unfit.size() == known) {
+                    byte[] bytes = taker.take(POLL_MS);
+                    if (bytes == null) {
+                        continue;
+                    }
+                    if (begun.incrementAndGet() > options.games()) {
+                        return;                        // the last game is another place's
+                    }
+                    JobPlay.Job job = JobPlay.job(WireMessage.read(bytes, "the league"));
+                    try {
+                        taker.finish(jobs.play(job, (hash, size) -> fetch(client, hash, size)));
+                        played.incrementAndGet();
+                    } catch (JobPlay.UnfitException problem) {
+                        begun.decrementAndGet();
+                        unfit.add(problem.bundle());
+                        teller.accept(problem.getMessage());
+                        client.say(WireMessage.bytes(new HeaderText().put("type", "unfit")
+                            .put("bundle", problem.bundle()).put("reason", shortened(problem.getMessage()))));
+                    }
+                }
+            }
+        }
+    }
+
+    private static String shortened(String text) {
+        return text.length() > 500 ? text.substring(0, 500) : text;
+    }
+
+    /** The bytes of a bundle, piece by piece; one bundle at a time. */
+    private synchronized byte[] fetch(BrokerClient client, String hash, int size) throws BrokenException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        while (bytes.size() < size) {
+            client.say(WireMessage.bytes(new HeaderText().put("type", "fetch").put("bundle", hash)
+                .put("from", bytes.size())));
+            byte[] part = part(client, hash, bytes.size());
+            if (part.length == 0 || bytes.size() + part.length > size) {
+                throw new InputException("the league has no bundle " + hash + " of " + size + " bytes any more");
+            }
+            bytes.write(part, 0, part.length);
+        }
+        return bytes.toByteArray();
+    }
+
+    private static byte[] part(BrokerClient client, String hash, int from) throws BrokenException {
+        long began = System.nanoTime();
+        while (System.nanoTime() - began < TimeUnit.MILLISECONDS.toNanos(PATIENCE_MS)) {
+            byte[] bytes = client.listen(POLL_MS);
+            if (bytes == null) {
+                continue;
+            }
+            WireMessage message = WireMessage.read(bytes, "the league");
+            if (message.header().text("type").equals("bundle") && message.header().text("bundle").equals(hash)
+                && message.header().integer("from", 0, Integer.MAX_VALUE) == from) {
+                return message.payload();
+            }
+        }
+        throw new InputException("the league does not send the bundle " + hash);
+    }
+}

@@ -1,0 +1,102 @@
+package steward.machines.bundle;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipOutputStream;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import steward.files.InputException;
+import steward.league.LeagueBot;
+
+/** Bots packed and unpacked; archives that want out of their folder. */
+@Tag("process")
+class BundleTest {
+
+    private static final String EMPTY = "{\"command\":\"sh -c true\",\"files\":[]}";
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void aBotIsUnpackedAsItWasPacked() throws IOException {
+        Path program = Files.writeString(folder.resolve("bot.sh"), "#!/bin/sh\nexit 0\n");
+        assertTrue(program.toFile().setExecutable(true));
+        Path data = Files.writeString(folder.resolve("weights"), "1 2 3");
+        LeagueBot bot = new LeagueBot("mine", "sh " + program, List.of(program.toString(), data.toString()), false,
+            false);
+        Bundle bundle = Bundle.of(bot);
+        assertEquals(bundle.hash(), Bundle.of(bot).hash(), "the same files make the same bundle");
+
+        UnpackedBundle unpacked = UnpackedBundle.of(folder.resolve("there"), bundle.hash(), bundle.bytes());
+        Path there = Path.of(unpacked.words().get(unpacked.words().size() - 1));
+        assertTrue(there.startsWith(folder.resolve("there").toAbsolutePath()), there.toString());
+        assertEquals(Files.readString(program), Files.readString(there));
+        assertTrue(Files.isExecutable(there));
+        assertEquals("1 2 3", Files.readString(there.resolveSibling("weights")));
+        Files.writeString(data, "4");
+        assertFalse(Bundle.of(bot).hash().equals(bundle.hash()), "another file is another bundle");
+    }
+
+    private static byte[] archive(String... namesAndTexts) throws IOException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (ZipOutputStream zip = new ZipOutputStream(bytes)) {
+            for (int k = 0; k < namesAndTexts.length; k += 2) {
+                zip.putNextEntry(new ZipEntry(namesAndTexts[k]));
+                zip.write(namesAndTexts[k + 1].getBytes(StandardCharsets.UTF_8));
+                zip.closeEntry();
+            }
+        }
+        return bytes.toByteArray();
+    }
+
+    private void refused(byte[] bytes, String what) throws IOException {
+        Path bundles = folder.resolve("bundles");
+        InputException problem = assertThrows(InputException.class,
+            () -> UnpackedBundle.of(bundles, Bundle.hash(bytes), bytes));
+        assertTrue(problem.getMessage().contains(what), problem.getMessage());
+        assertFalse(Files.exists(folder.resolve("out")), "nothing is written outside");
+        try (var files = Files.walk(folder)) {
+            assertEquals(0, files.filter(Files::isRegularFile).count());
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"../out", "here/../../out", "/out", "here//out", "here/./out", "..", "here/a\\..\\out",
+        "C:/out", "here/", "here/\u0007"})
+    void aNameThatLeadsOutIsRefused(String name) throws IOException {
+        refused(archive(Bundle.LIST, EMPTY, name, "x"), "expected one within the bundle");
+    }
+
+    @Test
+    void aListThatNamesFilesOutsideIsRefused() throws IOException {
+        refused(archive(Bundle.LIST, "{\"command\":\"sh x\",\"files\":[{\"typed\":\"x\",\"place\":\"../../out\"}]}"),
+            "is not within the bundle");
+        refused(archive(Bundle.LIST, "{\"command\":\"sh x\",\"files\":7}"), "expected an array of objects");
+        refused(archive("here/a", "x"), "expected the list of the others");
+        byte[] good = archive(Bundle.LIST, EMPTY);
+        InputException other = assertThrows(InputException.class,
+            () -> UnpackedBundle.of(folder, "0".repeat(64), good));
+        assertTrue(other.getMessage().contains("found other bytes"), other.getMessage());
+    }
+
+    @Test
+    void whatIsUnpackedThereAlreadyStays() throws IOException {
+        byte[] bytes = archive(Bundle.LIST, EMPTY, "here/a", "x");
+        UnpackedBundle first = UnpackedBundle.of(folder, Bundle.hash(bytes), bytes);
+        assertEquals(first, UnpackedBundle.of(folder, Bundle.hash(bytes), bytes));
+        assertEquals(List.of(Bundle.hash(bytes)), List.of(folder.toFile().list()), "and nothing else is left");
+    }
+}

@@ -1,0 +1,226 @@
+package steward.machines.part;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.sql.Connection;
+import java.sql.DriverManager;
+import java.sql.PreparedStatement;
+import java.sql.ResultSet;
+import java.sql.SQLException;
+import java.sql.Statement;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import steward.cli.Cli;
+import steward.cli.ShellBots;
+import steward.cli.TextShellBots;
+import steward.cli.shared.Games;
+import steward.contest.Contest;
+import steward.contest.GameLog;
+import steward.league.LeagueFolder;
+import steward.league.Season;
+import steward.league.store.GameQueries;
+import steward.league.store.GameStore;
+import steward.machines.check.GzipText;
+import steward.match.Protocol;
+
+/** Parts of leagues of shell bots, which are deterministic: played, merged, forged. */
+@Tag("process")
+@Tag("slow")
+@Timeout(600)
+class PartTest {
+
+    private static final int GAMES = 12;
+
+    @TempDir
+    private Path folder;
+
+    private TextShellBots bots;
+
+    @BeforeEach
+    void prepare() throws IOException {
+        assumeTrue(ShellBots.runnable(), "skipped: there is no /bin/sh");
+        String scene = Files.readString(Path.of("config/scenes/duel.json"))
+            .replace("\"maximumTurns\": 200", "\"maximumTurns\": 8").replace("\"answerMs\": 75", "\"answerMs\": 30000")
+            .replace("\"firstAnswerMs\": 1000", "\"firstAnswerMs\": 60000");
+        Files.writeString(folder.resolve("short.json"), scene);
+        bots = new TextShellBots(folder);
+    }
+
+    private Cli league(String... words) {
+        String[] call = new String[words.length + 1];
+        call[0] = "league";
+        for (int k = 0; k < words.length; k++) {
+            call[k + 1] = words[k].replace("TMP", folder.toString());
+        }
+        return Cli.run(call);
+    }
+
+    private String done(String... words) {
+        Cli cli = league(words);
+        assertEquals(0, cli.status(), cli.err());
+        return cli.out();
+    }
+
+    private void make(String name, String seed) {
+        done("init", "TMP/" + name, "--scene", "TMP/short.json", "--seed", seed);
+        done("add", "TMP/" + name, "fast=codingame:" + bots.driver());
+        done("add", "TMP/" + name, "still=codingame:" + bots.idler(0));
+        done("add", "TMP/" + name, "wrong=codingame:" + bots.idler(3));
+    }
+
+    private void shard(String league, int part, int parts) {
+        done("shard", "TMP/" + league, "--part", part + "/" + parts, "--games", Integer.toString(GAMES), "--out",
+            "TMP/part" + part + ".db");
+    }
+
+    /** Every game without what is measured: it has to be the same wherever it was played. */
+    private List<String> games(String league) {
+        List<String> lines = new ArrayList<>();
+        try (GameStore store = GameStore.read(new LeagueFolder(folder.resolve(league)))) {
+            Map<Integer, String> names = new HashMap<>();
+            store.versions().forEach(version -> names.put(version.id(), version.display()));
+            Season season = store.lastSeason().orElseThrow();
+            new GameQueries(store, store.season(season).orElseThrow(), season).games(game ->
+                lines.add(game.decision() + " " + game.seed() + " " + game.attempt() + " " + game.counts() + " "
+                    + game.turns() + " " + game.seats().stream().map(seat -> names.get(seat.version()) + ":"
+                        + seat.rank() + ":" + seat.score() + ":" + seat.fault() + ":" + seat.answers()).toList()));
+        }
+        lines.sort(null);
+        return lines;
+    }
+
+    @Test
+    void allPartsTogetherAreTheGamesOfOneMachine() {
+        make("whole", "5");
+        done("run", "TMP/whole", "--games", Integer.toString(GAMES), "--quiet");
+        make("parts", "5");
+        for (int part = 1; part <= 3; part++) {
+            shard("parts", part, 3);
+        }
+        assertTrue(done("merge", "TMP/parts", "TMP/part2.db").contains("part 2/3, 4 games stored"));
+        assertTrue(done("merge", "TMP/parts", "TMP/part1.db", "TMP/part2.db", "TMP/part3.db")
+            .contains("part 2/3, 0 games stored, 4 were there already"));
+        assertEquals(games("whole"), games("parts"));
+        assertEquals(GAMES, games("parts").size());
+
+        // A run goes on behind them, and a part that is played again on top has nothing to do.
+        done("run", "TMP/parts", "--games", "14", "--quiet");
+        done("run", "TMP/whole", "--games", "14", "--quiet");
+        assertEquals(games("whole"), games("parts"));
+        assertTrue(done("shard", "TMP/parts", "--part", "1/3", "--games", Integer.toString(GAMES), "--out",
+            "TMP/part1.db").contains("Part 1/3: 0 games played, 4 in "));
+    }
+
+    @Test
+    void aPartOfAnotherLeagueIsRefusedByName() throws IOException {
+        make("parts", "5");
+        shard("parts", 1, 3);
+        make("seed", "6");
+        league("merge", "TMP/seed", "TMP/part1.db")
+            .assertRefused("part1.db: found a part of the seed 5, expected the league's, 6");
+        done("init", "TMP/scene", "--scene", "duel", "--seed", "5");
+        done("add", "TMP/scene", "fast=codingame:" + bots.driver());
+        done("add", "TMP/scene", "still=codingame:" + bots.idler(0));
+        league("merge", "TMP/scene", "TMP/part1.db")
+            .assertRefused("part1.db: found a part of another season, expected one of this league's: the scene is");
+        done("init", "TMP/bots", "--scene", "TMP/short.json", "--seed", "5");
+        done("add", "TMP/bots", "fast=codingame:" + bots.driver());
+        done("add", "TMP/bots", "still=codingame:" + bots.idler(7));
+        league("merge", "TMP/bots", "TMP/part1.db").assertRefused("part1.db: found games of still as another program");
+        league("shard", "TMP/parts", "--part", "2/3", "--games", "12", "--out", "TMP/part1.db")
+            .assertRefused("part1.db: found part 1/3, expected part 2/3");
+        league("shard", "TMP/parts", "--part", "1/3", "--games", "24", "--out", "TMP/part1.db")
+            .assertRefused("part1.db: found a part of 12 games, expected one of 24");
+        league("merge", "TMP/parts", "TMP/parts/league.json").assertRefused("found no database");
+    }
+
+    /** Does something to the rows of a part. */
+    private void edit(String sql, Object... values) throws SQLException {
+        try (Connection connection = DriverManager.getConnection("jdbc:sqlite:" + folder.resolve("part1.db"));
+             PreparedStatement statement = connection.prepareStatement(sql)) {
+            for (int k = 0; k < values.length; k++) {
+                statement.setObject(k + 1, values[k]);
+            }
+            assertTrue(statement.executeUpdate() > 0);
+        }
+    }
+
+    private byte[] replay() throws SQLException {
+        try (Connection connection = DriverManager.getConnection("jdbc:sqlite:" + folder.resolve("part1.db"));
+             Statement statement = connection.createStatement();
+             ResultSet row = statement.executeQuery("SELECT replay FROM recording WHERE game = 1")) {
+            return row.getBytes(1);
+        }
+    }
+
+    private void refused(String what) {
+        Cli cli = league("merge", "TMP/parts", "TMP/part1.db");
+        cli.assertRefused(what);
+        assertEquals(List.of(), games("parts"), "nothing of it is stored");
+    }
+
+    @Test
+    void whatDoesNotFollowFromTheCommandsIsRefused() throws IOException, SQLException {
+        make("parts", "5");
+        shard("parts", 1, 3);
+        byte[] whole = replay();
+        String text = new String(GzipText.bytes(whole), StandardCharsets.UTF_8);
+
+        String[] lines = text.split("\n");
+        lines[4] = lines[4].replaceFirst("\"x\":(\\d+)\\.?\\d*,", "\"x\":1$1,");
+        edit("UPDATE recording SET replay = ? WHERE game = 1",
+            (Object) GzipText.compressed((String.join("\n", lines) + "\n").getBytes(StandardCharsets.UTF_8)));
+        refused("differs when it is played again: turn 4");
+
+        edit("UPDATE recording SET replay = ? WHERE game = 1",
+            (Object) GzipText.compressed(text.substring(0, text.length() / 2).getBytes(StandardCharsets.UTF_8)));
+        refused("found a replay that is cut off, expected a whole one");
+
+        edit("UPDATE recording SET replay = ? WHERE game = 1", new byte[] {1, 2, 3});
+        refused("cannot be unpacked");
+
+        edit("UPDATE recording SET replay = (SELECT replay FROM recording WHERE game = 2) WHERE game = 1");
+        refused("found that of another game, expected the game of seed 5 between fast and still");
+
+        edit("UPDATE recording SET replay = ? WHERE game = 1", (Object) whole);
+        edit("UPDATE game SET ranks = '1 0', turns = 7 WHERE id = 1");
+        refused("found 7 turns");
+        edit("UPDATE game SET counts = 0 WHERE id = 2");
+        refused("found attempt 1 that does not count, expected that the last one counts");
+        edit("UPDATE game SET decision = 3, seed = 9 WHERE id = 1");
+        refused("found decision 3 with the seed 9, expected a game of part 1/3");
+    }
+
+    /** Plays a game of these bots under other names: a replay of which everything follows from the commands. */
+    private byte[] forged(long seed, String... commands) throws InterruptedException {
+        Contest contest = Contest.of(Games.open(folder.resolve("short.json").toString()), List.of(commands),
+            Protocol.JSON, 1);
+        ByteArrayOutputStream recording = new ByteArrayOutputStream();
+        contest.play(seed, 0, recording, new GameLog(contest, 0));
+        return GzipText.compressed(recording.toByteArray());
+    }
+
+    @Test
+    void commandsThatAreNotTheBotsOwnAreFound() throws IOException, SQLException, InterruptedException {
+        make("parts", "5");
+        shard("parts", 1, 3);
+        // The first game is that of fast against still; here the winner stands still, too.
+        edit("UPDATE recording SET replay = ? WHERE game = 1", (Object) forged(5,
+            "fast=codingame:" + bots.idler(0), "still=codingame:" + bots.idler(0)));
+        refused("fast answers otherwise when it is asked again: turn 1, command[0].x");
+    }
+}

@@ -1,0 +1,295 @@
+package steward.machines.serve;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import steward.bot.isolation.Isolation;
+import steward.cli.Cli;
+import steward.cli.ShellBots;
+import steward.cli.TextShellBots;
+import steward.cli.shared.Games;
+import steward.contest.Contest;
+import steward.contest.GameLog;
+import steward.files.InputException;
+import steward.league.LeagueFolder;
+import steward.league.LeagueSettings;
+import steward.league.Season;
+import steward.league.store.GameQueries;
+import steward.league.store.GameStore;
+import steward.machines.broker.BrokerClient;
+import steward.machines.broker.BrokerClient.BrokenException;
+import steward.machines.check.GzipText;
+import steward.machines.token.BrokerKey;
+import steward.machines.token.WorkerToken;
+import steward.machines.wire.HeaderText;
+import steward.machines.wire.WireMessage;
+import steward.machines.worker.Worker;
+import steward.match.Protocol;
+import steward.scene.PhysicsFingerprint;
+
+/** A league whose games workers play, in this JVM: honest ones, forging ones, and such as may not. */
+@Tag("process")
+@Tag("slow")
+@Timeout(300)
+class WorkerTest {
+
+    @TempDir
+    private Path folder;
+
+    private TextShellBots bots;
+    private int port;
+
+    @BeforeEach
+    void prepare() throws IOException {
+        assumeTrue(ShellBots.runnable(), "skipped: there is no /bin/sh");
+        String scene = Files.readString(Path.of("config/scenes/duel.json"))
+            .replace("\"maximumTurns\": 200", "\"maximumTurns\": 8").replace("\"answerMs\": 75", "\"answerMs\": 30000")
+            .replace("\"firstAnswerMs\": 1000", "\"firstAnswerMs\": 60000");
+        Files.writeString(folder.resolve("short.json"), scene);
+        bots = new TextShellBots(folder);
+        try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            port = free.getLocalPort();
+        }
+    }
+
+    private String done(String... words) {
+        String[] call = new String[words.length + 1];
+        call[0] = "league";
+        for (int k = 0; k < words.length; k++) {
+            call[k + 1] = words[k].replace("TMP", folder.toString());
+        }
+        Cli cli = Cli.run(call);
+        assertEquals(0, cli.status(), cli.err());
+        return cli.out() + cli.err();
+    }
+
+    private void make(String name) {
+        done("init", "TMP/" + name, "--scene", "TMP/short.json", "--seed", "5");
+        done("add", "TMP/" + name, "fast=codingame:" + bots.driver());
+        done("add", "TMP/" + name, "still=codingame:" + bots.idler(0));
+        done("add", "TMP/" + name, "wrong=codingame:" + bots.idler(3));
+    }
+
+    private WorkerToken token(String league, String worker) {
+        done("worker", "add", "TMP/" + league, worker, "--out", "TMP/" + worker + ".token");
+        return WorkerToken.read(folder.resolve(worker + ".token"));
+    }
+
+    private CompletableFuture<String> serve(String league, int games, String... more) {
+        List<String> words = new ArrayList<>(List.of("run", "TMP/" + league, "--games", Integer.toString(games),
+            "--serve", "127.0.0.1:" + port));
+        words.addAll(List.of(more));
+        return CompletableFuture.supplyAsync(() -> done(words.toArray(new String[0])));
+    }
+
+    private Worker worker(WorkerToken token, int slots, long games) {
+        return new Worker(new Worker.Options("127.0.0.1", port, token, slots, games, Long.MAX_VALUE,
+            () -> Isolation.OFF, folder.resolve("bundles of " + token.worker()), "1", "a machine of the test"),
+            Games.types(), what -> { });
+    }
+
+    /** Plays until the league does not answer any more. */
+    private Thread play(Worker worker) {
+        Thread thread = new Thread(() -> {
+            try {
+                worker.play();
+            } catch (InterruptedException | InputException end) {
+                return;
+            }
+        });
+        thread.setDaemon(true);
+        thread.start();
+        return thread;
+    }
+
+    /** A connection, as soon as the league listens. */
+    private BrokerClient client(WorkerToken token) throws BrokenException, InterruptedException {
+        for (int tries = 0; ; tries++) {
+            try {
+                return new BrokerClient("127.0.0.1", port, token);
+            } catch (BrokenException notYet) {
+                if (notYet.isRefused() || tries == 300) {
+                    throw notYet;
+                }
+                TimeUnit.MILLISECONDS.sleep(100);
+            }
+        }
+    }
+
+    private record Row(String game, String machine, String problem, boolean counts) {
+    }
+
+    private List<Row> games(String league) {
+        List<Row> rows = new ArrayList<>();
+        try (GameStore store = GameStore.read(new LeagueFolder(folder.resolve(league)))) {
+            Map<Integer, String> names = new HashMap<>();
+            store.versions().forEach(version -> names.put(version.id(), version.display()));
+            Season season = store.lastSeason().orElseThrow();
+            new GameQueries(store, store.season(season).orElseThrow(), season).games(game -> rows.add(new Row(
+                game.decision() + " " + game.seed() + " " + game.attempt() + " " + game.turns() + " "
+                    + game.seats().stream().map(seat -> names.get(seat.version()) + ":" + seat.rank() + ":"
+                        + seat.score() + ":" + seat.fault() + ":" + seat.answers()).toList(),
+                game.machine(), game.problem(), game.counts())));
+        }
+        return rows;
+    }
+
+    private List<String> counting(String league) {
+        return games(league).stream().filter(Row::counts).map(Row::game).sorted().toList();
+    }
+
+    @Test
+    void theGamesAreThoseOfASingleMachine() throws Exception {
+        make("alone");
+        done("run", "TMP/alone", "--games", "100", "--quiet");
+        make("many");
+        WorkerToken one = token("many", "one");
+        WorkerToken two = token("many", "two");
+        CompletableFuture<String> run = serve("many", 100);
+        play(worker(one, 2, Long.MAX_VALUE));
+        play(worker(two, 1, Long.MAX_VALUE));
+        String said = run.get(200, TimeUnit.SECONDS);
+
+        assertEquals(counting("alone"), counting("many"), said);
+        assertTrue(games("many").stream().anyMatch(row -> row.machine().startsWith("worker one: a machine of")), said);
+        assertTrue(said.contains("worker one: 2 at a time, "), said);
+    }
+
+    /** Answers for the bot that loses as another would: everything in its replays follows from the commands. */
+    private void forge(BrokerClient client) throws BrokenException, InterruptedException {
+        client.say(WireMessage.bytes(new HeaderText().put("type", "hello").put("version", "1")
+            .put("bits", PhysicsFingerprint.text()).put("machine", "a forge").put("slots", 1)));
+        try (BrokerClient.Taker taker = client.taker(List.of())) {
+            for (;;) {
+                byte[] bytes = taker.take(500);
+                if (bytes == null) {
+                    continue;
+                }
+                WireMessage job = WireMessage.read(bytes, "a job");
+                List<String> names = job.header().blocks("seats").stream().map(seat -> seat.text("name")).toList();
+                List<String> commands = names.stream().map(name -> name + "=codingame:"
+                    + (name.equals("fast") ? bots.idler(0) : bots.driver())).toList();
+                Contest contest = Contest.of(Games.open(folder.resolve("short.json").toString()), commands,
+                    Protocol.JSON, 1).isolatedBy(() -> Isolation.OFF);
+                ByteArrayOutputStream recording = new ByteArrayOutputStream();
+                contest.play(Long.parseLong(job.header().text("seed")), 0, recording, new GameLog(contest, 0));
+                byte[] replay = GzipText.compressed(recording.toByteArray());
+                taker.finish(WireMessage.bytes(new HeaderText().put("type", "result")
+                    .put("job", job.header().text("job")).put("attempts",
+                        List.of(new HeaderText().put("size", replay.length).put("starved", false))), replay));
+            }
+        }
+    }
+
+    @Test
+    void aWorkerThatForgesIsCaughtRevokedAndItsGamesAreSetAside() throws Exception {
+        make("alone");
+        done("run", "TMP/alone", "--games", "30", "--quiet");
+        make("many");
+        WorkerToken token = token("many", "bad");
+        CompletableFuture<String> run = serve("many", 30);
+        try (BrokerClient client = client(token)) {
+            assertThrows(BrokenException.class, () -> forge(client), "its connection is closed");
+        }
+        String said = run.get(200, TimeUnit.SECONDS);
+
+        assertTrue(said.contains("worker bad is caught and revoked: "), said);
+        assertTrue(said.contains("answers otherwise when it is asked again"), said);
+        assertEquals(counting("alone"), counting("many"), said);
+        assertTrue(games("many").stream().noneMatch(row -> row.counts() && row.machine().startsWith("worker bad")));
+        assertTrue(done("worker", "list", "TMP/many").contains("bad (revoked: caught: game of seed "));
+        try (RemoteGames games = served("many")) {
+            assertTrue(games.seen().isEmpty());
+            assertTrue(refused(token).contains("wrong or revoked"), "also by the next run");
+        }
+    }
+
+    @Test
+    void whoMayNotJoinIsRefused() throws Exception {
+        make("many");
+        WorkerToken good = token("many", "good");
+        BrokerKey key = new BrokerKey(new LeagueFolder(folder.resolve("many")));
+        String fingerprint = key.fingerprint();
+        done("worker", "renew", "TMP/many");
+        assertEquals(fingerprint, key.fingerprint(), "the key stays");
+        try (RemoteGames games = served("many"); BrokerClient client = client(good)) {
+            assertTrue(games.seen().isEmpty());
+            assertTrue(refused(new WorkerToken("good", "x".repeat(43), good.broker())).contains("wrong or revoked"));
+            assertTrue(refused(new WorkerToken("nobody", good.secret(), good.broker())).contains("wrong or revoked"));
+            assertTrue(refused(new WorkerToken("good", good.secret(), "0".repeat(64))).contains("has another key"));
+            assertTrue(refused(good).contains("another worker plays with this token"));
+            try (Socket plain = new Socket("127.0.0.1", port); InputStream in = plain.getInputStream()) {
+                plain.getOutputStream().write("ARTEMIS\n\n\n\n\n\n\n\n".getBytes(StandardCharsets.UTF_8));
+                plain.setSoTimeout(30_000);
+                int first = in.read();
+                assertTrue(first < 0 || first == 21, "closed, or an alert of TLS: " + first);
+            }
+            done("worker", "revoke", "TMP/many", "good");
+            assertThrows(BrokenException.class, () -> {
+                for (;;) {
+                    client.listen(100);
+                }
+            });
+            assertTrue(refused(good).contains("wrong or revoked"));
+        }
+    }
+
+    /** A league that serves and gives no games out. */
+    private RemoteGames served(String league) {
+        LeagueFolder here = new LeagueFolder(folder.resolve(league));
+        LeagueSettings settings = here.read();
+        Contest contest = Contest.withoutBots(Games.open(here.scene(settings.scene())), 1);
+        return new RemoteGames(here, Season.of(contest.setup(), settings), contest, settings, Games.types(),
+            new RemoteGames.Service(new InetSocketAddress("127.0.0.1", port), 0.05, Long.MAX_VALUE, "1"), what -> { });
+    }
+
+    private String refused(WorkerToken token) {
+        BrokenException problem = assertThrows(BrokenException.class,
+            () -> new BrokerClient("127.0.0.1", port, token).close());
+        assertTrue(problem.isRefused(), problem.getMessage());
+        return problem.getMessage();
+    }
+
+    @Test
+    void versionsThatComputeOtherResultsDoNotPlayTogether() throws Exception {
+        make("many");
+        WorkerToken token = token("many", "old");
+        try (RemoteGames games = served("many"); BrokerClient client = client(token)) {
+            assertTrue(games.seen().isEmpty());
+            client.say(WireMessage.bytes(new HeaderText().put("type", "hello").put("version", "0.0.9")
+                .put("bits", "0123456789abcdef").put("machine", "an old machine").put("slots", 1)));
+            byte[] answer = null;
+            while (answer == null) {
+                answer = client.listen(500);
+            }
+            WireMessage message = WireMessage.read(answer, "the league");
+            assertEquals("refused", message.header().text("type"));
+            String reason = message.header().text("reason");
+            assertTrue(reason.contains("found Steward 0.0.9 (results 0123456789abcdef) on worker old and Steward "),
+                reason);
+        }
+    }
+}

@@ -1,0 +1,78 @@
+package steward.machines.token;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import steward.files.InputException;
+import steward.league.LeagueFolder;
+
+/** Keys and tokens: private, renewable, revocable. */
+@Tag("process")
+class TokenTest {
+
+    @TempDir
+    private Path folder;
+
+    private static String mode(Path file) throws IOException {
+        return PosixFilePermissions.toString(Files.getPosixFilePermissions(file));
+    }
+
+    @Test
+    void filesArePrivateAndSecretsAreNotKept() throws IOException {
+        LeagueFolder league = new LeagueFolder(folder);
+        Path file = folder.resolve("a.token");
+        WorkerList.add(league, "a", file);
+        WorkerToken token = WorkerToken.read(file);
+        assertEquals("rw-------", mode(file));
+        assertEquals("rwx------", mode(folder.resolve("machines")));
+        assertEquals("rw-------", mode(folder.resolve("machines/workers.json")));
+        assertFalse(Files.readString(folder.resolve("machines/workers.json")).contains(token.secret()));
+        assertFalse(token.toString().contains(token.secret()));
+        assertEquals(null, PrivateFile.warning(file));
+        Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("rw-r-----"));
+        assertTrue(PrivateFile.warning(file).endsWith("(rw-r-----), expected a file of yours alone: chmod 600 "
+            + file));
+
+        WorkerList list = WorkerList.read(league);
+        assertTrue(list.admits("a", token.secret()));
+        assertFalse(list.admits("a", token.secret().substring(1) + "x"));
+        assertFalse(list.admits("b", token.secret()));
+        assertFalse(list.admits(null, null));
+        assertThrows(InputException.class, () -> WorkerList.add(league, "a", folder.resolve("b.token")));
+        WorkerList.revoke(league, "a", "by \"hand\"\n");
+        assertFalse(WorkerList.read(league).admits("a", token.secret()));
+        assertEquals("by ?hand??", WorkerList.read(league).of("a").orElseThrow().revoked());
+    }
+
+    @Test
+    void aCertificateIsRenewedUnderTheSameKey() {
+        BrokerKey key = new BrokerKey(new LeagueFolder(folder));
+        key.make();
+        String fingerprint = key.fingerprint();
+        var before = key.certificate();
+        key.renew();
+        assertEquals(fingerprint, key.fingerprint());
+        assertNotEquals(before, key.certificate());
+        assertTrue(fingerprint.matches("[0-9a-f]{64}"));
+    }
+
+    @Test
+    void whatIsNoTokenIsRefusedWithoutShowingIt() throws IOException {
+        Path file = folder.resolve("t");
+        Files.writeString(file, "{\"token\":1,\"worker\":\"a\",\"secret\":\"hunter2\",\"broker\":\"0\"}");
+        String said = assertThrows(InputException.class, () -> WorkerToken.read(file)).getMessage();
+        assertTrue(said.contains("secret: found a text of 7 characters") && !said.contains("hunter2"), said);
+        assertThrows(InputException.class, () -> WorkerToken.read(folder));
+        assertThrows(InputException.class, () -> WorkerToken.read(folder.resolve("none")));
+    }
+}
