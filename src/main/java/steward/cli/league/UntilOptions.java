@@ -23,8 +23,8 @@ final class UntilOptions {
         + "most so wide to each side.")
     private Double bars;
 
-    @Option(names = "--until-ranked", description = "Ends when the order of all bots is sure, with 95% for all of it "
-        + "together; see --equal.")
+    @Option(names = "--until-ranked", description = "Ends when the order of all bots is sure: "
+        + "wrong in one of twenty leagues at most; see --equal.")
     private boolean ranked;
 
     @Option(names = "--equal", paramLabel = "ELO", description = "With --until-ranked: bots that surely differ by less "
