@@ -30,7 +30,7 @@ import steward.text.TextFormat;
         "the text in the variable STEWARD_TOKEN. Bots are kept apart strictly unless",
         "told otherwise: they are programs of whoever keeps the league. After Ctrl-C the",
         "games that are under way are finished, and no others begun.",
-        "", "Example:", "  steward worker --join attic.example:7161 --token-file mine.token --threads auto",
+        "", "Example:", "  steward worker --join attic.example:7161 --token-file mine.token",
         "", "Exit status: 0 it has ended; 2 the call is unusable, or the league refuses;",
         "130 interrupted."})
 public final class WorkerCommand implements Callable<Integer> {

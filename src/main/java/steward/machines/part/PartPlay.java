@@ -70,6 +70,10 @@ public final class PartPlay {
         play = new GamePlay(part.season(), contest, new Kept(), machine, System::currentTimeMillis);
         LeagueSettings settings = roster.settings();
         int players = part.season().players();
+        if (settings.adaptive() && players > 1) {
+            throw new InputException("pairing: found 'adaptive', which decides by results, expected 'round-robin' or "
+                + "'gauntlet NAME': parts are played apart");
+        }
         try (GameStore league = GameStore.unused(folder)) {
             Optional<Integer> season = league == null ? Optional.empty() : league.season(part.season());
             schedule = new Schedule(settings.seed(), players, settings.lag(), season.isEmpty() ? new EarlierGames()

@@ -75,11 +75,29 @@ class PartTest {
         return cli.out();
     }
 
-    private void make(String name, String seed) {
+    private void make(String name, String seed) throws IOException {
         done("init", "TMP/" + name, "--scene", "TMP/short.json", "--seed", seed);
+        fix(name);
         done("add", "TMP/" + name, "fast=codingame:" + bots.driver());
         done("add", "TMP/" + name, "still=codingame:" + bots.idler(0));
         done("add", "TMP/" + name, "wrong=codingame:" + bots.idler(3));
+    }
+
+    /** Parts need a schedule that does not depend on results. */
+    private void fix(String name) throws IOException {
+        Path file = folder.resolve(name).resolve("league.json");
+        String text = Files.readString(file);
+        assertTrue(text.contains("\"adaptive\""), text);
+        Files.writeString(file, text.replace("\"adaptive\"", "\"round-robin\""));
+    }
+
+    @Test
+    void aScheduleThatDependsOnResultsCannotBePlayedInParts() {
+        done("init", "TMP/adaptive", "--scene", "TMP/short.json", "--seed", "5");
+        done("add", "TMP/adaptive", "fast=codingame:" + bots.driver());
+        done("add", "TMP/adaptive", "still=codingame:" + bots.idler(0));
+        league("shard", "TMP/adaptive", "--part", "1/3", "--games", "12", "--out", "TMP/part1.db")
+            .assertRefused("pairing: found 'adaptive', which decides by results, expected 'round-robin'");
     }
 
     private void shard(String league, int part, int parts) {
@@ -104,7 +122,7 @@ class PartTest {
     }
 
     @Test
-    void allPartsTogetherAreTheGamesOfOneMachine() {
+    void allPartsTogetherAreTheGamesOfOneMachine() throws IOException {
         make("whole", "5");
         done("run", "TMP/whole", "--games", Integer.toString(GAMES), "--quiet");
         make("parts", "5");
@@ -133,11 +151,13 @@ class PartTest {
         league("merge", "TMP/seed", "TMP/part1.db")
             .assertRefused("part1.db: found a part of the seed 5, expected the league's, 6");
         done("init", "TMP/scene", "--scene", "duel", "--seed", "5");
+        fix("scene");
         done("add", "TMP/scene", "fast=codingame:" + bots.driver());
         done("add", "TMP/scene", "still=codingame:" + bots.idler(0));
         league("merge", "TMP/scene", "TMP/part1.db")
             .assertRefused("part1.db: found a part of another season, expected one of this league's: the scene is");
         done("init", "TMP/bots", "--scene", "TMP/short.json", "--seed", "5");
+        fix("bots");
         done("add", "TMP/bots", "fast=codingame:" + bots.driver());
         done("add", "TMP/bots", "still=codingame:" + bots.idler(7));
         league("merge", "TMP/bots", "TMP/part1.db").assertRefused("part1.db: found games of still as another program");
