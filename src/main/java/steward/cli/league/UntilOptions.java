@@ -74,8 +74,8 @@ final class UntilOptions {
             double widest = found.versions().stream().mapToDouble(version -> found.rating(version).anytimeBar()).max()
                 .orElse(0);
             if (widest > rule.bars()) {
-                lines.add("Not yet at --until-bars " + TextFormat.number(rule.bars(), 2) + ": the widest anytime bar is "
-                    + (Difference.isKnown(widest) ? Math.round(widest) + " Elo." : "not known."));
+                lines.add("Not yet at --until-bars " + TextFormat.number(rule.bars(), 2)
+                    + ": the widest anytime bar is " + (Difference.isKnown(widest) ? Math.round(widest) + " Elo." : "not known."));
             }
         }
         if (rule.ranked()) {
