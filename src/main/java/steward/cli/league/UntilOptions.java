@@ -75,7 +75,8 @@ final class UntilOptions {
                 .orElse(0);
             if (widest > rule.bars()) {
                 lines.add("Not yet at --until-bars " + TextFormat.number(rule.bars(), 2)
-                    + ": the widest anytime bar is " + (Difference.isKnown(widest) ? Math.round(widest) + " Elo." : "not known."));
+                    + ": the widest anytime bar is "
+                    + (Difference.isKnown(widest) ? Math.round(widest) + " Elo." : "not known."));
             }
         }
         if (rule.ranked()) {
