@@ -152,6 +152,34 @@ function drawCross() {
       + `${plusMinus(differences[i][j][1])} Elo, anytime${plusMinus(differences[i][j][2]) || ' –'}`, () => false);
 }
 
+/** Those that play on other machines. */
+function drawWorkers() {
+  const workers = league.workers ?? [];
+  element('workers-card').hidden = !workers.length;
+  const table = element('workers');
+  heads(table, [['Worker', 'name'], ['State', 'left'], ['Games', ''], ['Games/s', '', 'in this run'], ['Faults', '', 'of bots'],
+    ['Hiccups', '', 'games played again, since others used its processors'], ['Set aside', '', 'games that do not count'],
+    ['Version', 'table-wide'], ['Last word', 'table-wide']]);
+  const body = table.tBodies[0];
+  body.replaceChildren();
+  const list = element('doubts');
+  list.replaceChildren();
+  for (const worker of workers) {
+    const row = make(body, 'tr');
+    const cell = make(row, 'td', worker.name, 'name');
+    if (worker.doubts.length) make(cell, 'span', 'doubtful', 'tag faulty').title = worker.doubts.join('; ');
+    make(row, 'td', worker.state || '–', worker.state === 'caught' ? 'left faulty' : 'left');
+    make(row, 'td', thousands(worker.games));
+    make(row, 'td', fixed(worker.rate, 2));
+    make(row, 'td', worker.faults, worker.faults ? 'faulty' : '');
+    make(row, 'td', worker.repeated);
+    make(row, 'td', worker.aside, worker.aside ? 'faulty' : '');
+    make(row, 'td', worker.program ?? '–', 'table-wide');
+    make(row, 'td', worker.silentMs < 0 ? '–' : `${Math.round(worker.silentMs / 1000)} s ago`, 'table-wide');
+    for (const doubt of worker.doubts) make(list, 'li', `${worker.name} is doubtful: ${doubt}.`);
+  }
+}
+
 /** Round steps of 1, 2 or 5 with a power of ten. */
 function ticks(low, high, most) {
   const rough = (high - low) / most;
@@ -297,6 +325,7 @@ function drawAll() {
   element('scene').textContent = `${thousands(league.games)} games of ${league.scene}`
     + (league.rate ? `, ${fixed(league.rate, league.rate < 10 ? 2 : 0)} a second` : '');
   drawTable();
+  drawWorkers();
   drawCross();
   drawPath();
   options(element('bot'), 'any');

@@ -21,6 +21,7 @@ import steward.league.LeagueBot;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.Season;
+import steward.league.page.WorkerRow;
 import steward.league.rating.LeagueTable;
 import steward.league.rating.Results;
 import steward.league.store.GameQueries;
@@ -125,6 +126,11 @@ public final class LeagueOpening {
      */
     record Opened(LeagueFolder folder, LeagueSettings settings, GameStore store, Season season, GameQueries games,
                   List<LeagueTable.Entry> entries) implements AutoCloseable {
+
+        /** The workers that have played. */
+        List<WorkerRow> workers() {
+            return WorkerBooks.rows(WorkerBooks.read(games, store));
+        }
 
         /** The table. */
         LeagueTable table() {

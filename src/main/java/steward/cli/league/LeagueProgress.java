@@ -75,7 +75,7 @@ final class LeagueProgress {
             lines.add("    and " + (rows.size() - 1 - MOST_ROWS) + " more");
         }
         if (machines != null) {
-            lines.addAll(machines.lines());
+            machines.workers().forEach(worker -> lines.addAll(worker.lines()));
         }
         lines.add(standing(run));
         return lines;

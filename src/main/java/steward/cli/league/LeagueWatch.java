@@ -53,6 +53,7 @@ final class LeagueWatch implements AutoCloseable {
     private long pathDue = System.nanoTime();
     private long shown = -1;
     private LeagueRun run;
+    private Serving.Service machines;
 
     private LeagueWatch(LeagueFolder folder, Season season, GameQueries games, LeagueProgress progress,
                         WatchOptions options) throws IOException {
@@ -76,9 +77,10 @@ final class LeagueWatch implements AutoCloseable {
         }
     }
 
-    /** Says where it is, and follows the run from now on. */
-    void follow(LeagueRun followed, Streams streams, boolean open) throws InterruptedException {
+    /** Says where it is, and follows the run from now on, and other machines unless they are {@code null}. */
+    void follow(LeagueRun followed, Serving.Service others, Streams streams, boolean open) throws InterruptedException {
         run = followed;
+        machines = others;
         streams.err().println("Watch the league at " + server.address());
         if (!server.isLoopback()) {
             streams.warn("whoever reaches this machine can watch the league");
@@ -91,7 +93,7 @@ final class LeagueWatch implements AutoCloseable {
 
     private synchronized void show() {
         long played = run.stored();
-        if (played == shown) {
+        if (played == shown && machines == null) {
             return;
         }
         LeagueSettings settings = run.roster().settings();
@@ -102,7 +104,8 @@ final class LeagueWatch implements AutoCloseable {
                 path = games.path(table.rows().stream().map(LeagueTable.Row::entry).toList());
                 pathDue = System.nanoTime() + REST * (System.nanoTime() - began);
             }
-            server.show(LeaguePage.live(new LeagueView(season, table, path, games.last(LISTED), progress.rate())));
+            server.show(LeaguePage.live(new LeagueView(season, table, path, games.last(LISTED), progress.rate(),
+                machines == null ? List.of() : machines.workers())));
             shown = played;
         } catch (InputException busy) {
             return;                                    // the next second shows it

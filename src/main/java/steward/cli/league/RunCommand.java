@@ -1,6 +1,7 @@
 package steward.cli.league;
 
 import java.lang.management.ManagementFactory;
+import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
@@ -144,6 +145,7 @@ public final class RunCommand implements Callable<Integer> {
     private int play(LeagueFolder folder, LeagueSettings settings, GameStore store, GameQueries viewed, Season season,
                      int number, Contest contest, LeagueRun.Limits limits, StopRule rule) throws InterruptedException {
         AtomicReference<LiveTable> screen = new AtomicReference<>();
+        AtomicReference<Serving.Service> others = new AtomicReference<>();
         // What has been played is summed up while the run reads which games it consists of.
         CompletableFuture<Results> past = CompletableFuture.supplyAsync(viewed::results);
         RosterReader reader = new RosterReader(store, contest, LeagueOpening.environment(settings), same,
@@ -151,7 +153,12 @@ public final class RunCommand implements Callable<Integer> {
         Roster roster = reader.read(settings);
         LeagueProgress progress = new LeagueProgress(store, limits);
         LeagueRun run = new LeagueRun(folder, store, number, season, contest, reader, roster, limits,
-            machine(contest), what -> say(screen.get(), what), progress::add);
+            machine(contest), what -> say(screen.get(), what), game -> {
+                progress.add(game);
+                if (others.get() != null) {
+                    others.get().stored(game);
+                }
+            });
         progress.goOn(done(past));
         if (rule.isAny()) {
             run.until(rule);
@@ -163,17 +170,18 @@ public final class RunCommand implements Callable<Integer> {
              Interruption interruption = new Interruption(streams, () -> told.getAndSet(true) ? null
                 : interrupted(run, progress, season, screen.get()))) {
             if (page != null) {
-                page.follow(run, streams, watch.open());
+                page.follow(run, machines, streams, watch.open());
             }
             if (machines != null) {
                 run.with(machines);
-                machines.follow(run, () -> progress.replace(viewed.results()));
+                machines.follow(run, () -> WorkerBooks.read(viewed, store), () -> progress.replace(viewed.results()));
+                others.set(machines);
             }
             screen.set(streams.errTerminal() && !quiet ? new LiveTable(streams.err(),
                 () -> progress.lines(run, machines, streams::errColour)) : null);
             run.play();
             if (machines != null && !quiet) {
-                machines.lines().forEach(streams.out()::println);
+                machines.workers().forEach(worker -> worker.lines().forEach(streams.out()::println));
             }
             if (told.getAndSet(true)) {
                 return ExitStatus.FAILED;              // the process is about to end, with the status of its signal
@@ -230,7 +238,7 @@ public final class RunCommand implements Callable<Integer> {
             return;
         }
         LeagueTable table = progress.table(run.roster().settings());
-        TableText.whole(table, season, streams.outColour()).forEach(streams.out()::println);
+        TableText.whole(table, season, List.of(), streams.outColour()).forEach(streams.out()::println);
         (run.ended() != null ? UntilOptions.tell(run.ended(), run.roster())
             : UntilOptions.missing(until.rule(), Ratings.of(table.results(), run.roster().versions())))
             .forEach(streams.out()::println);

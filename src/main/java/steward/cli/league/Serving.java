@@ -2,12 +2,16 @@ package steward.cli.league;
 
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import steward.contest.Contest;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.Season;
 import steward.league.play.Elsewhere;
+import steward.league.StoredGame;
+import steward.league.page.WorkerRow;
 import steward.league.play.LeagueRun;
+import steward.machines.check.WorkerBook;
 
 /** The options of a run that let other machines play, too. */
 public interface Serving {
@@ -18,12 +22,16 @@ public interface Serving {
         /**
          * Says for which run they play, and what is to be done when games that counted do no more.
          *
+         * @param book    who played which games before this run, read anew at each call
          * @param changed is called then, by any thread
          */
-        void follow(LeagueRun run, Runnable changed);
+        void follow(LeagueRun run, Supplier<WorkerBook> book, Runnable changed);
 
-        /** What is to be seen of them, a line each. */
-        List<String> lines();
+        /** A game that is handed over to be stored, by any thread. */
+        void stored(StoredGame game);
+
+        /** What is to be seen of them. */
+        List<WorkerRow> workers();
 
         @Override
         void close();

@@ -58,7 +58,7 @@ final class TableCommand implements Callable<Integer> {
         try (LeagueOpening.Opened opened = LeagueOpening.read(league.open())) {
             LeagueTable table = opened.table();
             if (json) {
-                Json.print(streams, out -> LeagueJson.table(out, opened.season(), table));
+                Json.print(streams, out -> LeagueJson.table(out, opened.season(), table, opened.workers()));
             } else if (csv) {
                 printCsv(table);
             } else if (html) {
@@ -66,7 +66,8 @@ final class TableCommand implements Callable<Integer> {
                 PageCommand.write(opened, table, page);
                 streams.out().print(page.toString(StandardCharsets.UTF_8));
             } else {
-                TableText.whole(table, opened.season(), streams.outColour()).forEach(streams.out()::println);
+                TableText.whole(table, opened.season(), opened.workers(), streams.outColour())
+                    .forEach(streams.out()::println);
             }
             if (plots != null) {
                 writePlots(opened, table);

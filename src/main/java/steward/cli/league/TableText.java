@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import steward.cli.shared.Colour;
 import steward.league.Season;
+import steward.league.page.WorkerRow;
 import steward.league.rating.Difference;
 import steward.league.rating.LeagueTable;
 import steward.league.rating.LeagueTable.Row;
@@ -25,10 +26,10 @@ final class TableText {
     }
 
     /** Everything: heading, table, crosstable, what the numbers mean. */
-    static List<String> whole(LeagueTable table, Season season, Colour colour) {
+    static List<String> whole(LeagueTable table, Season season, List<WorkerRow> workers, Colour colour) {
         List<String> lines = new ArrayList<>();
         lines.add(colour.strong(TextFormat.plain(TextFormat.count(table.results().games(), "game") + " of "
-            + season.sceneName())) + others(table));
+            + season.sceneName())) + others(table, workers));
         lines.add("");
         lines.addAll(rows(table, colour));
         int bots = table.rows().size();
@@ -43,6 +44,10 @@ final class TableText {
         }
         lines.add("");
         table.surprises().stream().limit(SURPRISES).forEach(each -> lines.add(surprise(table, each)));
+        if (!workers.isEmpty()) {
+            workers.forEach(worker -> lines.addAll(worker.lines()));
+            lines.add("");
+        }
         lines.add("Rating: Elo by a joint fit of all games; 0 is the mean by games. bar: 95%, for a number of games");
         lines.add("that was fixed before. anytime: 95%, however often one looks and whenever one stops. ranks: what");
         lines.add("the games leave open, with 95%.");
@@ -55,10 +60,12 @@ final class TableText {
         return lines;
     }
 
-    private static String others(LeagueTable table) {
+    private static String others(LeagueTable table, List<WorkerRow> workers) {
         long again = table.results().playedAgain();
-        long without = table.results().withoutResult();
+        long aside = workers.stream().mapToLong(WorkerRow::aside).sum();
+        long without = table.results().withoutResult() - aside;
         return (again > 0 ? ", " + again + " more played again since others used the processors" : "")
+            + (aside > 0 ? ", " + aside + " more set aside, of workers that were caught" : "")
             + (without > 0 ? ", " + without + " more without a result" : "");
     }
 

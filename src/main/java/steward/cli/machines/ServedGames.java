@@ -1,10 +1,11 @@
 package steward.cli.machines;
 
 import java.net.InetSocketAddress;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
+import java.util.Map;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import steward.cli.league.Serving;
 import steward.cli.shared.Games;
 import steward.contest.Contest;
@@ -13,44 +14,60 @@ import steward.league.LeagueSettings;
 import steward.league.Schedule;
 import steward.league.Season;
 import steward.league.StoredGame;
+import steward.league.page.WorkerRow;
 import steward.league.play.LeagueRun;
 import steward.league.play.Roster.Member;
+import steward.machines.check.WorkerBook;
 import steward.machines.serve.RemoteGames;
 import steward.machines.serve.WorkerSeen;
 
 /** Workers of a run, and what is shown of them. */
 final class ServedGames implements Serving.Service {
 
-    private static final double MS = 1000;
-
     private final RemoteGames games;
+    private final Consumer<String> teller;
+    private volatile WorkerBook book = new WorkerBook(Integer::toString);
 
     ServedGames(LeagueFolder folder, Season season, Contest contest, LeagueSettings settings,
                 InetSocketAddress address, double share, long leaseNanos, Consumer<String> teller) {
+        this.teller = teller;
         games = new RemoteGames(folder, season, contest, settings, Games.types(), new RemoteGames.Service(address,
             share, leaseNanos, ProgramVersion.text()), teller);
         teller.accept("workers can join at " + address.getHostString() + ":" + address.getPort());
     }
 
     @Override
-    public void follow(LeagueRun run, Runnable changed) {
+    public void follow(LeagueRun run, Supplier<WorkerBook> read, Runnable changed) {
+        book = read.get();
         games.onCaught((machine, why) -> {
             int count = run.setAside(machine, why);
+            book = read.get();
             changed.run();
             return count;
         });
     }
 
     @Override
-    public List<String> lines() {
-        List<String> lines = new ArrayList<>();
-        for (WorkerSeen worker : games.seen()) {
-            String state = worker.caught() ? "caught" : worker.slots() == 0 ? "away" : worker.slots() + " at a time";
-            lines.add(String.format(Locale.ROOT, "worker %s: %s, %d games, %.2f games/s, %d faults, %d hiccups, "
-                + "steward %s, last word %.0f s ago", worker.name(), state, worker.games(), worker.rate(),
-                worker.faults(), worker.repeated(), worker.version(), worker.silentMs() / MS));
-        }
-        return lines;
+    public void stored(StoredGame game) {
+        List<WorkerBook.Line> before = book.lines();
+        book.add(game);
+        book.lines().stream().filter(line -> before.stream().noneMatch(old -> old.name().equals(line.name())
+            && old.doubts().equals(line.doubts()))).forEach(line -> line.doubts().forEach(doubt ->
+                teller.accept("worker " + line.name() + " is doubtful: " + doubt)));
+    }
+
+    @Override
+    public List<WorkerRow> workers() {
+        Map<String, WorkerBook.Line> lines = book.lines().stream()
+            .collect(Collectors.toMap(WorkerBook.Line::name, line -> line));
+        return games.seen().stream().map(worker -> row(worker, lines.getOrDefault(worker.name(),
+            new WorkerBook.Line(worker.name(), 0, 0, 0, 0, List.of())))).toList();
+    }
+
+    private static WorkerRow row(WorkerSeen worker, WorkerBook.Line line) {
+        String state = worker.caught() ? "caught" : worker.slots() == 0 ? "away" : worker.slots() + " at a time";
+        return new WorkerRow(worker.name(), state, line.games(), line.aside(), worker.rate(), line.faults(),
+            line.repeated(), worker.version(), worker.silentMs(), line.doubts());
     }
 
     @Override

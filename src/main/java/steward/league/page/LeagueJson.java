@@ -1,6 +1,7 @@
 package steward.league.page;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.function.Function;
 import steward.game.JsonNumbers;
 import steward.league.Season;
@@ -19,8 +20,8 @@ public final class LeagueJson {
     private LeagueJson() {
     }
 
-    /** The fields of the table: the season, games, bots by rank, and the crosstable by the same order. */
-    public static void table(JsonGenerator out, Season season, LeagueTable table) {
+    /** The fields of the table: the season, games, bots by rank, and the crosstable by the same order, workers. */
+    public static void table(JsonGenerator out, Season season, LeagueTable table, List<WorkerRow> workers) {
         out.writeStringProperty("scene", season.sceneName());
         out.writeStringProperty("sceneKey", season.sceneKey());
         out.writeStringProperty("limits", season.limits());
@@ -60,6 +61,28 @@ public final class LeagueJson {
             out.writeEndArray();
         }
         out.writeEndArray();
+        if (!workers.isEmpty()) {
+            out.writeArrayPropertyStart("workers");
+            workers.forEach(worker -> worker(out, worker));
+            out.writeEndArray();
+        }
+    }
+
+    private static void worker(JsonGenerator out, WorkerRow worker) {
+        out.writeStartObject();
+        out.writeStringProperty("name", worker.name());
+        out.writeStringProperty("state", worker.state());
+        out.writeNumberProperty("games", worker.games());
+        out.writeNumberProperty("aside", worker.aside());
+        JsonNumbers.writeOrNull(out, "rate", worker.rate());
+        out.writeNumberProperty("faults", worker.faults());
+        out.writeNumberProperty("repeated", worker.repeated());
+        out.writeStringProperty("program", worker.version());
+        out.writeNumberProperty("silentMs", worker.silentMs());
+        out.writeArrayPropertyStart("doubts");
+        worker.doubts().forEach(out::writeString);
+        out.writeEndArray();
+        out.writeEndObject();
     }
 
     /**
@@ -132,7 +155,7 @@ public final class LeagueJson {
      *               none
      */
     static void view(JsonGenerator out, LeagueView view, Function<StoredGame, String> replay) {
-        table(out, view.season(), view.table());
+        table(out, view.season(), view.table(), view.workers());
         JsonNumbers.writeOrNull(out, "rate", view.rate());
         path(out, view.path());
         out.writeArrayPropertyStart("list");

@@ -14,11 +14,14 @@ import steward.league.rating.RatingPath;
  * @param path   how the ratings went
  * @param games  the last games, the latest first
  * @param rate   games a second, or NaN when it is not being played
+ * @param workers those that play on other machines
  */
-public record LeagueView(Season season, LeagueTable table, RatingPath path, List<StoredGame> games, double rate) {
+public record LeagueView(Season season, LeagueTable table, RatingPath path, List<StoredGame> games, double rate,
+                         List<WorkerRow> workers) {
 
-    /** Copies the list. */
+    /** Copies the lists. */
     public LeagueView {
         games = List.copyOf(games);
+        workers = List.copyOf(workers);
     }
 }

@@ -245,6 +245,12 @@ public final class GameQueries {
         read(reader, GAME + "WHERE g.season = ? ORDER BY g.id, s.seat", season);
     }
 
+    /** Whether any game was played on a machine whose name begins so. */
+    public boolean isPlayedOn(String machine) {
+        return database.with(() -> database.value("SELECT 1 FROM machine WHERE substr(name, 1, length(?)) = ? LIMIT 1",
+            machine, machine) != null);
+    }
+
     /** The last games, the latest first. */
     public List<StoredGame> last(int most) {
         List<StoredGame> games = new ArrayList<>();

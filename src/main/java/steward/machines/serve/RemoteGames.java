@@ -26,12 +26,12 @@ import steward.league.LeagueSettings;
 import steward.league.Schedule;
 import steward.league.Season;
 import steward.league.StoredGame;
-import steward.league.StoredGame.StoredSeat;
 import steward.league.play.Elsewhere;
 import steward.league.play.Roster.Member;
 import steward.machines.broker.LeagueBroker;
 import steward.machines.bundle.Bundle;
 import steward.machines.check.DisprovedException;
+import steward.machines.check.WorkerBook;
 import steward.machines.token.BrokerKey;
 import steward.machines.token.WorkerList;
 import steward.machines.wire.HeaderText;
@@ -255,21 +255,12 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
                 if (state.caught) {
                     return null;
                 }
-                count(state, attempts);
+                state.games++;
             }
             return attempts;
         } catch (DisprovedException wrong) {
             caught(state, wrong.getMessage());
             return null;
-        }
-    }
-
-    private static void count(WorkerState state, List<StoredGame> attempts) {
-        state.games++;
-        state.repeated += attempts.size() - 1;
-        for (StoredSeat seat : attempts.get(attempts.size() - 1).seats()) {
-            state.faults += seat.fault() == null ? 0 : 1;
-            state.answers += seat.answers();
         }
     }
 
@@ -288,7 +279,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         }
         list = WorkerList.read(folder);
         broker.disconnect(state.name);
-        int games = setter.setAside(WorkerState.machine(state.name), "set aside: worker " + state.name
+        int games = setter.setAside(WorkerState.machine(state.name), WorkerBook.ASIDE + "worker " + state.name
             + " was caught");
         say("worker " + state.name + " is caught and revoked: " + why + "; " + games
             + " of its games are set aside and played again");
@@ -476,8 +467,8 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         List<WorkerSeen> seen = new ArrayList<>();
         for (WorkerState worker : new HashMap<>(workers).values()) {
             double seconds = Math.max(1, System.nanoTime() - worker.began) / 1e9;
-            seen.add(new WorkerSeen(worker.name, worker.slots, worker.games, worker.games / seconds, worker.faults,
-                worker.repeated, worker.version, System.currentTimeMillis() - worker.lastWord, worker.caught));
+            seen.add(new WorkerSeen(worker.name, worker.slots, worker.games / seconds, worker.version,
+                System.currentTimeMillis() - worker.lastWord, worker.caught));
         }
         seen.sort((one, other) -> one.name().compareTo(other.name()));
         return seen;

@@ -5,14 +5,10 @@ package steward.machines.serve;
  *
  * @param name     its name
  * @param slots    games at the same time; 0 if it is not there
- * @param games    that were believed
- * @param rate     in a second
- * @param faults   of bots
- * @param repeated games that were played again because the machine was starved
+ * @param rate     games in a second that were believed, in this run
  * @param version  of its program
  * @param silentMs since its last word
  * @param caught   whether it was caught
  */
-public record WorkerSeen(String name, int slots, long games, double rate, long faults, long repeated, String version,
-                   long silentMs, boolean caught) {
+public record WorkerSeen(String name, int slots, double rate, String version, long silentMs, boolean caught) {
 }

@@ -8,9 +8,6 @@ final class WorkerState {
     String version = "";
     String machine = "";
     long games;
-    long faults;
-    long answers;
-    long repeated;
     long checked;
     long began;
     long lastWord;

@@ -69,10 +69,11 @@ class FewGamesTest {
             RatingPath.Collector path = new RatingPath.Collector(entries);
             path.take(results);
             path.take(results);
-            String text = String.join("\n", TableText.whole(table, SEASON, Colour.NONE));
+            String text = String.join("\n", TableText.whole(table, SEASON, List.of(), Colour.NONE));
             assertFalse(Pattern.compile("9999|\\d{5}|Infinity|NaN|∞").matcher(text).find(), text);
             ByteArrayOutputStream page = new ByteArrayOutputStream();
-            LeaguePage.write(new LeagueView(SEASON, table, path.path(), List.of(), Double.NaN), folder, page, "few");
+            LeaguePage.write(new LeagueView(SEASON, table, path.path(), List.of(), Double.NaN, List.of()), folder, page,
+                "few");
             String html = page.toString(StandardCharsets.UTF_8);
             String data = html.substring(html.indexOf("{\"scene\":"));
             data = data.substring(0, data.indexOf("</script>"));

@@ -178,20 +178,25 @@ class WorkerTest {
         assertTrue(said.contains("worker one: 2 at a time, "), said);
     }
 
-    /** Answers for the bot that loses as another would: everything in its replays follows from the commands. */
+    /**
+     * Plays three games as it should, and then answers for the bot that loses as another would: everything in its
+     * replays follows from the commands.
+     */
     private void forge(BrokerClient client) throws BrokenException, InterruptedException {
         client.say(WireMessage.bytes(new HeaderText().put("type", "hello").put("version", "1")
             .put("bits", PhysicsFingerprint.text()).put("machine", "a forge").put("slots", 1)));
         try (BrokerClient.Taker taker = client.taker(List.of())) {
-            for (;;) {
+            for (int games = 0;;) {
                 byte[] bytes = taker.take(500);
                 if (bytes == null) {
                     continue;
                 }
+                boolean honest = games++ < 3;
                 WireMessage job = WireMessage.read(bytes, "a job");
                 List<String> names = job.header().blocks("seats").stream().map(seat -> seat.text("name")).toList();
                 List<String> commands = names.stream().map(name -> name + "=codingame:"
-                    + (name.equals("fast") ? bots.idler(0) : bots.driver())).toList();
+                    + (name.equals("fast") != honest ? bots.idler(honest && name.equals("wrong") ? 3 : 0)
+                        : bots.driver())).toList();
                 Contest contest = Contest.of(Games.open(folder.resolve("short.json").toString()), commands,
                     Protocol.JSON, 1).isolatedBy(() -> Isolation.OFF);
                 ByteArrayOutputStream recording = new ByteArrayOutputStream();
@@ -218,6 +223,14 @@ class WorkerTest {
 
         assertTrue(said.contains("worker bad is caught and revoked: "), said);
         assertTrue(said.contains("answers otherwise when it is asked again"), said);
+        assertTrue(said.contains("; 3 of its games are set aside and played again"), said);
+        String table = done("table", "TMP/many");
+        assertTrue(table.startsWith("30 games of duel, 3 more set aside, of workers that were caught\n"), table);
+        assertTrue(table.contains("worker bad: caught, 0 games, 3 more set aside, 0 faults, 0 hiccups\n"), table);
+        String json = done("table", "TMP/many", "--json");
+        assertTrue(json.contains("\"workers\":[{\"name\":\"bad\",\"state\":\"caught\",\"games\":0,\"aside\":3,"), json);
+        done("page", "TMP/many", "--out", "TMP/page.html");
+        assertTrue(Files.readString(folder.resolve("page.html")).contains("\"name\":\"bad\",\"state\":\"caught\""));
         assertEquals(counting("alone"), counting("many"), said);
         assertTrue(games("many").stream().noneMatch(row -> row.counts() && row.machine().startsWith("worker bad")));
         assertTrue(done("worker", "list", "TMP/many").contains("bad (revoked: caught: game of seed "));

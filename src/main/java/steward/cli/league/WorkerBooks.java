@@ -1,0 +1,33 @@
+package steward.cli.league;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import steward.league.page.WorkerRow;
+import steward.league.store.GameQueries;
+import steward.league.store.GameStore;
+import steward.machines.check.WorkerBook;
+
+/** Who played the games of a league, from what is stored. */
+final class WorkerBooks {
+
+    private WorkerBooks() {
+    }
+
+    /** Reads all games, if a worker has played any. */
+    static WorkerBook read(GameQueries games, GameStore store) {
+        Map<Integer, String> names = new HashMap<>();
+        WorkerBook book = new WorkerBook(version -> names.computeIfAbsent(version, any -> store.versions().stream()
+            .filter(each -> each.id() == version).map(GameStore.Version::display).findFirst().orElse("?")));
+        if (games.isPlayedOn(WorkerBook.WORKER)) {
+            games.games(book::add);
+        }
+        return book;
+    }
+
+    /** What is shown of them where the league is not being played. */
+    static List<WorkerRow> rows(WorkerBook book) {
+        return book.lines().stream().map(line -> new WorkerRow(line.name(), line.aside() > 0 ? "caught" : "",
+            line.games(), line.aside(), Double.NaN, line.faults(), line.repeated(), null, -1, line.doubts())).toList();
+    }
+}

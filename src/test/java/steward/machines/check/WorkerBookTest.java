@@ -1,0 +1,136 @@
+package steward.machines.check;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import steward.league.StoredGame;
+import steward.league.StoredGame.StoredSeat;
+
+/** Who is called doubtful: made-up games of bots that draw by lot. */
+class WorkerBookTest {
+
+    private static final long SEED = Long.getLong("steward.seed", 22);
+    private static final long MS = 1_000_000;
+    private static final Kind HONEST = new Kind(0.3, 0.02, 1);
+
+    /** How a worker's games are. */
+    private record Kind(double weakWins, double fails, double slower) {
+    }
+
+    /** A game between bot 1, the weak one, and bot 2; in either seat. */
+    private static StoredGame game(String machine, Kind kind, SplittableRandom random) {
+        boolean wins = random.nextDouble() < kind.weakWins;
+        StoredSeat weak = seat(1, wins, kind, random);
+        StoredSeat strong = seat(2, !wins, kind, random);
+        return new StoredGame(0, new byte[16], 0, random.nextLong(), 1, true, 50, null, 0, machine, null,
+            random.nextBoolean() ? List.of(strong, weak) : List.of(weak, strong));
+    }
+
+    private static StoredSeat seat(int version, boolean wins, Kind kind, SplittableRandom random) {
+        long nanos = Math.round((1 + random.nextDouble()) * kind.slower * MS);
+        return new StoredSeat(version, wins ? 0 : 1, wins ? 1 : 0, random.nextDouble() < kind.fails ? "timeout" : null,
+            50, nanos, nanos, nanos);
+    }
+
+    /** The doubts about worker "x" after so many games of its own, and as many of each of three others. */
+    private static List<String> doubts(Kind kind, int games, long seed) {
+        SplittableRandom random = new SplittableRandom(seed);
+        WorkerBook book = new WorkerBook(version -> version == 1 ? "weak" : "strong");
+        for (int k = 0; k < games; k++) {
+            for (String machine : List.of("worker a: m", "Java 17, here", "worker b: m")) {
+                book.add(game(machine, HONEST, random));
+            }
+            book.add(game("worker x: m", kind, random));
+        }
+        return book.lines().stream().filter(line -> line.name().equals("x")).findFirst().orElseThrow().doubts();
+    }
+
+    /** R. A. Fisher's tea: of 8 cups 4 are marked, 4 are taken, all of them right: 1 in 70 one way, and the other. */
+    @Test
+    void theChanceIsExact() {
+        DrawnWithout tea = new DrawnWithout();
+        tea.add(8, 4, 4, 4);
+        assertEquals(2.0 / 70, tea.chance(), 1e-15);
+        // Two tables of it: only both right is as extreme, 1 in 4900.
+        tea.add(8, 4, 4, 4);
+        assertEquals(2.0 / 4900, tea.chance(), 1e-17);
+        DrawnWithout middle = new DrawnWithout();
+        middle.add(8, 4, 4, 2);
+        assertEquals(1, middle.chance());
+        DrawnWithout nothing = new DrawnWithout();
+        nothing.add(5, 5, 3, 3);
+        assertEquals(1, nothing.chance(), "all have the mark: nothing can be told");
+    }
+
+    /**
+     * More than 4,000 different sums: the normal distribution takes over. Of 10,000 of 20,000, where half have the
+     * mark, the standard deviation is sqrt(10,000 / 4 * 10,000 / 19,999) = 35.4: 600 more than 5,000 are 17 of them.
+     */
+    @Test
+    void manyGamesAreMeasuredByTheNormalDistribution() {
+        DrawnWithout even = new DrawnWithout();
+        even.add(20_000, 10_000, 10_000, 5000);
+        assertEquals(1, even.chance());
+        DrawnWithout wide = new DrawnWithout();
+        wide.add(20_000, 10_000, 10_000, 5600);
+        assertTrue(wide.chance() < 1e-60 && wide.chance() > 0, () -> "found " + wide.chance());
+        // Where both can be computed they agree: 3990 of 15,960 below, 3.5 deviations up.
+        DrawnWithout exact = new DrawnWithout();
+        exact.add(15_960, 3990, 3990, 1090);
+        DrawnWithout normal = new DrawnWithout();
+        normal.add(15_960, 3990, 3990, 1090);
+        normal.add(1_000_000, 999_999, 11, 11);
+        normal.add(11, 11, 10, 10);
+        assertEquals(exact.chance(), normal.chance(), 1e-3 * exact.chance(), "games that say nothing change nothing");
+    }
+
+    /** At most 1 in 100 by construction; 11 or more of 300 would come by chance once in some thousand. */
+    @Test
+    void honestWorkersAreSeldomDoubtful() {
+        int found = 0;
+        for (int league = 0; league < 300; league++) {
+            found += doubts(HONEST, 160, SEED + league).isEmpty() ? 0 : 1;
+        }
+        int count = found;
+        assertTrue(found < 11, () -> "doubtful in " + count + " of 300 leagues, seed " + SEED);
+    }
+
+    @Test
+    void aWorkerThatLetsTheWeakBotWinIsNamedAfterFortyGames() {
+        List<String> doubts = doubts(new Kind(1, 0.02, 1), 40, SEED);
+        assertTrue(doubts.stream().anyMatch(doubt -> doubt.matches(
+            "weak in seat [12] had nobody ahead of it in (\\d+) of \\1 games, elsewhere in \\d+ of \\d+ "
+                + "\\(p = .*e-.*\\)")), () -> doubts + ", seed " + SEED);
+    }
+
+    @Test
+    void aWorkerOnWhichBotsFailOrAreSlowIsNamed() {
+        List<String> failing = doubts(new Kind(0.3, 0.6, 1), 80, SEED);
+        assertTrue(failing.stream().anyMatch(doubt -> doubt.contains(" failed in ")), failing::toString);
+        List<String> slow = doubts(new Kind(0.3, 0.02, 3), 80, SEED);
+        assertTrue(slow.stream().anyMatch(doubt -> doubt.contains(" took longer than the median to answer in ")),
+            slow::toString);
+        assertEquals(List.of(), doubts(new Kind(0.3, 0.02, 1.4), 80, SEED), "machines may differ a little");
+    }
+
+    @Test
+    void gamesSetAsideAndPlayedAgainAreCountedApart() {
+        SplittableRandom random = new SplittableRandom(SEED);
+        WorkerBook book = new WorkerBook(Integer::toString);
+        StoredGame first = game("worker y: m", HONEST, random);
+        for (int k = 0; k < 3; k++) {
+            book.add(game("worker y: m", HONEST, random));
+        }
+        for (String problem : new String[] {WorkerBook.ASIDE + "worker y was caught", null}) {
+            book.add(new StoredGame(9, first.name(), -1, 1, 1, false, 5, problem, 0, "worker y: m", null,
+                first.seats()));
+        }
+        book.add(game("Java 17, here", HONEST, random));
+        assertEquals(1, book.lines().size());
+        WorkerBook.Line line = book.lines().get(0);
+        assertEquals("y 3 1 1", line.name() + " " + line.games() + " " + line.aside() + " " + line.repeated());
+    }
+}
