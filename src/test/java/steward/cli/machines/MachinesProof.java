@@ -1,0 +1,317 @@
+package steward.cli.machines;
+
+import java.io.ByteArrayOutputStream;
+import java.io.File;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+import steward.cli.Main;
+import steward.cli.TextShellBots;
+import steward.cli.shared.Streams;
+import steward.files.InputException;
+import steward.league.LeagueFolder;
+import steward.league.Season;
+import steward.league.store.GameQueries;
+import steward.league.store.GameStore;
+
+/**
+ * Plays a league of deterministic bots once on a single machine, and once with three workers, each in a process of its
+ * own, while everything goes wrong: one worker is killed with SIGKILL; one is stopped for a while and continued; the
+ * league's process is killed with SIGKILL and started again; and all connections are cut in the middle of a message by
+ * a proxy that takes no others for a while. Prints what became of the games. Exit status 1 if a game is lost or
+ * doubled, if any of them or the table differs from the single machine's, or if a process prints a line that is not
+ * ours.
+ *
+ * <p>{@code --games N} (1000), {@code --stop S} seconds (30), {@code --pause MS} before a bot begins
+ * (300), so that games take a while and processors are not what decides.
+ */
+public final class MachinesProof {
+
+    private static final String ROW = "%-58s %s%n";
+    private static final long PATIENCE_S = 1200;
+    private static final int CLOSED_MS = 3000;
+
+    private final Path folder;
+    private final int games;
+    private final int stopSeconds;
+    private final Consumer<String> teller;
+    private final List<String> problems = new ArrayList<>();
+    private final List<Process> started = new ArrayList<>();
+    private final int pauseMs;
+    private int port;
+
+    /** A game without what is measured, and which game of the schedule it is: a decision is a lineup and its mirror. */
+    private record Row(String place, String game, String machine, boolean counts, long played) {
+    }
+
+    private MachinesProof(Path folder, int games, int stopSeconds, int pauseMs, Consumer<String> teller)
+            throws IOException {
+        this.folder = folder;
+        this.teller = teller;
+        this.games = games;
+        this.stopSeconds = stopSeconds;
+        this.pauseMs = pauseMs;
+        Files.writeString(folder.resolve("short.json"), Files.readString(Path.of("config/scenes/duel.json"))
+            .replace("\"maximumTurns\": 200", "\"maximumTurns\": 20")
+            .replace("\"answerMs\": 75", "\"answerMs\": 60000")
+            .replace("\"firstAnswerMs\": 1000", "\"firstAnswerMs\": 60000"));
+        Files.writeString(folder.resolve("pause.sh"), "#!/bin/sh\nsleep $1; shift; exec \"$@\"\n");
+    }
+
+    /** Reads the options, plays, prints. */
+    public static void main(String[] arguments) throws Exception {
+        List<String> options = List.of(arguments);
+        List<String> problems = play(Files.createTempDirectory("machines-"), option(options, "--games", 1000),
+            option(options, "--stop", 30), option(options, "--pause", 300), System.out::print);
+        problems.forEach(problem -> System.out.println("PROBLEM: " + problem));
+        System.out.println(problems.size() + " problems");
+        System.exit(problems.isEmpty() ? 0 : 1);
+    }
+
+    /**
+     * Plays.
+     *
+     * @param folder for all files
+     * @return what is not as it should be
+     */
+    static List<String> play(Path folder, int games, int stopSeconds, int pauseMs, Consumer<String> teller)
+            throws Exception {
+        MachinesProof proof = new MachinesProof(folder, games, stopSeconds, pauseMs, teller);
+        try {
+            proof.play();
+        } finally {
+            proof.started.forEach(Process::destroyForcibly);
+            for (Process process : proof.started) {
+                process.waitFor();
+            }
+        }
+        return proof.problems;
+    }
+
+    private static int option(List<String> options, String name, int otherwise) {
+        int place = options.indexOf(name);
+        return place < 0 ? otherwise : Integer.parseInt(options.get(place + 1));
+    }
+
+    private void tell(String what, Object found) {
+        teller.accept(String.format(ROW, what, found));
+    }
+
+    // ---- programs --------------------------------------------------------------------------------
+
+    private Process start(String name, String... arguments) throws IOException {
+        List<String> words = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+            "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "--enable-native-access=ALL-UNNAMED", "-Djava.io.tmpdir="
+            + Files.createDirectories(folder.resolve("tmp")), "-cp", Stream.of(System.getProperty("java.class.path")
+                .split(File.pathSeparator)).map(part -> Path.of(part).toAbsolutePath().toString())
+                .reduce((one, other) -> one + File.pathSeparator + other).orElseThrow(), Main.class.getName()));
+        words.addAll(List.of(arguments));
+        Process process = new ProcessBuilder(words).directory(folder.toFile())
+            .redirectOutput(folder.resolve(name + ".out").toFile())
+            .redirectError(folder.resolve(name + ".err").toFile()).start();
+        started.add(process);
+        return process;
+    }
+
+    private void run(String... arguments) {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        if (Main.run(new Streams(out, out, false, false), arguments) != 0) {
+            throw new IllegalStateException(out.toString(StandardCharsets.UTF_8));
+        }
+    }
+
+    private void make(String league) {
+        String path = folder.resolve(league).toString();
+        TextShellBots bots = new TextShellBots(folder);
+        String paused = "sh '" + folder.resolve("pause.sh") + "' " + pauseMs / 1000.0 + " ";
+        run("league", "init", path, "--scene", folder.resolve("short.json").toString(), "--seed", "5");
+        run("league", "add", path, "fast=codingame:" + paused + bots.driver());
+        run("league", "add", path, "still=codingame:" + paused + bots.idler(0));
+        run("league", "add", path, "wrong=codingame:" + paused + bots.idler(3));
+        run("league", "add", path, "later=codingame:" + paused + bots.idler(6));
+    }
+
+    private Process worker(String name, int join) throws IOException {
+        return start("worker " + name, "worker", "--join", "127.0.0.1:" + join, "--token-file",
+            folder.resolve(name + ".token").toString(), "--bundles", folder.resolve("bundles " + name).toString(),
+            "--sandbox", "off");
+    }
+
+    private Process league(int number) throws IOException {
+        return start("league " + number, "league", "run", "many", "--games", Integer.toString(games), "--serve",
+            "127.0.0.1:" + port);
+    }
+
+    private static void signal(String name, Process process) throws IOException, InterruptedException {
+        new ProcessBuilder("kill", "-s", name, Long.toString(process.pid())).start().waitFor();
+    }
+
+    private static int free() throws IOException {
+        try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            return socket.getLocalPort();
+        }
+    }
+
+    private List<Row> rows(String league) {
+        List<Row> rows = new ArrayList<>();
+        LeagueFolder path = new LeagueFolder(folder.resolve(league));
+        if (!Files.exists(path.database())) {
+            return rows;
+        }
+        try (GameStore store = GameStore.read(path)) {
+            Map<Integer, String> names = new HashMap<>();
+            store.versions().forEach(version -> names.put(version.id(), version.display()));
+            Season season = store.lastSeason().orElse(null);
+            if (season != null) {
+                new GameQueries(store, store.season(season).orElseThrow(), season).games(game -> rows.add(new Row(
+                    game.decision() + " " + Arrays.toString(game.lineup()), game.decision() + " " + game.seed() + " "
+                        + game.attempt() + " " + game.turns() + " "
+                        + game.problem() + " " + game.seats().stream().map(seat -> names.get(seat.version()) + ":"
+                            + seat.rank() + ":" + seat.score() + ":" + seat.fault() + ":" + seat.answers()).toList(),
+                    game.machine(), game.counts(), game.played())));
+            }
+        } catch (InputException notYet) {
+            return List.of();                          // it is just being made
+        }
+        return rows;
+    }
+
+    private String table(String league) {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        Main.run(new Streams(out, out, false, false), "league", "table", folder.resolve(league).toString(), "--csv");
+        // The last two columns are answer times.
+        return out.toString(StandardCharsets.UTF_8).replaceAll("(?m),[^,\n]*,[^,\n]*$", "");
+    }
+
+    /** Waits until so many games are stored, and one of this worker among them, or the league has ended. */
+    private int await(Process league, int stored, String worker) throws InterruptedException {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_S);
+        for (;;) {
+            List<Row> rows = rows("many");
+            int found = rows.size();
+            if (found >= stored && rows.stream().anyMatch(row -> row.machine().startsWith(worker))
+                || !league.isAlive()) {
+                return found;
+            }
+            if (System.nanoTime() > end) {
+                throw new IllegalStateException("found " + found + " games after " + PATIENCE_S + " s");
+            }
+            league.waitFor(100, TimeUnit.MILLISECONDS);
+        }
+    }
+
+    // ---- the proof -------------------------------------------------------------------------------
+
+    private void play() throws Exception {
+        make("alone");
+        long began = System.nanoTime();
+        int status = start("alone", "league", "run", "alone", "--games", Integer.toString(games), "--quiet",
+            "--threads", "4").waitFor();
+        check(status == 0, "the single machine's league ends with status " + status);
+        tell("single machine: seconds", TimeUnit.NANOSECONDS.toSeconds(System.nanoTime() - began));
+
+        make("many");
+        port = free();
+        for (String name : List.of("one", "two", "three")) {
+            run("league", "worker", "add", folder.resolve("many").toString(), name, "--out",
+                folder.resolve(name + ".token").toString());
+        }
+        began = System.nanoTime();
+        long continued;
+        try (CutProxy proxy = new CutProxy(port)) {
+            Process league = league(1);
+            final Process one = worker("one", proxy.port());
+            final Process two = worker("two", proxy.port());
+            final Process three = worker("three", proxy.port());
+
+            tell("worker one killed (SIGKILL) after games", await(league, games / 5, "worker one"));
+            one.destroyForcibly().waitFor();
+
+            tell("worker two stopped after games", await(league, games * 3 / 10, "worker two"));
+            signal("STOP", two);
+            final long stopped = System.nanoTime();
+
+            tell("league killed (SIGKILL) after games", await(league, games * 4 / 10, "worker three"));
+            check(league.isAlive(), "the league had ended before it was killed");
+            league.destroyForcibly().waitFor();
+            league = league(2);
+
+            tell("connections cut after games", await(league, games / 2, "worker"));
+            int cut = proxy.cut(CLOSED_MS);
+            tell("  within a message; none was taken for 3 s", cut);
+            check(cut > 0, "no connection was cut within a message");
+
+            TimeUnit.NANOSECONDS.sleep(stopped + TimeUnit.SECONDS.toNanos(stopSeconds) - System.nanoTime());
+            signal("CONT", two);
+            continued = System.currentTimeMillis();
+            tell("worker two continued after " + stopSeconds + " s, after games", rows("many").size());
+            check(league.isAlive(), "the league had ended before the worker was continued: more --games, or longer");
+
+            check(league.waitFor(PATIENCE_S, TimeUnit.SECONDS) && league.exitValue() == 0, "the league does not end");
+            check(two.isAlive() && three.isAlive(), "a worker has ended by itself");
+        }
+        tell("three workers: seconds", TimeUnit.NANOSECONDS.toSeconds(System.nanoTime() - began));
+        compare(continued);
+    }
+
+    private void compare(long continued) {
+        List<Row> alone = rows("alone");
+        List<Row> many = rows("many");
+        Map<String, Integer> times = new TreeMap<>();
+        many.stream().filter(Row::counts).forEach(row -> times.merge(row.place(), 1, Integer::sum));
+        long lost = alone.stream().filter(row -> row.counts() && !times.containsKey(row.place())).count();
+        long doubled = times.values().stream().mapToInt(count -> count - 1).sum();
+        List<String> expected = alone.stream().map(Row::game).sorted().toList();
+        List<String> found = many.stream().map(Row::game).sorted().toList();
+        tell("games on the single machine", alone.size());
+        tell("games with workers", many.size());
+        tell("lost", lost);
+        tell("doubled", doubled);
+        tell("games that differ", found.stream().filter(game -> !expected.contains(game)).count());
+        tell("the table is the single machine's", table("alone").equals(table("many")));
+        check(alone.size() == games && lost == 0 && doubled == 0, "games are lost or doubled");
+        check(expected.equals(found), "the games are others than on a single machine");
+        check(table("alone").equals(table("many")), "the table is another:\n" + table("alone") + table("many"));
+        Map<String, Integer> players = new TreeMap<>();
+        many.forEach(row -> players.merge(row.machine().startsWith("worker ") ? row.machine().replaceAll(":.*", "")
+            : "the league itself", 1, Integer::sum));
+        players.forEach((player, count) -> tell("played by " + player, count));
+        check(players.keySet().containsAll(List.of("worker one", "worker two", "worker three")),
+            "a worker has played no game: " + players);
+        long later = many.stream().filter(row -> row.machine().startsWith("worker two")
+            && row.played() > continued).count();
+        tell("played by worker two after it was continued", later);
+        check(later > 0, "worker two has played no game after it was continued");
+        for (String name : List.of("league 1", "league 2", "worker one", "worker two", "worker three")) {
+            foreignLines(folder.resolve(name + ".err")).forEach(line -> problems.add(name + " prints: " + line));
+        }
+    }
+
+    /** Lines on stderr that are not ours, such as those of a library that logs. */
+    private static List<String> foreignLines(Path file) {
+        try {
+            return Files.readAllLines(file).stream().filter(line -> !line.startsWith("steward: ")).toList();
+        } catch (IOException problem) {
+            throw new UncheckedIOException(problem);
+        }
+    }
+
+    private void check(boolean holds, String problem) {
+        if (!holds) {
+            problems.add(problem);
+        }
+    }
+}
