@@ -39,7 +39,7 @@ function paint(node, bot) {
 }
 
 const fixed = (value, decimals) => value === null || value === undefined ? '–' : value.toFixed(decimals);
-const signed = value => (value > 0 ? '+' : value < 0 ? '−' : '±') + Math.abs(Math.round(value));
+const signed = value => (Math.round(value) > 0 ? '+' : Math.round(value) < 0 ? '−' : '±') + Math.abs(Math.round(value));
 const plusMinus = bar => bar === null || bar === undefined ? '' : ` ± ${Math.round(bar)}`;
 const thousands = value => value.toLocaleString('en-US').replaceAll(',', '\u2009');
 
@@ -202,7 +202,7 @@ function drawPath() {
   const columns = bots.map(bot => league.path.versions.indexOf(bot.version));
   const width = Math.max(320, Math.min(900, box.clientWidth || 600));
   const height = Math.round(Math.max(220, width * 0.52));
-  const margin = { left: 40, right: Math.min(130, width * 0.24), top: 8, bottom: 24 };
+  const margin = { left: 48, right: Math.min(130, width * 0.24), top: 8, bottom: 24 };
   const last = points[points.length - 1];
   // The first few games say little and would fill the plot with their bars.
   const settled = points.filter(point => point.games >= last.games * 0.05);

@@ -22,6 +22,7 @@ import steward.cli.play.StoredSeries;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
 import steward.cli.shared.Games;
+import steward.cli.shared.Interruption;
 import steward.cli.shared.Streams;
 import steward.cli.shared.Verbosity;
 import steward.contest.Contest;
@@ -147,6 +148,17 @@ public final class TuneCommand implements Callable<Integer> {
         streams.err().println("Tuning " + TextFormat.count(command.parameters().size(), "parameter") + " in "
             + TextFormat.count(games / ofStep, "step") + " of " + TextFormat.count(ofStep, "game") + ", from "
             + command.text(command.start()));
+        try (Interruption interruption = new Interruption(streams, () -> search.step() + " of "
+                + TextFormat.count(games / ofStep, "step") + (search.step() == 1 ? " is" : " are") + " over; "
+                + (into == null ? "without --into nothing is kept" : "the games are stored, and the same command goes "
+                + "on"))) {
+            search(search, first);
+        }
+        tell(search);
+        return test(search, first);
+    }
+
+    private void search(Spsa search, long first) throws InterruptedException {
         while (!search.isOver()) {
             long at = first + (long) search.step() * seeds;
             double plus = score(search.trial(1), at);
@@ -158,8 +170,6 @@ public final class TuneCommand implements Callable<Integer> {
                 streams.err().println("step " + search.step() + ": " + command.text(search.path().get(search.step())));
             }
         }
-        tell(search);
-        return test(search, first);
     }
 
     private String named(String text) {

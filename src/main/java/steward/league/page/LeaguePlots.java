@@ -109,7 +109,8 @@ public final class LeaguePlots {
         return chart;
     }
 
-    private static void style(XYStyler style) {
+    /** How all plots of leagues look. */
+    public static void style(XYStyler style) {
         style.setChartBackgroundColor(Color.WHITE);
         style.setChartFontColor(INK);
         style.setChartTitleFont(new Font(Font.SANS_SERIF, Font.BOLD, 16));

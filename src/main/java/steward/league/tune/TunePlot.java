@@ -12,6 +12,7 @@ import org.knowm.xchart.ChartEncoder;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.style.markers.SeriesMarkers;
+import steward.league.page.LeaguePlots;
 
 /** Draws how parameters went, as PNG and SVG. */
 public final class TunePlot {
@@ -25,6 +26,8 @@ public final class TunePlot {
     private static final int HEIGHT = 620;
     private static final int DPI = 108;
     private static final double PERCENT = 100;
+    /** Pixels between the numbers of steps. */
+    private static final int TICKS = 80;
 
     private TunePlot() {
     }
@@ -38,6 +41,9 @@ public final class TunePlot {
     public static List<Path> write(TunedCommand command, List<double[]> path, Path folder) throws IOException {
         XYChart chart = new XYChartBuilder().width(WIDTH).height(HEIGHT).title("Parameters while they are tuned")
             .xAxisTitle("step").yAxisTitle("place in its range, %").build();
+        LeaguePlots.style(chart.getStyler());
+        chart.getStyler().setXAxisDecimalPattern("#");
+        chart.getStyler().setXAxisTickMarkSpacingHint(TICKS);
         chart.getStyler().setYAxisMin(0.0);
         chart.getStyler().setYAxisMax(PERCENT);
         double[] steps = IntStream.range(0, path.size()).asDoubleStream().toArray();
