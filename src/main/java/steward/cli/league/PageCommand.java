@@ -78,7 +78,8 @@ final class PageCommand implements Callable<Integer> {
     static int write(LeagueOpening.Opened opened, LeagueTable table, OutputStream html) {
         try {
             return LeaguePage.write(new LeagueView(opened.season(), table, opened.games().path(opened.entries()),
-                games(opened), Double.NaN, opened.workers()), opened.folder().replays(), html, title(opened.folder().path()));
+                games(opened), Double.NaN, opened.workers()), opened.folder().replays(), html,
+                title(opened.folder().path()));
         } catch (IOException problem) {
             throw new FailedException("the page cannot be written: " + problem.getMessage());
         }

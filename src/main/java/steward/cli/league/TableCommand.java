@@ -65,7 +65,8 @@ final class TableCommand implements Callable<Integer> {
                 PageCommand.write(opened, table, page);
                 streams.out().print(page.toString(StandardCharsets.UTF_8));
             } else {
-                TableText.whole(table, opened.season(), opened.workers(), streams.outColour()).forEach(streams.out()::println);
+                TableText.whole(table, opened.season(), opened.workers(), streams.outColour())
+                    .forEach(streams.out()::println);
             }
             if (plots != null) {
                 writePlots(opened, table);
