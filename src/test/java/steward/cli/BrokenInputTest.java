@@ -5,14 +5,19 @@ import static org.junit.jupiter.api.Assertions.fail;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.function.IntPredicate;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import steward.cli.BrokenInputs.Kind;
+import steward.machines.wire.IncomingBytes;
 import steward.match.Protocol;
 
 /**
@@ -71,6 +76,23 @@ class BrokenInputTest {
     void anAnswerInWords() throws InterruptedException {
         answers(Protocol.CODINGAME, "1000 2000 100 hello");
         answers(Protocol.CODINGAME, "1000 -20 SHIELD");
+    }
+
+    @Test
+    @Tag("process")                                     // whether a bundle can be started is tried
+    void whatArrivesFromOtherMachines() throws IOException {
+        IncomingBytes incoming = new IncomingBytes(Files.createDirectory(folder.resolve("incoming")), SEED);
+        for (IntPredicate target : List.<IntPredicate>of(incoming::word, incoming::job, incoming::bundle)) {
+            int refused = 0;
+            for (int number = 0; number < 10 * INPUTS; number++) {
+                try {
+                    refused += target.test(number) ? 1 : 0;
+                } catch (AssertionError | RuntimeException problem) {
+                    fail("steward.seed " + SEED + ", input " + number + ": " + problem.getMessage(), problem);
+                }
+            }
+            assertTrue(refused > 0 && refused < 10 * INPUTS, "some are refused and some are not: " + refused);
+        }
     }
 
     private void answers(Protocol protocol, String original) throws InterruptedException {

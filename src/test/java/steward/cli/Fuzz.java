@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import steward.cli.BrokenInputs.Kind;
+import steward.machines.wire.IncomingBytes;
 import steward.match.Protocol;
 import steward.text.TextFormat;
 
@@ -83,6 +84,10 @@ public final class Fuzz {
         targets.add(new Named("answer in words", number -> inputs.answer(Protocol.CODINGAME, "1000 2000 100 hello",
             number)));
         targets.add(new Named("command of a bot", number -> inputs.command(COMMAND, number)));
+        IncomingBytes incoming = new IncomingBytes(Files.createDirectory(folder.resolve("incoming")), seed);
+        targets.add(new Named("message of a worker", incoming::word));
+        targets.add(new Named("job for a worker", incoming::job));
+        targets.add(new Named("bundle", incoming::bundle));
         return targets;
     }
 

@@ -18,10 +18,10 @@ import tools.jackson.databind.json.JsonMapper;
 /** The schemas themselves: valid, strict where we write, and every field explained. */
 class SchemaFilesTest {
 
-    /** {@code game/name}. */
-    static final List<String> NAMES = Stream.of(Schemas.POD_RACE, Schemas.SEARCH_RACE, Schemas.MEAN_MAX,
-            Schemas.FANTASTIC_BITS, Schemas.POKER_CHIP_RACE)
-        .flatMap(game -> Schemas.NAMES.stream().map(name -> game + "/" + name)).toList();
+    /** {@code game/name}, and the messages between a league and its workers. */
+    static final List<String> NAMES = Stream.concat(Stream.of("machines/message"), Stream.of(Schemas.POD_RACE,
+            Schemas.SEARCH_RACE, Schemas.MEAN_MAX, Schemas.FANTASTIC_BITS, Schemas.POKER_CHIP_RACE)
+        .flatMap(game -> Schemas.NAMES.stream().map(name -> game + "/" + name))).toList();
 
     private static String text(String name) {
         return Schemas.text(name.substring(0, name.indexOf('/')), name.substring(name.indexOf('/') + 1));

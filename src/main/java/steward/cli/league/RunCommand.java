@@ -168,7 +168,7 @@ public final class RunCommand implements Callable<Integer> {
                 what -> say(screen.get(), what));
              LeagueWatch page = watch.watch() ? LeagueWatch.start(folder, season, viewed, progress, watch) : null;
              Interruption interruption = new Interruption(streams, () -> told.getAndSet(true) ? null
-                : interrupted(run, progress, season, screen.get()))) {
+                : interrupted(run, progress, season, others.get(), screen.get()))) {
             if (page != null) {
                 page.follow(run, machines, streams, watch.open());
             }
@@ -180,16 +180,13 @@ public final class RunCommand implements Callable<Integer> {
             screen.set(streams.errTerminal() && !quiet ? new LiveTable(streams.err(),
                 () -> progress.lines(run, machines, streams::errColour)) : null);
             run.play();
-            if (machines != null && !quiet) {
-                machines.workers().forEach(worker -> worker.lines().forEach(streams.out()::println));
-            }
             if (told.getAndSet(true)) {
                 return ExitStatus.FAILED;              // the process is about to end, with the status of its signal
             }
         } finally {
             close(screen.get());
         }
-        tell(run, progress, season);
+        tell(run, progress, season, others.get());
         if (run.stopped() != null) {
             streams.err().println("steward: the league ends: " + TextFormat.plain(run.stopped())
                 + "; what was over before is stored, and the same command goes on");
@@ -223,22 +220,24 @@ public final class RunCommand implements Callable<Integer> {
     }
 
     /** Called at Ctrl-C, on another thread than the playing ones. */
-    private String interrupted(LeagueRun run, LeagueProgress progress, Season season, LiveTable screen) {
+    private String interrupted(LeagueRun run, LeagueProgress progress, Season season,
+                               Serving.Service machines, LiveTable screen) {
         int cut = run.breakOff();
         close(screen);
-        tell(run, progress, season);
+        tell(run, progress, season, machines);
         streams.out().flush();
         return TextFormat.count(progress.played(), "game") + " of this run " + (progress.played() == 1 ? "is" : "are")
             + " stored, " + cut + " under way " + (cut == 1 ? "was" : "were")
             + " ended and will be played again; the same command goes on";
     }
 
-    private void tell(LeagueRun run, LeagueProgress progress, Season season) {
+    private void tell(LeagueRun run, LeagueProgress progress, Season season, Serving.Service machines) {
         if (quiet) {
             return;
         }
         LeagueTable table = progress.table(run.roster().settings());
-        TableText.whole(table, season, List.of(), streams.outColour()).forEach(streams.out()::println);
+        TableText.whole(table, season, machines == null ? List.of() : machines.workers(), streams.outColour())
+            .forEach(streams.out()::println);
         (run.ended() != null ? UntilOptions.tell(run.ended(), run.roster())
             : UntilOptions.missing(until.rule(), Ratings.of(table.results(), run.roster().versions())))
             .forEach(streams.out()::println);

@@ -31,13 +31,14 @@ import steward.league.play.Roster.Member;
 import steward.machines.broker.LeagueBroker;
 import steward.machines.bundle.Bundle;
 import steward.machines.check.DisprovedException;
+import steward.machines.check.RulesFingerprint;
 import steward.machines.check.WorkerBook;
 import steward.machines.token.BrokerKey;
 import steward.machines.token.WorkerList;
 import steward.machines.wire.HeaderText;
 import steward.machines.wire.WireMessage;
+import steward.machines.wire.WorkerWord;
 import steward.scene.PhysicsFingerprint;
-import steward.scene.json.Block;
 import steward.scene.json.SceneException;
 
 /**
@@ -53,7 +54,6 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     static final int FIRST = 20;
     /** More games than this are never under way on workers; a schedule seldom has as many. */
     private static final int MOST = 256;
-    private static final int MOST_SLOTS = 256;
     private static final long POLL_MS = 200;
     /** How long an offered game waits for a worker when none is connected, in nanoseconds. */
     private static final long ALONE_NANOS = TimeUnit.SECONDS.toNanos(5);
@@ -67,6 +67,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     private final double share;
     private final long leaseNanos;
     private final String version;
+    private final String rules;
     private final Consumer<String> teller;
     private final SecureRandom random = new SecureRandom();
     private final Map<String, Offer> offers = new ConcurrentHashMap<>();
@@ -123,6 +124,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         share = service.share();
         leaseNanos = service.leaseNanos();
         version = service.version();
+        rules = RulesFingerprint.of(contest.setup());
         reported = new ReportedGames(folder, season, contest, types);
         stamp = WorkerList.stamp(folder);
         list = WorkerList.read(folder);
@@ -346,20 +348,24 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
 
     private void heard(LeagueBroker.Report report) {
         try {
-            WireMessage message = WireMessage.read(report.bytes(), "worker " + report.worker());
+            WorkerWord word = WorkerWord.read(report.bytes(), "worker " + report.worker(), Bundle.LARGEST);
             WorkerState state = state(report.worker());
             synchronized (this) {
                 state.lastWord = System.currentTimeMillis();
             }
-            Block header = message.header();
-            String type = header.text("type");
-            switch (type) {
-                case "hello" -> hello(state, header);
-                case "fetch" -> fetch(state, header);
-                case "result" -> result(state, message);
-                case "unfit" -> say("worker " + state.name + " cannot play a bot: " + shown(text(header, "reason")));
-                case "bye" -> leave(state);
-                default -> throw header.error("type", header.shown("type"), "one that workers send");
+            if (word instanceof WorkerWord.Hello hello) {
+                hello(state, hello);
+            } else if (word instanceof WorkerWord.Fetch fetch) {
+                fetch(state, fetch);
+            } else if (word instanceof WorkerWord.Result result) {
+                result(state, result);
+            } else if (word instanceof WorkerWord.Unfit unfit) {
+                say("worker " + state.name + " cannot play a bot: " + shown(unfit.reason()));
+            } else if (word instanceof WorkerWord.Differs differs) {
+                leave(state);
+                say(apart(state.name, state.version, shown(differs.rules()), rules));
+            } else {
+                leave(state);
             }
         } catch (InputException | SceneException problem) {
             say("worker " + report.worker() + " is sent away: " + shown(problem.getMessage()));
@@ -367,10 +373,10 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         }
     }
 
-    private static String text(Block header, String name) {
-        String text = header.text(name);
-        header.done();
-        return text;
+    /** That two programs do not compute the same. */
+    private String apart(String worker, String theirs, String their, String own) {
+        return "found Steward " + theirs + " (results " + their + ") on worker " + worker + " and Steward " + version
+            + " (results " + own + ") in the league, expected versions that compute the same";
     }
 
     private static String shown(String text) {
@@ -378,40 +384,34 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         return plain.length() > LONGEST_TEXT ? plain.substring(0, LONGEST_TEXT) : plain;
     }
 
-    private void hello(WorkerState state, Block header) {
-        String theirs = header.text("version");
-        String bits = header.text("bits");
-        String machine = header.text("machine");
-        int slots = header.integer("slots", 1, MOST_SLOTS);
-        header.done();
+    private void hello(WorkerState state, WorkerWord.Hello hello) {
+        int slots = hello.slots();
         String own = PhysicsFingerprint.text();
-        if (!bits.equals(own)) {
-            String why = "found Steward " + shown(theirs) + " (results " + shown(bits) + ") on worker " + state.name
-                + " and Steward " + version + " (results " + own + ") in the league, expected versions that "
-                + "compute the same";
+        if (!hello.bits().equals(own)) {
+            String why = apart(state.name, shown(hello.version()), shown(hello.bits()), own);
             say(why);
             broker.tell(state.name, WireMessage.bytes(new HeaderText().put("type", "refused").put("reason", why)));
             return;
         }
         synchronized (this) {
             state.slots = slots;
-            state.version = shown(theirs);
-            state.machine = shown(machine);
+            state.version = shown(hello.version());
+            state.machine = shown(hello.machine());
             state.began = state.began == 0 ? System.nanoTime() : state.began;
             notifyAll();
         }
         say("worker " + state.name + " plays " + slots + (slots == 1 ? " game" : " games") + " at a time: "
-            + shown(machine));
-        HeaderText welcome = new HeaderText().put("type", "welcome").put("factor", Double.toString(settings.factor()))
+            + shown(hello.machine()));
+        HeaderText welcome = new HeaderText().put("type", "welcome").put("version", version)
+            .put("rules", rules).put("factor", Double.toString(settings.factor()))
             .put("basis", settings.basis().word()).put("hiccups", settings.hiccups().word());
         broker.tell(state.name, WireMessage.bytes(welcome,
             contest.setup().scene().json().getBytes(StandardCharsets.UTF_8)));
     }
 
-    private void fetch(WorkerState state, Block header) {
-        String hash = header.text("bundle");
-        int from = header.integer("from", 0, Bundle.LARGEST);
-        header.done();
+    private void fetch(WorkerState state, WorkerWord.Fetch fetch) {
+        String hash = fetch.bundle();
+        int from = fetch.from();
         Bundle bundle = bundles.get(hash);
         HeaderText answer = new HeaderText().put("type", "bundle").put("bundle", hash).put("from", from);
         byte[] part = {};
@@ -426,30 +426,17 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         notifyAll();
     }
 
-    private void result(WorkerState state, WireMessage message) {
-        Block header = message.header();
-        String job = header.text("job");
-        List<byte[]> found = new ArrayList<>();
-        List<Boolean> starved = new ArrayList<>();
-        int at = 0;
-        for (Block attempt : header.blocks("attempts")) {
-            int size = attempt.integer("size", 1, message.payload().length - at);
-            starved.add(attempt.flag("starved", false));
-            found.add(Arrays.copyOfRange(message.payload(), at, at + size));
-            at += size;
-        }
-        String problem = header.has("problem") ? header.text("problem") : null;
-        header.done();
-        Offer offer = offers.get(job);
-        if (offer == null || !state.name.equals(broker.holder(job))) {
+    private void result(WorkerState state, WorkerWord.Result result) {
+        Offer offer = offers.get(result.job());
+        if (offer == null || !state.name.equals(broker.holder(result.job()))) {
             return;                                    // too late, or never its own: somebody else plays it
         }
-        if (problem != null || found.isEmpty() || found.size() > 2) {
-            say("worker " + state.name + " could not play a game: " + shown(problem));
+        if (result.problem() != null || result.replays().isEmpty()) {
+            say("worker " + state.name + " could not play a game: " + shown(result.problem()));
             offer.played().complete(null);
             return;
         }
-        offer.played().complete(new Played(state.name, found, starved));
+        offer.played().complete(new Played(state.name, result.replays(), result.starved()));
     }
 
     private synchronized WorkerState state(String name) {

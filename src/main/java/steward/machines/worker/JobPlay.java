@@ -20,9 +20,10 @@ import steward.contest.Hiccups;
 import steward.files.InputException;
 import steward.game.GameSetup;
 import steward.game.GameTypes;
-import steward.machines.bundle.Bundle;
 import steward.machines.bundle.UnpackedBundle;
 import steward.machines.check.GzipText;
+import steward.machines.check.RulesFingerprint;
+import steward.machines.wire.GameJob;
 import steward.machines.wire.HeaderText;
 import steward.machines.wire.WireMessage;
 import steward.match.MatchResult;
@@ -31,8 +32,6 @@ import steward.scene.json.Block;
 
 /** Plays jobs of a league: its scene and limits, and the bots that have been fetched. Thread-safe. */
 final class JobPlay {
-
-    private static final int MOST_SEATS = 16;
 
     private final Contest contest;
     private final Hiccups hiccups;
@@ -44,17 +43,20 @@ final class JobPlay {
         byte[] fetch(String bundle, int size) throws Exception;
     }
 
-    /**
-     * A job.
-     *
-     * @param id    of the job
-     * @param seed  of the game
-     * @param seats the players in order
-     */
-    record Job(String id, long seed, List<Seat> seats) {
+    /** The league's program computes other results. */
+    static final class OtherRulesException extends Exception {
 
-        /** A player. */
-        record Seat(String name, String bundle, int size) {
+        private static final long serialVersionUID = 1;
+
+        private final String own;
+
+        OtherRulesException(String message, String own) {
+            super(message);
+            this.own = own;
+        }
+
+        String own() {
+            return own;
         }
     }
 
@@ -78,10 +80,13 @@ final class JobPlay {
     /**
      * Takes what the league says of its games.
      *
-     * @param folder where bundles go
-     * @throws InputException if it cannot be used
+     * @param folder  where bundles go
+     * @param version of this program
+     * @throws InputException      if it cannot be used
+     * @throws OtherRulesException if the league's program computes other results in this scene
      */
-    JobPlay(WireMessage welcome, GameTypes types, Supplier<Isolation> isolation, Path folder) {
+    JobPlay(WireMessage welcome, GameTypes types, Supplier<Isolation> isolation, Path folder, String version)
+            throws OtherRulesException {
         Block header = welcome.header();
         header.text("type");
         double factor;
@@ -94,35 +99,18 @@ final class JobPlay {
             header.error("basis", header.shown("basis"), "wall or cpu"));
         hiccups = Hiccups.of(header.text("hiccups")).orElseThrow(() ->
             header.error("hiccups", header.shown("hiccups"), "replay or count"));
+        String theirs = header.text("version");
+        String rules = header.text("rules");
         header.done();
         GameSetup setup = types.open(new String(welcome.payload(), StandardCharsets.UTF_8),
             "the league's scene");
+        String own = RulesFingerprint.of(setup);
+        if (!own.equals(rules)) {
+            throw new OtherRulesException("found Steward " + theirs + " (results " + rules + ") in the league and "
+                + "Steward " + version + " (results " + own + ") here, expected versions that compute the same", own);
+        }
         contest = Contest.withoutBots(setup, factor).limitedBy(basis).isolatedBy(isolation);
         this.folder = folder;
-    }
-
-    /** Reads a job. */
-    static Job job(WireMessage message) {
-        Block header = message.header();
-        header.text("type");
-        String id = header.text("job");
-        long seed;
-        try {
-            seed = Long.parseLong(header.text("seed"));
-        } catch (NumberFormatException problem) {
-            throw header.error("seed", header.shown("seed"), "a whole number of 64 bits as a text");
-        }
-        List<Job.Seat> seats = new ArrayList<>();
-        for (Block seat : header.blocks("seats")) {
-            String bundle = seat.text("bundle");
-            if (seats.size() == MOST_SEATS || !bundle.matches("[0-9a-f]{64}")) {
-                throw seat.error("bundle", seat.shown("bundle"), "a hash, and at most " + MOST_SEATS + " seats");
-            }
-            seats.add(new Job.Seat(seat.text("name"), bundle,
-                seat.integer("size", 1, Bundle.LARGEST)));
-        }
-        header.done();
-        return new Job(id, seed, seats);
     }
 
     /**
@@ -131,9 +119,9 @@ final class JobPlay {
      * @return the report for the league
      * @throws UnfitException if a bot does not run here
      */
-    byte[] play(Job job, Fetcher fetcher) throws Exception {
+    byte[] play(GameJob job, Fetcher fetcher) throws Exception {
         List<Entrant> entrants = new ArrayList<>();
-        for (Job.Seat seat : job.seats()) {
+        for (GameJob.Seat seat : job.seats()) {
             entrants.add(entrant(seat, fetcher).named(seat.name()));
         }
         if (entrants.size() != contest.players()) {
@@ -165,7 +153,7 @@ final class JobPlay {
             .put("problem", problem), replays.toArray(byte[][]::new));
     }
 
-    private synchronized Entrant entrant(Job.Seat seat, Fetcher fetcher) throws Exception {
+    private synchronized Entrant entrant(GameJob.Seat seat, Fetcher fetcher) throws Exception {
         Entrant known = bots.get(seat.bundle());
         if (known != null) {
             return known;

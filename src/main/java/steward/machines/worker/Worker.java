@@ -16,7 +16,9 @@ import steward.files.InputException;
 import steward.game.GameTypes;
 import steward.machines.broker.BrokerClient;
 import steward.machines.broker.BrokerClient.BrokenException;
+import steward.machines.bundle.Bundle;
 import steward.machines.token.WorkerToken;
+import steward.machines.wire.GameJob;
 import steward.machines.wire.HeaderText;
 import steward.machines.wire.WireMessage;
 import steward.scene.PhysicsFingerprint;
@@ -159,8 +161,13 @@ public final class Worker {
                 case "refused" -> throw new InputException(message.header().text("reason"));
                 case "welcome" -> {
                     try {
-                        return new JobPlay(message, types, options.isolation(), options.folder());
+                        return new JobPlay(message, types, options.isolation(), options.folder(),
+                            options.version());
                     } catch (SceneException problem) {
+                        throw new InputException(problem.getMessage());
+                    } catch (JobPlay.OtherRulesException problem) {
+                        client.say(WireMessage.bytes(new HeaderText().put("type", "differs").put("rules",
+                            problem.own())));
                         throw new InputException(problem.getMessage());
                     }
                 }
@@ -186,7 +193,7 @@ public final class Worker {
                     if (begun.incrementAndGet() > options.games()) {
                         return;                        // the last game is another place's
                     }
-                    JobPlay.Job job = JobPlay.job(WireMessage.read(bytes, "the league"));
+                    GameJob job = GameJob.read(bytes, "the league", Bundle.LARGEST);
                     try {
                         taker.finish(jobs.play(job, (hash, size) -> fetch(client, hash, size)));
                         played.incrementAndGet();

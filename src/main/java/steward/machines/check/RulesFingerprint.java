@@ -1,0 +1,60 @@
+package steward.machines.check;
+
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import steward.game.FrameCodec;
+import steward.game.Game;
+import steward.game.GameSetup;
+import steward.game.Pilot;
+import steward.numerics.SplitMix64;
+import steward.numerics.StateHash;
+
+/**
+ * What a program computes in a scene: a hash of all states of some short games, by pilots of all kinds. Two programs
+ * whose rules of the game, physics or starts differ have another one, where these games show it.
+ */
+public final class RulesFingerprint {
+
+    private static final int TURNS = 40;
+    private static final int SEEDS = 3;
+
+    private RulesFingerprint() {
+    }
+
+    /** 16 hexadecimal digits. */
+    public static String of(GameSetup setup) {
+        StateHash hash = new StateHash();
+        for (Pilot.Aim aim : Pilot.Aim.values()) {
+            Pilot pilot = setup.pilot(aim);
+            for (int seed = 0; seed < SEEDS; seed++) {
+                play(setup.create(seed), setup, pilot, new SplitMix64(seed), hash);
+            }
+        }
+        return StateHash.toHex(hash.value());
+    }
+
+    private static void play(Game game, GameSetup setup, Pilot pilot, SplitMix64 random, StateHash hash) {
+        FrameCodec codec = setup.codec(game);
+        hash.add(game.hash());
+        while (!game.isOver() && game.turn() < TURNS) {
+            List<byte[]> answers = new ArrayList<>();
+            for (int player = 0; player < game.players(); player++) {
+                answers.add(game.isIn(player) ? pilot.answer(game, player, random).getBytes(StandardCharsets.UTF_8)
+                    : null);
+            }
+            for (int player = 0; player < game.players(); player++) {
+                byte[] answer = answers.get(player);
+                String wrong = answer == null ? null : codec.frames().readAnswer(player, answer, answer.length);
+                if (wrong != null) {
+                    game.eliminate(player, wrong);
+                }
+            }
+            game.play();
+            hash.add(game.hash());
+        }
+        for (int player = 0; player < game.players(); player++) {
+            hash.add(game.ranks()[player]).add(game.scores()[player]);
+        }
+    }
+}

@@ -1,0 +1,108 @@
+package steward.machines.wire;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import steward.scene.json.Block;
+
+/** What a worker says, read strictly. */
+public interface WorkerWord {
+
+    /** How many games a worker may play at the same time. */
+    int MOST_SLOTS = 256;
+    /** How often a game may have been played. */
+    int MOST_ATTEMPTS = 2;
+
+    /**
+     * That it is there.
+     *
+     * @param version of its program
+     * @param bits    what that computes, as a fingerprint
+     * @param machine what it plays on
+     * @param slots   games at the same time
+     */
+    record Hello(String version, String bits, String machine, int slots) implements WorkerWord {
+    }
+
+    /**
+     * That it wants a piece of a bundle.
+     *
+     * @param bundle its hash
+     * @param from   which byte is the first
+     */
+    record Fetch(String bundle, int from) implements WorkerWord {
+    }
+
+    /**
+     * What came of a job.
+     *
+     * @param job     its id
+     * @param replays compressed, of each attempt
+     * @param starved of each, whether the machine is said to have been starved
+     * @param problem why there is no result, or {@code null}
+     */
+    record Result(String job, List<byte[]> replays, List<Boolean> starved, String problem) implements WorkerWord {
+
+        /** Copies the lists. */
+        public Result {
+            replays = List.copyOf(replays);
+            starved = List.copyOf(starved);
+        }
+    }
+
+    /** That a bot does not run there. */
+    record Unfit(String bundle, String reason) implements WorkerWord {
+    }
+
+    /** That its program computes other results in the league's scene. */
+    record Differs(String rules) implements WorkerWord {
+    }
+
+    /** That it ends. */
+    record Bye() implements WorkerWord {
+    }
+
+    /**
+     * Reads a message.
+     *
+     * @param source names it in errors
+     * @param most   bytes that a bundle can have
+     * @throws steward.files.InputException if it is no message
+     * @throws steward.scene.json.SceneException if it is none that workers send
+     */
+    static WorkerWord read(byte[] bytes, String source, int most) {
+        WireMessage message = WireMessage.read(bytes, source);
+        Block header = message.header();
+        String type = header.text("type");
+        WorkerWord word = switch (type) {
+            case "hello" -> new Hello(header.text("version"), header.text("bits"), header.text("machine"),
+                header.integer("slots", 1, MOST_SLOTS));
+            case "fetch" -> new Fetch(header.text("bundle"), header.integer("from", 0, most));
+            case "result" -> result(header, message.payload());
+            case "unfit" -> new Unfit(header.text("bundle"), header.text("reason"));
+            case "differs" -> new Differs(header.text("rules"));
+            case "bye" -> new Bye();
+            default -> throw header.error("type", header.shown("type"), "one that workers send");
+        };
+        header.done();
+        return word;
+    }
+
+    private static Result result(Block header, byte[] payload) {
+        List<byte[]> replays = new ArrayList<>();
+        List<Boolean> starved = new ArrayList<>();
+        int at = 0;
+        for (Block attempt : header.blocks("attempts")) {
+            if (replays.size() == MOST_ATTEMPTS || at == payload.length) {
+                throw attempt.error("size", attempt.shown("size"), "no more attempts: at most " + MOST_ATTEMPTS
+                    + ", and the bytes of each");
+            }
+            int size = attempt.integer("size", 1, payload.length - at);
+            starved.add(attempt.flag("starved", false));
+            attempt.done();
+            replays.add(Arrays.copyOfRange(payload, at, at + size));
+            at += size;
+        }
+        return new Result(header.text("job"), replays, starved, header.has("problem") ? header.text("problem") : null);
+    }
+}

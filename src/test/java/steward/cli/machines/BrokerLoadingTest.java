@@ -1,0 +1,110 @@
+package steward.cli.machines;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.File;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import steward.cli.Main;
+import steward.cli.ShellBots;
+import steward.cli.TextShellBots;
+
+/** Only {@code worker} and {@code league run --serve} load the broker; all others also run without its files. */
+@Tag("process")
+@Tag("slow")
+@Timeout(300)
+class BrokerLoadingTest {
+
+    private static final String BROKER = "org.apache.activemq";
+
+    @TempDir
+    private Path folder;
+
+    /** The class path, with or without the files of the broker and what it needs alone. */
+    private static String path(boolean broker) {
+        return Stream.of(System.getProperty("java.class.path").split(File.pathSeparator))
+            .filter(part -> broker
+                || !part.matches(".*/(artemis|netty|slf4j|activemq|jctools|jakarta|commons)[^/]*\\.jar"))
+            .map(part -> Path.of(part).toAbsolutePath().toString())
+            .reduce((one, other) -> one + File.pathSeparator + other).orElseThrow();
+    }
+
+    private String run(int status, boolean broker, String... call) throws IOException, InterruptedException {
+        Path out = folder.resolve("out.txt");
+        Path err = folder.resolve("err.txt");
+        List<String> words = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+            "-XX:TieredStopAtLevel=1", "-Xlog:class+load", "--enable-native-access=ALL-UNNAMED", "-cp", path(broker),
+            Main.class.getName()));
+        words.addAll(List.of(call));
+        Process process = new ProcessBuilder(words).directory(folder.toFile()).redirectOutput(out.toFile())
+            .redirectError(err.toFile()).start();
+        assertEquals(status, process.waitFor(), () -> List.of(call) + ": " + read(err));
+        read(err).lines().forEach(line -> assertTrue(line.startsWith("steward: ") || line.startsWith("Try 'steward"),
+            () -> List.of(call) + " prints a line that is not ours: " + line));
+        return read(out);
+    }
+
+    private static String read(Path file) {
+        try {
+            return Files.readString(file, StandardCharsets.UTF_8);
+        } catch (IOException problem) {
+            return problem.toString();
+        }
+    }
+
+    @Test
+    void noOtherCommandLoadsTheBroker() throws IOException, InterruptedException {
+        assumeTrue(ShellBots.runnable(), "skipped: there is no /bin/sh");
+        assertTrue(path(true).contains("artemis") && path(true).contains("netty"), "the files are called so");
+        assertFalse(path(false).contains("artemis") || path(false).contains("netty"));
+        Files.writeString(folder.resolve("short.json"), Files.readString(Path.of("config/scenes/duel.json"))
+            .replace("\"maximumTurns\": 200", "\"maximumTurns\": 5")
+            .replace("\"answerMs\": 75", "\"answerMs\": 30000"));
+        new TextShellBots(folder);
+        for (List<String> call : List.of(
+                List.of("match", "--scene", "short.json", "--bot", "codingame:sh 'text pod.sh' drive 0", "--bot",
+                    "codingame:sh 'text pod.sh' stay 0", "--out", "match.jsonl", "--quiet"),
+                List.of("replay", "match.jsonl", "--verify", "--quiet"),
+                List.of("league", "init", "night", "--scene", "short.json"),
+                List.of("league", "add", "night", "a=codingame:sh 'text pod.sh' drive 0"),
+                List.of("league", "add", "night", "b=codingame:sh 'text pod.sh' stay 0"),
+                List.of("league", "worker", "add", "night", "attic"),
+                List.of("league", "run", "night", "--games", "2", "--quiet"),
+                List.of("league", "table", "night"))) {
+            String said = run(0, false, call.toArray(new String[0]));
+            assertTrue(said.contains("steward.cli.Main"), said);
+            assertFalse(said.contains(BROKER) || said.contains("io.netty") || said.contains("org.slf4j"),
+                () -> call + " loads the broker");
+        }
+        int port;
+        try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            port = free.getLocalPort();
+        }
+        String joining = run(2, true, "worker", "--join", "no-such-host.invalid:" + port, "--token-file", "attic.token",
+            "--sandbox", "off");
+        assertTrue(joining.contains(BROKER), "a worker does: the test would see it");
+        assertTrue(read(folder.resolve("err.txt")).contains("found an unknown host"), read(folder.resolve("err.txt")));
+        String serving = run(0, true, "league", "run", "night", "--games", "4", "--quiet", "--serve",
+            "127.0.0.1:" + port);
+        assertTrue(serving.contains(BROKER));
+        try (ServerSocket taken = new ServerSocket(port, 1, InetAddress.getLoopbackAddress())) {
+            run(2, true, "league", "run", "night", "--games", "6", "--serve", "127.0.0.1:" + taken.getLocalPort());
+            assertTrue(read(folder.resolve("err.txt")).contains("nothing can listen at 127.0.0.1:" + port),
+                read(folder.resolve("err.txt")));
+        }
+    }
+}

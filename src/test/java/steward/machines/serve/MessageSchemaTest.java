@@ -1,0 +1,232 @@
+package steward.machines.serve;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import com.networknt.schema.Error;
+import com.networknt.schema.InputFormat;
+import com.networknt.schema.Schema;
+import com.networknt.schema.SchemaRegistry;
+import com.networknt.schema.SpecificationVersion;
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import steward.bot.isolation.Isolation;
+import steward.cli.Cli;
+import steward.cli.ShellBots;
+import steward.cli.TextShellBots;
+import steward.cli.shared.Games;
+import steward.files.InputException;
+import steward.league.LeagueFolder;
+import steward.machines.broker.BrokerClient;
+import steward.machines.broker.BrokerClient.BrokenException;
+import steward.machines.broker.LeagueBroker;
+import steward.machines.bundle.Bundle;
+import steward.machines.token.BrokerKey;
+import steward.machines.token.WorkerList;
+import steward.machines.token.WorkerToken;
+import steward.machines.wire.GameJob;
+import steward.machines.wire.HeaderText;
+import steward.machines.wire.WireMessage;
+import steward.machines.wire.WorkerWord;
+import steward.machines.worker.Worker;
+import steward.scene.PhysicsFingerprint;
+
+/**
+ * All that a league and a worker say is as the schema says. What the league says is written down by a made-up worker;
+ * then a made-up league says the same to a real worker.
+ */
+@Tag("process")
+@Tag("slow")
+@Timeout(300)
+class MessageSchemaTest {
+
+    private static final Schema SCHEMA = schema();
+
+    @TempDir
+    private Path folder;
+
+    private final Set<String> types = new TreeSet<>();
+    private int port;
+
+    private static Schema schema() {
+        try (InputStream in = MessageSchemaTest.class.getResourceAsStream("/steward/schemas/machines/message.json")) {
+            return SchemaRegistry.withDefaultDialect(SpecificationVersion.DRAFT_2020_12)
+                .getSchema(new String(in.readAllBytes(), StandardCharsets.UTF_8), InputFormat.JSON);
+        } catch (IOException problem) {
+            throw new IllegalStateException(problem);
+        }
+    }
+
+    /** Checks a message; what type it is. */
+    private String checked(byte[] message) {
+        int length = ByteBuffer.wrap(message).getInt();
+        String header = new String(message, Integer.BYTES, length, StandardCharsets.UTF_8);
+        assertEquals(List.of(), SCHEMA.validate(header, InputFormat.JSON).stream().map(Error::toString).toList(),
+            header);
+        assertFalse(SCHEMA.validate(header.replaceFirst("\\{", "{\"other\":1,"), InputFormat.JSON).isEmpty());
+        assertTrue(length <= WireMessage.LONGEST_HEADER && message.length <= WireMessage.LONGEST);
+        String type = WireMessage.read(message, "m").header().text("type");
+        types.add(type);
+        return type;
+    }
+
+    private void done(String... words) {
+        Cli cli = Cli.run(words);
+        assertEquals(0, cli.status(), cli.err());
+    }
+
+    private byte[] listen(BrokerClient client) throws BrokenException {
+        byte[] bytes = null;
+        while (bytes == null) {
+            bytes = client.listen(500);
+        }
+        checked(bytes);
+        return bytes;
+    }
+
+    private static byte[] hello(String bits) {
+        return WireMessage.bytes(new HeaderText().put("type", "hello").put("version", "1").put("bits", bits)
+            .put("machine", "a pen").put("slots", 1));
+    }
+
+    @Test
+    void allThatIsSaidIsAsTheSchemaSays() throws Exception {
+        assumeTrue(ShellBots.runnable(), "skipped: there is no /bin/sh");
+        Files.writeString(folder.resolve("short.json"), Files.readString(Path.of("config/scenes/duel.json"))
+            .replace("\"maximumTurns\": 200", "\"maximumTurns\": 5")
+            .replace("\"answerMs\": 75", "\"answerMs\": 30000"));
+        TextShellBots bots = new TextShellBots(folder);
+        String league = folder.resolve("league").toString();
+        done("league", "init", league, "--scene", folder.resolve("short.json").toString());
+        done("league", "add", league, "a=codingame:" + bots.driver());
+        done("league", "add", league, "b=codingame:" + bots.idler(0));
+        done("league", "worker", "add", league, "pen", "--out", folder.resolve("pen.token").toString());
+        WorkerToken token = WorkerToken.read(folder.resolve("pen.token"));
+        try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            port = free.getLocalPort();
+        }
+        Map<String, byte[]> bundles = new HashMap<>();
+        CompletableFuture<Cli> run = CompletableFuture.supplyAsync(() -> Cli.run("league", "run", league, "--games",
+            "60", "--quiet", "--serve", "127.0.0.1:" + port));
+        byte[] welcome;
+        byte[] job;
+        try (BrokerClient client = join(token)) {
+            client.say(hello("0123456789abcdef"));
+            assertEquals("refused", WireMessage.read(listen(client), "m").header().text("type"));
+            client.say(hello(PhysicsFingerprint.text()));
+            welcome = listen(client);
+            try (BrokerClient.Taker taker = client.taker(List.of())) {
+                job = taker.take(60_000);
+                checked(job);
+                for (GameJob.Seat seat : GameJob.read(job, "m", Bundle.LARGEST).seats()) {
+                    client.say(WireMessage.bytes(new HeaderText().put("type", "fetch").put("bundle", seat.bundle())
+                        .put("from", 0)));
+                    bundles.put(seat.bundle(), listen(client));
+                }
+            }
+        }
+        assertEquals(0, run.get(200, TimeUnit.SECONDS).status());
+        speak(token, welcome, job, bundles);
+        assertEquals(Set.of("hello", "fetch", "result", "unfit", "differs", "bye", "welcome", "refused", "bundle",
+            "job"), types);
+    }
+
+    private BrokerClient join(WorkerToken token) throws BrokenException, InterruptedException {
+        for (int tries = 0; ; tries++) {
+            try {
+                return new BrokerClient("127.0.0.1", port, token);
+            } catch (BrokenException notYet) {
+                if (notYet.isRefused() || tries == 300) {
+                    throw notYet;
+                }
+                TimeUnit.MILLISECONDS.sleep(100);
+            }
+        }
+    }
+
+    /** What a real worker says, in three joinings: to a bot that it cannot unpack, to a game, and to other rules. */
+    private void speak(WorkerToken token, byte[] welcome, byte[] job, Map<String, byte[]> bundles) throws Exception {
+        LeagueFolder league = new LeagueFolder(folder.resolve("league"));
+        WorkerList list = WorkerList.read(league);
+        String text = new String(welcome, StandardCharsets.ISO_8859_1);
+        byte[] others = text.replaceFirst("\"rules\":\"[0-9a-f]{16}\"", "\"rules\":\"0123456789abcdef\"")
+            .getBytes(StandardCharsets.ISO_8859_1);
+        try (LeagueBroker broker = new LeagueBroker(new InetSocketAddress("127.0.0.1", port), new BrokerKey(league),
+                List.of("pen"), list::admits)) {
+            for (byte[] greeting : List.of(welcome, others)) {
+                List<String> told = new ArrayList<>();
+                Worker worker = new Worker(new Worker.Options("127.0.0.1", port, token, 1, 1, Long.MAX_VALUE,
+                    () -> Isolation.OFF, folder.resolve("bundles"), "2", "a machine"), Games.types(), told::add);
+                CompletableFuture<String> playing = CompletableFuture.supplyAsync(() -> played(worker));
+                answer(broker, greeting, job, bundles, playing);
+                String end = playing.get(100, TimeUnit.SECONDS);
+                if (greeting == others) {
+                    assertTrue(end.startsWith("found Steward development (results 0123456789abcdef) in the league and "
+                        + "Steward 2 (results ") && end.endsWith("here, expected versions that compute the same"), end);
+                } else {
+                    assertEquals("1", end, told::toString);
+                }
+            }
+        }
+    }
+
+    private static String played(Worker worker) {
+        try {
+            worker.play();
+            return Long.toString(worker.played());
+        } catch (InputException refused) {
+            return refused.getMessage();
+        } catch (InterruptedException end) {
+            return "interrupted";
+        }
+    }
+
+    private void answer(LeagueBroker broker, byte[] welcome, byte[] job, Map<String, byte[]> bundles,
+                        CompletableFuture<String> playing) throws InterruptedException {
+        String none = "0".repeat(64);
+        boolean last = false;
+        while (!last && !playing.isDone()) {
+            LeagueBroker.Report report = broker.next(200);
+            if (report == null) {
+                continue;
+            }
+            assertEquals("pen", report.worker());
+            String type = checked(report.bytes());
+            last = type.equals("bye") || type.equals("differs");
+            WorkerWord word = WorkerWord.read(report.bytes(), "m", Bundle.LARGEST);
+            if (word instanceof WorkerWord.Hello) {
+                broker.tell("pen", welcome);
+                broker.offer("none", Set.of(none), WireMessage.bytes(new HeaderText().put("type", "job")
+                    .put("job", none.substring(32)).put("seed", "1").put("seats", List.of(new HeaderText()
+                        .put("name", "n").put("bundle", none).put("size", 1)))));
+            } else if (word instanceof WorkerWord.Fetch fetch) {
+                byte[] known = bundles.get(fetch.bundle());
+                broker.tell("pen", known != null ? known : WireMessage.bytes(new HeaderText().put("type", "bundle")
+                    .put("bundle", none).put("from", 0).put("known", true), new byte[1]));
+            } else if (word instanceof WorkerWord.Unfit) {
+                broker.offer("a job", Set.of(), job);
+            }
+        }
+    }
+}
