@@ -53,7 +53,6 @@ public final class StoredSeries implements AutoCloseable {
     /**
      * Opens the league.
      *
-     * @param bots        as they were called, in the order of the contest
      * @param factor      of the time limits
      * @param environment the variables that bots are passed by name
      * @throws InputException if its games are of another scene, limits or rules

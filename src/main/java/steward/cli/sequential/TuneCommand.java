@@ -153,6 +153,7 @@ public final class TuneCommand implements Callable<Integer> {
                 + (into == null ? "without --into nothing is kept" : "the games are stored, and the same command goes "
                 + "on"))) {
             search(search, first);
+            interruption.over();
         }
         tell(search);
         return test(search, first);
