@@ -126,7 +126,7 @@ public final class OutputFiles {
     public static String reason(Path file, IOException problem) {
         Path folder = file.toAbsolutePath().getParent();
         if (problem instanceof AccessDeniedException) {
-            return "no permission";
+            return "no permission" + owner(Files.exists(file) ? file : folder);
         }
         if (folder != null && !Files.exists(folder)) {
             return "there is no folder " + folder;
@@ -137,5 +137,15 @@ public final class OutputFiles {
         return problem instanceof NoSuchFileException ? "there is no such place"
             : problem instanceof FileSystemException named && named.getReason() != null ? named.getReason()
             : problem.getMessage();
+    }
+
+    /** Whose a file is that this user may not use, in brackets; nothing if it is this user's or nobody knows. */
+    public static String owner(Path file) {
+        try {
+            String owner = Files.getOwner(file).getName();
+            return owner.equals(System.getProperty("user.name")) ? "" : " (it belongs to " + owner + ")";
+        } catch (IOException | UnsupportedOperationException unknown) {
+            return "";
+        }
     }
 }

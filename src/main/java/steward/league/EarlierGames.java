@@ -64,6 +64,16 @@ public final class EarlierGames {
         return count == 0 ? -1 : decision(count - 1);
     }
 
+    /** The first decision that has no game. */
+    public int firstOpen() {
+        sort();
+        int open = 0;
+        for (int game = 0; game < count && decision(game) <= open; game++) {
+            open = decision(game) + 1;
+        }
+        return open;
+    }
+
     private int decision(int game) {
         return (int) (games[game] >>> Integer.SIZE);
     }

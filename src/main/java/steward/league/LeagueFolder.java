@@ -37,6 +37,9 @@ public record LeagueFolder(Path path) {
      * @throws InputException if there is none
      */
     public static LeagueFolder open(Path path) {
+        if (Files.isDirectory(path) && !Files.isExecutable(path)) {
+            throw new InputException(path + ": cannot be read: no permission" + OutputFiles.owner(path));
+        }
         if (!Files.isRegularFile(path.resolve(SETTINGS))) {
             throw new InputException(path + ": found " + (Files.isDirectory(path) ? "a folder without " + SETTINGS
                 : Files.exists(path) ? "a file" : "no such folder")

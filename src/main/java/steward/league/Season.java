@@ -38,8 +38,11 @@ public record Season(String key, String sceneName, String sceneKey, String limit
 
     /** What differs from another season, for a person. */
     public String difference(Season other) {
-        return !sceneKey.equals(other.sceneKey) ? "the scene is another one (" + other.sceneName + ", was " + sceneName
-            + ")" : !limits.equals(other.limits) ? "the time limits are " + other.limits + ", were " + limits
+        if (!sceneKey.equals(other.sceneKey)) {
+            return sceneName.equals(other.sceneName) ? "the scene " + sceneName + " has been changed"
+                : "the scene is another one (" + other.sceneName + ", was " + sceneName + ")";
+        }
+        return !limits.equals(other.limits) ? "the time limits are " + other.limits + ", were " + limits
             : "the version of the rules is another one";
     }
 }

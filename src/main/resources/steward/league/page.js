@@ -40,6 +40,7 @@ function paint(node, bot) {
 
 const fixed = (value, decimals) => value === null || value === undefined ? '–' : value.toFixed(decimals);
 const signed = value => (value > 0 ? '+' : value < 0 ? '−' : '±') + Math.abs(Math.round(value));
+const plusMinus = bar => bar === null || bar === undefined ? '' : ` ± ${Math.round(bar)}`;
 const thousands = value => value.toLocaleString('en-US').replaceAll(',', '\u2009');
 
 function heads(table, names) {
@@ -72,7 +73,8 @@ function drawTable() {
   const body = table.tBodies[0];
   body.replaceChildren();
   const played = league.bots.filter(bot => bot.games > 0);
-  const wide = bot => Math.min(bot.anytime ?? bot.bar, 3 * bot.bar);
+  // A bar of which nothing is known is null, and not drawn.
+  const wide = bot => bot.bar === null ? 0 : Math.min(bot.anytime ?? 3 * bot.bar, 3 * bot.bar);
   const low = Math.min(0, ...played.map(bot => bot.rating - wide(bot)));
   const high = Math.max(0, ...played.map(bot => bot.rating + wide(bot)));
   const place = value => 1 + 98 * (value - low) / Math.max(1, high - low);
@@ -81,16 +83,16 @@ function drawTable() {
     make(row, 'td', bot.rank, 'num');
     nameCell(row, bot);
     make(row, 'td', bot.games ? signed(bot.rating) : '–');
-    make(row, 'td', bot.games ? Math.round(bot.bar) : '–');
+    make(row, 'td', bot.games && bot.bar !== null ? Math.round(bot.bar) : '–');
     const cell = make(row, 'td', null, 'bars');
     if (bot.games) {
       const svg = draw(paint(cell, bot), 'svg', { viewBox: '0 0 100 18', preserveAspectRatio: 'none', role: 'img',
-        'aria-label': `${signed(bot.rating)} ± ${Math.round(bot.bar)}` });
+        'aria-label': signed(bot.rating) + plusMinus(bot.bar) });
       draw(svg, 'line', { x1: place(0), x2: place(0), y1: 0, y2: 18, 'vector-effect': 'non-scaling-stroke' });
       draw(svg, 'line', { class: 'anytime', x1: place(bot.rating - wide(bot)), x2: place(bot.rating + wide(bot)), y1: 9, y2: 9,
         'vector-effect': 'non-scaling-stroke' });
       const left = place(bot.rating - bot.bar);
-      draw(svg, 'rect', { x: left, y: 5, width: Math.max(0.4, place(bot.rating + bot.bar) - left), height: 8, rx: 1 });
+      if (bot.bar !== null) draw(svg, 'rect', { x: left, y: 5, width: Math.max(0.4, place(bot.rating + bot.bar) - left), height: 8, rx: 1 });
       draw(svg, 'rect', { x: place(bot.rating) - 0.5, y: 2, width: 1, height: 14 }).style.opacity = 1;
     }
     make(row, 'td', bot.games && bot.anytime ? Math.round(bot.anytime) : '–', 'table-wide');
@@ -140,13 +142,14 @@ function drawCross() {
   const list = element('surprises');
   list.replaceChildren();
   for (const [i, j, share, expected] of surprises.slice(0, 10)) {
+    const digits = Math.round(100 * share) === Math.round(100 * expected) ? 1 : 0;
     make(list, 'li', `${league.bots[i].name} beats ${league.bots[j].name} more than ratings tell: `
-      + `${Math.round(100 * share)}%, where they tell ${Math.round(100 * expected)}%.`);
+      + `${fixed(100 * share, digits)}%, where they tell ${fixed(100 * expected, digits)}%.`);
   }
   const differences = league.differences ?? [];
   drawMatrix(element('better'), (i, j) => differences[i]?.[j]?.[3] ?? null,
-    (bot, other, i, j) => `${bot.name} − ${other.name}: ${signed(differences[i][j][0])} ± ${Math.round(differences[i][j][1])} Elo, `
-      + `anytime ± ${Math.round(differences[i][j][2])}`, () => false);
+    (bot, other, i, j) => `${bot.name} − ${other.name}: ${signed(differences[i][j][0])}`
+      + `${plusMinus(differences[i][j][1])} Elo, anytime${plusMinus(differences[i][j][2]) || ' –'}`, () => false);
 }
 
 /** Those that play on other machines. */
@@ -220,13 +223,13 @@ function drawPath() {
   const labels = [];
   // Bars as wide as the plot would only hide the lines.
   const bars = columns.map(k => last.bars[k]).filter(bar => bar !== null);
-  const hasBands = Math.max(...bars) < (high - low) / 4;
+  const hasBands = bars.length > 0 && Math.max(...bars) < (high - low) / 4;
   bots.forEach((bot, place) => {
     const k = columns[place];
     const line = points.filter(point => point.ratings[k] !== null);
     if (!line.length) return;
     const group = paint(draw(svg, 'g', {}), bot);
-    const banded = hasBands ? settled.filter(point => point.ratings[k] !== null) : [];
+    const banded = hasBands ? settled.filter(point => point.ratings[k] !== null && point.bars[k] !== null) : [];
     const upper = banded.map(point => `${x(point.games)},${y(clip(point.ratings[k] + point.bars[k]))}`);
     const lower = banded.map(point => `${x(point.games)},${y(clip(point.ratings[k] - point.bars[k]))}`).reverse();
     draw(group, 'polygon', { class: 'band', points: [...upper, ...lower].join(' ') });

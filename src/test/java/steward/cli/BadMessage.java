@@ -16,7 +16,7 @@ final class BadMessage {
         BAD.put(Pattern.compile("\\b[A-Z][A-Za-z]*(?:Exception|Error|Node|Token|Path)\\b"), "a Java class");
         BAD.put(Pattern.compile("\\b(?:VALUE|START|END|NOT|PROPERTY)_[A-Z_]+"), "a token of the parser");
         BAD.put(Pattern.compile("\\bint\\b|\\blong value\\b|\\bdouble value\\b"), "a Java type");
-        BAD.put(Pattern.compile(": null$|\\bfound null, expected one of\\b|'null'|\\(null\\)"), "null");
+        BAD.put(Pattern.compile(": null$|'null'|\\(null\\)"), "null");
         BAD.put(Pattern.compile("[\\x00-\\x08\\x0b-\\x1f\\x7f]"), "a control character");
     }
 

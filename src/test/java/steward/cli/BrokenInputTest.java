@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assertions.fail;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -54,6 +55,15 @@ class BrokenInputTest {
             }
         }
         assertTrue(refused > 0, "nothing was refused");
+    }
+
+    /** Found by fuzzing: a null that stands in the file is named as what it is. */
+    @Test
+    void aNullWhereAWordIsExpected() throws IOException {
+        Kind kind = BrokenInputs.kinds().stream().filter(each -> each.name().equals("scene duel")).findFirst()
+            .orElseThrow();
+        String broken = new String(kind.original(), StandardCharsets.UTF_8).replace("\"truncate\"", "null");
+        assertTrue(new BrokenInputs(folder, SEED).check(kind, broken.getBytes(StandardCharsets.UTF_8)));
     }
 
     @Test

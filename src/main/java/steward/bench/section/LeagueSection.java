@@ -19,15 +19,21 @@ import steward.contest.Contest;
 import steward.contest.KeptReplays;
 import steward.contest.Series;
 import steward.contest.SeriesPlay;
+import steward.league.EarlierGames;
 import steward.league.LeagueBot;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.Pairing;
 import steward.league.Schedule;
 import steward.league.Season;
+import steward.league.pairing.AdaptivePairing;
+import steward.league.pairing.KnownResults;
+import steward.league.pairing.Looks;
+import steward.league.pairing.StopRule;
 import steward.league.play.LeagueRun;
 import steward.league.play.RosterReader;
 import steward.league.rating.LeagueTable;
+import steward.league.rating.Ratings;
 import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
 import steward.league.store.MadeUpGames;
@@ -122,18 +128,36 @@ final class LeagueSection implements Section {
             }
         }
         rows.accept(opening(many + " opened and rated", games, began));
-        about.accept(many + " resumed");
-        began = System.nanoTime();
-        try (GameStore store = GameStore.read(folder)) {
-            Schedule schedule = new Schedule(1, 2, settings.lag(), new GameQueries(store, number, season).earlier());
-            schedule.play(store.versions().stream().map(GameStore.Version::id).toList(),
-                versions -> Pairing.roundRobin(versions, 2));
-            Schedule.Task next = schedule.next(Long.MAX_VALUE);
-            if (next.decision() != games / 2) {
-                throw new IllegalStateException("found decision " + next.decision() + ", expected " + games / 2);
+        for (boolean adaptive : new boolean[] {false, true}) {
+            String what = many + (adaptive ? " resumed, adaptive" : " resumed");
+            about.accept(what);
+            began = System.nanoTime();
+            try (GameStore store = GameStore.read(folder)) {
+                resume(store, new GameQueries(store, number, season), season, settings.lag(), adaptive, games);
             }
+            rows.accept(opening(what, games, began));
         }
-        rows.accept(opening(many + " resumed", games, began));
+    }
+
+    /** As a run does that goes on: up to the first game. */
+    private static void resume(GameStore store, GameQueries queries, Season season, int lag, boolean adaptive,
+                               int games) {
+        EarlierGames earlier = queries.earlier();
+        int settled = Looks.settled(earlier.firstOpen(), lag);
+        Schedule schedule = new Schedule(1, 2, lag, earlier);
+        List<Integer> playing = store.versions().stream().map(GameStore.Version::id).toList();
+        if (adaptive) {
+            KnownResults known = new KnownResults(season, queries.resultsBefore(settled));
+            queries.known(settled, known::add);
+            schedule.play(playing, versions -> new AdaptivePairing(versions, 2, lag, StopRule.NONE,
+                before -> Ratings.of(known.before(before), versions)));
+        } else {
+            schedule.play(playing, versions -> Pairing.roundRobin(versions, 2));
+        }
+        Schedule.Task next = schedule.next(Long.MAX_VALUE);
+        if (next.decision() != games / 2) {
+            throw new IllegalStateException("found decision " + next.decision() + ", expected " + games / 2);
+        }
     }
 
     private Row opening(String what, int games, long began) {

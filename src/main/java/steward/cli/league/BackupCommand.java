@@ -48,7 +48,7 @@ final class BackupCommand implements Callable<Integer> {
         }
         Path part = copy.resolveSibling(copy.getFileName() + ".part");
         try (LeagueOpening.Opened opened = LeagueOpening.read(league.open())) {
-            Files.deleteIfExists(part);
+            begin(part, copy);
             long games = opened.table().results().games();
             opened.store().backup(part.toAbsolutePath());
             Files.move(part, copy, StandardCopyOption.ATOMIC_MOVE);
@@ -61,5 +61,15 @@ final class BackupCommand implements Callable<Integer> {
             throw problem;
         }
         return ExitStatus.DONE;
+    }
+
+    /** An empty file: whether it can be written is known before the library is asked, which would not say what. */
+    private static void begin(Path part, Path copy) {
+        try {
+            Files.deleteIfExists(part);
+            Files.createFile(part);
+        } catch (IOException problem) {
+            throw new InputException(copy + ": cannot be written: " + OutputFiles.reason(copy, problem));
+        }
     }
 }

@@ -53,6 +53,7 @@ public final class LeagueCommand implements Callable<Integer> {
         commands.putAll(more);                         // also in the place of one that is there
         commands.forEach((name, command) ->
             spec.addSubcommand(name, CommandSpec.forAnnotatedObject(command)));
+        spec.parser().allowSubcommandsAsOptionParameters(true);          // --only sprt: a part that is called so
         return spec;
     }
 

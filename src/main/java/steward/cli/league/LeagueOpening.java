@@ -91,8 +91,8 @@ public final class LeagueOpening {
             long games = store.games(store.season(last.get()).orElseThrow());
             if (games > 0) {
                 throw new InputException(folder.path() + ": " + last.get().difference(season) + ", and the league has "
-                    + TextFormat.count(games, "game") + " of before; expected the former one in "
-                    + LeagueFolder.SETTINGS + ", or --new-season, which begins a new table and keeps the old games");
+                    + TextFormat.count(games, "game") + " of before; expected it as it was, or "
+                    + "--new-season, which begins a new table and keeps the old games");
             }
         }
         return store.open(season);

@@ -28,6 +28,8 @@ import steward.league.pairing.StopRule;
 import steward.league.play.LeagueRun;
 import steward.league.play.Roster;
 import steward.league.play.RosterReader;
+import steward.league.rating.LeagueTable;
+import steward.league.rating.Ratings;
 import steward.league.rating.Results;
 import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
@@ -233,12 +235,12 @@ public final class RunCommand implements Callable<Integer> {
         if (quiet) {
             return;
         }
-        List<String> lines = TableText.whole(progress.table(run.roster().settings()), season,
-            machines == null ? List.of() : machines.workers(), streams.outColour());
-        lines.forEach(streams.out()::println);
-        if (run.ended() != null) {
-            UntilOptions.tell(run.ended(), run.roster()).forEach(streams.out()::println);
-        }
+        LeagueTable table = progress.table(run.roster().settings());
+        TableText.whole(table, season, machines == null ? List.of() : machines.workers(), streams.outColour())
+            .forEach(streams.out()::println);
+        (run.ended() != null ? UntilOptions.tell(run.ended(), run.roster())
+            : UntilOptions.missing(until.rule(), Ratings.of(table.results(), run.roster().versions())))
+            .forEach(streams.out()::println);
         streams.out().println(TextFormat.count(progress.played(), "game") + " in this run, "
             + TextFormat.number(progress.rate(), 2) + " games/s.");
     }

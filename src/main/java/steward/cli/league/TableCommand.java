@@ -16,6 +16,7 @@ import steward.cli.shared.Streams;
 import steward.files.OutputFiles;
 import steward.league.page.LeagueJson;
 import steward.league.page.LeaguePlots;
+import steward.league.rating.Difference;
 import steward.league.rating.LeagueTable;
 import steward.text.CsvRow;
 import steward.text.TextFormat;
@@ -95,12 +96,16 @@ final class TableCommand implements Callable<Integer> {
         for (LeagueTable.Row row : table.rows()) {
             streams.out().print(new CsvRow().words(Integer.toString(row.rank()), row.entry().name(),
                 Integer.toString(row.entry().version()), Boolean.toString(row.entry().active()),
-                Boolean.toString(row.entry().random()), number(row.rating()), number(row.bar()), number(row.anytime()),
+                Boolean.toString(row.entry().random()), number(row.rating()), bar(row.bar()), bar(row.anytime()),
                 Integer.toString(row.best()), Integer.toString(row.worst()),
                 Long.toString(row.sums().games()), number(row.points()), number(row.wins()), number(row.draws()),
                 number(row.losses()), Long.toString(row.sums().faults()), number(row.sums().meanScore()),
                 number(row.sums().meanNanos() / NANOS_PER_MS), number(row.sums().worstNanos() / NANOS_PER_MS)).line());
         }
+    }
+
+    private static String bar(double bar) {
+        return Difference.isKnown(bar) ? number(bar) : "";
     }
 
     private static String number(double value) {

@@ -85,9 +85,8 @@ final class TableText {
             String faults = TextFormat.right(Long.toString(row.sums().faults()), 8);
             lines.add(TextFormat.right(Integer.toString(row.rank()), 3) + " " + TextFormat.left(name(row), width)
                 + colour.strong(TextFormat.right(played ? signed(row.rating()) : "-", 8))
-                + TextFormat.right(played ? "± " + Math.round(row.bar()) : "-", 7)
-                + TextFormat.right(played && row.anytime() < Difference.MOST_BAR ? "± " + Math.round(row.anytime())
-                    : "-", 8)
+                + TextFormat.right(played ? bar(row.bar()) : "-", 7)
+                + TextFormat.right(played ? bar(row.anytime()) : "-", 8)
                 + TextFormat.right(!played ? "-" : row.best() == row.worst() ? Integer.toString(row.best())
                     : row.best() + "-" + row.worst(), 7)
                 + TextFormat.right(Long.toString(row.sums().games()), 8)
@@ -101,11 +100,18 @@ final class TableText {
     }
 
     /** A pair whose games say something else than the ratings. */
-    private static String surprise(LeagueTable table, LeagueTable.Surprise each) {
+    static String surprise(LeagueTable table, LeagueTable.Surprise each) {
+        double share = HUNDRED * each.residual().share();
+        double expected = HUNDRED * each.residual().expected();
+        int digits = Math.round(share) == Math.round(expected) ? 1 : 0;
         return name(table.rows().get(each.row())) + " beats " + name(table.rows().get(each.column()))
-            + " more than ratings tell: " + Math.round(HUNDRED * each.residual().share()) + "% of "
+            + " more than ratings tell: " + TextFormat.fixed(share, digits) + "% of "
             + TextFormat.count(Math.round(table.games(each.row(), each.column())), "game") + ", where they tell "
-            + Math.round(HUNDRED * each.residual().expected()) + "%.";
+            + TextFormat.fixed(expected, digits) + "%.";
+    }
+
+    private static String bar(double bar) {
+        return Difference.isKnown(bar) ? "± " + Math.round(bar) : "-";
     }
 
     private static String signed(double rating) {

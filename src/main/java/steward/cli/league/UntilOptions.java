@@ -9,6 +9,7 @@ import steward.cli.options.CallCheck;
 import steward.league.pairing.LeagueEnd;
 import steward.league.pairing.StopRule;
 import steward.league.play.Roster;
+import steward.league.rating.Difference;
 import steward.league.rating.Ratings;
 import steward.text.TextFormat;
 
@@ -62,6 +63,29 @@ final class UntilOptions {
         }
         if (!Double.isNaN(end.rule().bars())) {
             lines.add("All anytime bars are at most " + TextFormat.number(end.rule().bars(), 2) + " Elo.");
+        }
+        return lines;
+    }
+
+    /** What is missing where a run ended before enough was known; nothing where little is. */
+    static List<String> missing(StopRule rule, Ratings found) {
+        List<String> lines = new ArrayList<>();
+        if (!Double.isNaN(rule.bars())) {
+            double widest = found.versions().stream().mapToDouble(version -> found.rating(version).anytimeBar()).max()
+                .orElse(0);
+            if (widest > rule.bars()) {
+                lines.add("Not yet at --until-bars " + TextFormat.number(rule.bars(), 2)
+                    + ": the widest anytime bar is "
+                    + (Difference.isKnown(widest) ? Math.round(widest) + " Elo." : "not known."));
+            }
+        }
+        if (rule.ranked()) {
+            List<StopRule.Order> orders = rule.orders(found, StopRule.order(found));
+            long open = orders.stream().filter(order -> order == StopRule.Order.OPEN).count();
+            if (open > 0) {
+                lines.add("Not yet ranked: the order of " + open + " of " + TextFormat.count(orders.size(), "pair")
+                    + " of neighbours is open.");
+            }
         }
         return lines;
     }

@@ -18,7 +18,7 @@ public record TimingEffort(int repeats, int rounds, double round, double warmLea
     public static final TimingEffort QUICK = new TimingEffort(1, 5, 0.01, 0.2, 1);
 
     /** What one waits for: the prices of a scene's parts within a minute. */
-    public static final TimingEffort SOON = new TimingEffort(3, 3, 0.01, 0.15, 0.5);
+    public static final TimingEffort SOON = new TimingEffort(2, 4, 0.01, 0.15, 0.4);
 
     /** @throws IllegalArgumentException if nothing would be measured */
     public TimingEffort {

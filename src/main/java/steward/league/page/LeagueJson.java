@@ -1,5 +1,6 @@
 package steward.league.page;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.function.Function;
 import steward.game.JsonNumbers;
@@ -84,7 +85,10 @@ public final class LeagueJson {
         out.writeEndObject();
     }
 
-    /** In Elo: the difference, its bar, the bar that holds at all looks; and the likelihood of superiority. */
+    /**
+     * In Elo: the difference, its bar, the bar that holds at all looks; and the likelihood of superiority. A bar of
+     * which nothing is known is {@code null}.
+     */
     private static void difference(JsonGenerator out, LeagueTable table, int row, int column) {
         if (row == column) {
             out.writeNull();
@@ -92,10 +96,15 @@ public final class LeagueJson {
         }
         Difference difference = table.difference(row, column);
         out.writeStartArray();
-        for (double number : new double[] {difference.elo(), difference.bar(), difference.anytimeBar(),
-            difference.superiority()}) {
-            JsonNumbers.write(out, number);
+        JsonNumbers.write(out, difference.elo());
+        for (double bar : new double[] {difference.bar(), difference.anytimeBar()}) {
+            if (Difference.isKnown(bar)) {
+                JsonNumbers.write(out, bar);
+            } else {
+                out.writeNull();
+            }
         }
+        JsonNumbers.write(out, difference.superiority());
         out.writeEndArray();
     }
 
@@ -110,6 +119,10 @@ public final class LeagueJson {
         out.writeEndArray();
     }
 
+    private static double known(double bar) {
+        return Difference.isKnown(bar) ? bar : Double.NaN;
+    }
+
     private static void bot(JsonGenerator out, Row row) {
         out.writeStartObject();
         out.writeNumberProperty("rank", row.rank());
@@ -118,8 +131,8 @@ public final class LeagueJson {
         out.writeBooleanProperty("active", row.entry().active());
         out.writeBooleanProperty("random", row.entry().random());
         JsonNumbers.writeOrNull(out, "rating", row.rating());
-        JsonNumbers.writeOrNull(out, "bar", row.bar());
-        JsonNumbers.writeOrNull(out, "anytime", row.anytime());
+        JsonNumbers.writeOrNull(out, "bar", known(row.bar()));
+        JsonNumbers.writeOrNull(out, "anytime", known(row.anytime()));
         out.writeNumberProperty("best", row.best());
         out.writeNumberProperty("worst", row.worst());
         out.writeNumberProperty("games", row.sums().games());
@@ -162,7 +175,7 @@ public final class LeagueJson {
             out.writeStartObject();
             out.writeNumberProperty("games", point.games());
             numbers(out, "ratings", point.ratings());
-            numbers(out, "bars", point.bars());
+            numbers(out, "bars", Arrays.stream(point.bars()).map(LeagueJson::known).toArray());
             out.writeEndObject();
         }
         out.writeEndArray();

@@ -21,7 +21,16 @@ public final class KnownResults {
 
     /** None yet of a season's games. */
     public KnownResults(Season season) {
-        results = new Results(season);
+        this(season, new Results(season));
+    }
+
+    /**
+     * Goes on from results.
+     *
+     * @param results of all decisions below a number, which {@link #before} is not asked about any more
+     */
+    public KnownResults(Season season, Results results) {
+        this.results = results;
         alone = season.players() == 1;
     }
 

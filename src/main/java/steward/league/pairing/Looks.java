@@ -16,6 +16,11 @@ public final class Looks {
         return decision - decision % Math.max(1, Integer.highestOneBit(decision / SHARE));
     }
 
+    /** A number below which a schedule that goes on at a decision never asks for results again. */
+    public static int settled(int decision, int lag) {
+        return Math.max(0, of(decision) - lag + 1);
+    }
+
     /** Whether there is a look before this decision. */
     public static boolean isLook(int decision) {
         return of(decision) == decision;

@@ -17,6 +17,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import steward.contest.Contest;
 import steward.files.InputException;
+import steward.league.EarlierGames;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.Pairing;
@@ -26,6 +27,7 @@ import steward.league.StoredGame;
 import steward.league.pairing.AdaptivePairing;
 import steward.league.pairing.KnownResults;
 import steward.league.pairing.LeagueEnd;
+import steward.league.pairing.Looks;
 import steward.league.pairing.StopRule;
 import steward.league.play.Roster.Member;
 import steward.league.rating.Ratings;
@@ -58,6 +60,8 @@ public final class LeagueRun {
     private final Consumer<StoredGame> listener;
     private final long end;
     private final GameQueries queries;
+    /** Below this number no decision's results are asked for alone. */
+    private final int settled;
     /** Other machines, or {@code null}; set before the run begins. */
     private Elsewhere elsewhere;
 
@@ -111,7 +115,9 @@ public final class LeagueRun {
         this.listener = listener;
         play = new GamePlay(key, contest, new KeptGames(folder), machine, System::currentTimeMillis);
         queries = new GameQueries(store, season, key);
-        schedule = new Schedule(roster.settings().seed(), key.players(), roster.settings().lag(), queries.earlier());
+        EarlierGames earlier = queries.earlier();
+        settled = Looks.settled(earlier.firstOpen(), roster.settings().lag());
+        schedule = new Schedule(roster.settings().seed(), key.players(), roster.settings().lag(), earlier);
         if (roster.settings().adaptive() && key.players() > 1) {
             learn();
         }
@@ -152,8 +158,8 @@ public final class LeagueRun {
     /** From now on the results of the schedule are known. */
     private void learn() {
         if (known == null) {
-            known = new KnownResults(play.season());
-            queries.known(known::add);
+            known = new KnownResults(play.season(), queries.resultsBefore(settled));
+            queries.known(settled, known::add);
         }
     }
 

@@ -17,6 +17,11 @@ public record Difference(double value, double variance, double freedom) {
     /** In Elo; a bar of so much says that nothing is known. */
     public static final double MOST_BAR = 9999;
 
+    /** Whether a bar says anything. */
+    public static boolean isKnown(double bar) {
+        return bar < MOST_BAR;
+    }
+
     /** The difference in Elo. */
     public double elo() {
         return RatingFit.ELO * value;

@@ -15,9 +15,6 @@ import java.util.Map;
  */
 public record LeagueTable(List<Row> rows, Results results, Ratings ratings) {
 
-    /** Half the probability that a difference is outside of its bar. */
-    private static final double TAIL = 0.025;
-
     /**
      * A version of a bot that may have a row.
      *
@@ -75,18 +72,7 @@ public record LeagueTable(List<Row> rows, Results results, Ratings ratings) {
     private static Row row(int rank, List<Entry> shown, Entry entry, Ratings ratings, Difference rating,
                            Results results) {
         int version = entry.version();
-        int best = 1;
-        int worst = shown.size();
-        // Each of the bars from which the range follows holds with so much more that all of them do with 95%.
-        double z = Normal.above(TAIL / Math.max(1, shown.size() - 1));
-        for (Entry other : shown) {
-            if (other.version() != version) {
-                Difference difference = ratings.difference(version, other.version());
-                boolean sure = Math.abs(difference.elo()) > difference.bar(z);
-                best += sure && difference.elo() < 0 ? 1 : 0;
-                worst -= sure && difference.elo() > 0 ? 1 : 0;
-            }
-        }
+        RankRange ranks = ratings.ranks(version);
         double games = 0;
         double points = 0;
         double wins = 0;
@@ -99,8 +85,8 @@ public record LeagueTable(List<Row> rows, Results results, Ratings ratings) {
                 draws += results.draws(version, other.version());
             }
         }
-        return new Row(rank, best, worst, entry, rating.elo(), rating.bar(), rating.anytimeBar(), points / games, wins,
-            draws, games - wins - draws, results.of(version));
+        return new Row(rank, ranks.best(), ranks.worst(), entry, rating.elo(), rating.bar(), rating.anytimeBar(),
+            points / games, wins, draws, games - wins - draws, results.of(version));
     }
 
     /** Share of the points of the row's bot against the column's, by their places; NaN if they have not met. */

@@ -316,6 +316,11 @@ public final class RatingFit {
 
     // ---- what can be asked -----------------------------------------------------------------------
 
+    /** How many bots there are. */
+    public int bots() {
+        return bots;
+    }
+
     /** In Elo, from the prior's middle. */
     public double rating(int bot) {
         return ELO * ratings[bot];
@@ -439,6 +444,11 @@ public final class RatingFit {
         int size = group.length + 1;
         double[] moment = moments[q];
         double last = tied ? along[bots] : 0;
+        if (group.length == 2) {
+            // What one is pushed up the other is pushed down: of the 9 moments 3 differ.
+            double apart = along[group[0]] - along[group[1]];
+            return moment[0] * apart * apart + 2 * moment[2] * apart * last + moment[8] * last * last;
+        }
         double sum = 0;
         for (int i = 0; i < size; i++) {
             double own = i < group.length ? along[group[i]] : last;

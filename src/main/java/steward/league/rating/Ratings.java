@@ -59,6 +59,11 @@ public record Ratings(List<Integer> versions, RatingFit fit, double... weights) 
         return fit.difference(place(one), place(other));
     }
 
+    /** The ranks that the games leave a version. */
+    public RankRange ranks(int version) {
+        return RankRange.of(fit, place(version));
+    }
+
     /** How much more the first wins against the second than their ratings tell. */
     public Residual residual(int one, int other) {
         return fit.residual(place(one), place(other));

@@ -14,8 +14,14 @@ public record Residual(double share, double expected, long clusters, double z) {
     /** Half the probability to be called a surprise by chance, if this were the only pair. */
     private static final double TAIL = 0.025;
 
-    /** Whether it is more than chance would do once in twenty leagues, where so many pairs are looked at. */
+    /** A smaller difference of shares is of no use to anyone, however sure it is. */
+    private static final double LEAST = 0.005;
+
+    /**
+     * Whether it is more than chance would do once in twenty leagues, where so many pairs are looked at, and at least
+     * half a percent of the points.
+     */
     public boolean isSurprise(int pairs) {
-        return Math.abs(z) > Normal.above(TAIL / Math.max(1, pairs));
+        return Math.abs(share - expected) >= LEAST && Math.abs(z) > Normal.above(TAIL / Math.max(1, pairs));
     }
 }

@@ -11,6 +11,7 @@ import steward.league.Pairing;
 import steward.league.pairing.AdaptivePairing;
 import steward.league.pairing.Looks;
 import steward.league.pairing.StopRule;
+import steward.league.rating.Difference;
 import steward.league.rating.RatingFit;
 import steward.league.rating.Ratings;
 import steward.league.rating.Stratum;
@@ -97,7 +98,7 @@ record AdaptiveCheck(MadeUpLeague league, boolean adaptive, StopRule rule, int m
             for (; decision < most && !met; decision++) {
                 if (Looks.isLook(decision) && decision >= LAG) {
                     Ratings found = before(decision - LAG + 1);
-                    look(found);
+                    look();
                     met = rule.isMet(found);
                     if (met) {
                         break;
@@ -123,18 +124,19 @@ record AdaptiveCheck(MadeUpLeague league, boolean adaptive, StopRule rule, int m
         }
 
         private boolean isOutside(int i, int j) {
-            return Math.abs(fit.difference(i, j).elo() - truth(i, j)) > fit.difference(i, j).anytimeBar();
+            Difference found = fit.difference(i, j);
+            return Math.abs(found.elo() - truth(i, j)) > found.anytimeBar();
         }
 
         private double truth(int i, int j) {
             return league.truth().rating(i) - league.truth().rating(j);
         }
 
-        private void look(Ratings found) {
+        private void look() {
             int pair = 0;
             for (int i = 0; i < league.bots(); i++) {
                 for (int j = i + 1; j < league.bots(); j++) {
-                    out[pair] |= isOutside(i, j);
+                    out[pair] = out[pair] || isOutside(i, j);
                     pair++;
                 }
             }

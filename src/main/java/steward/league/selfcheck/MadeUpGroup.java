@@ -123,6 +123,15 @@ final class MadeUpGroup {
         return (random.nextLong() >>> 11) * 0x1p-53;
     }
 
+    /** The chance of each pattern. */
+    double[] chances() {
+        double[] chances = cumulative.clone();
+        for (int k = chances.length - 1; k > 0; k--) {
+            chances[k] -= chances[k - 1];
+        }
+        return chances;
+    }
+
     /** Of two bots: the mean score that each pattern is. */
     double[] scores() {
         return patterns.stream().mapToDouble(pattern -> pattern[1] / pattern[0]).toArray();
@@ -133,9 +142,9 @@ final class MadeUpGroup {
         double mean = share();
         double sum = 0;
         double[] scores = scores();
+        double[] chances = chances();
         for (int k = 0; k < scores.length; k++) {
-            double chance = cumulative[k] - (k == 0 ? 0 : cumulative[k - 1]);
-            sum += chance * (scores[k] - mean) * (scores[k] - mean);
+            sum += chances[k] * (scores[k] - mean) * (scores[k] - mean);
         }
         return sum;
     }

@@ -12,7 +12,7 @@ import steward.numerics.SplitMix64;
 public final class SelfCheck {
 
     /** The parts, in the order in which they are printed. */
-    public static final List<String> PARTS = List.of("fixed", "anytime", "rules", "sprt", "adaptive");
+    public static final List<String> PARTS = List.of("fixed", "exact", "anytime", "rules", "sprt", "adaptive");
 
     /** Leagues of a configuration, if nothing else is said. */
     public static final long USUAL = 20_000;
@@ -22,6 +22,10 @@ public final class SelfCheck {
     private static final int FEWER = 200;
     private static final int LEAST_WHOLE = 20;
     private static final double EVEN = 0.05;
+    /** Elo by which bots are far apart. */
+    private static final double FAR = 300;
+    /** The last strength with a score of 95% is 5 Elo below. */
+    private static final double FARTHEST = 515;
     private static final int MOST_DECISIONS = 5_000_000;
 
     private final long leagues;
@@ -42,6 +46,7 @@ public final class SelfCheck {
     public void print(String part) throws InterruptedException {
         switch (part) {
             case "fixed" -> fixed();
+            case "exact" -> exact();
             case "anytime" -> anytime();
             case "rules" -> rules();
             case "sprt" -> sprt();
@@ -76,7 +81,7 @@ public final class SelfCheck {
     }
 
     private static List<MadeUpLeague> small() {
-        return List.of(two(0), two(100), two(300), two(480), two(700),
+        return List.of(two(0), two(100), two(300), two(400), two(480), two(700),
             MadeUpLeague.pairs("2 bots, ties", new double[] {60, 0}, 0.8, 0, 0, 0),
             MadeUpLeague.pairs("2 bots, ties, seeds of 150 Elo", new double[] {60, 0}, 0.5, 50, 150, 0),
             MadeUpLeague.pairs("2 bots, ties, sides of 300 Elo", new double[] {60, 0}, 0.5, 300, 0, 0),
@@ -101,22 +106,40 @@ public final class SelfCheck {
     // ---- the tables ------------------------------------------------------------------------------
 
     private void fixed() throws InterruptedException {
-        head("Bars at a fixed number of clusters: how often they held, in percent.", "league", "clusters of a pairing",
-            "scores 5..95%: least", "most", "other scores: least");
+        head("Bars at a fixed number of clusters: how often they held, and ranges of ranks, in percent.", "league",
+            "clusters of a pairing", "scores 5..95%: least", "most", "other scores: least", "ranks: least");
         for (int clusters : new int[] {5, 10, 30, 100, 300}) {
             for (MadeUpLeague league : small()) {
-                coverage(league, Integer.toString(clusters),
-                    FixedCheck.even(league, clusters).run(threads, leagues, SEED));
+                fixed(Integer.toString(clusters), FixedCheck.even(league, clusters));
             }
         }
         for (MadeUpLeague league : List.of(trio(), mixed(), MadeUpLeague.threes("5 bots, 3 players",  0,
             MadeUpLeague.spaced(5, 60)))) {
-            coverage(league, "30 to 400, unequal", new FixedCheck(league, unequal(league.groups().size()))
-                .run(threads, leagues, SEED));
+            fixed("30 to 400, unequal", new FixedCheck(league, unequal(league.groups().size())));
         }
         for (int clusters : new int[] {5, 30}) {
-            coverage(large(), Integer.toString(clusters), FixedCheck.even(large(), clusters)
-                .run(threads, leagues, SEED));
+            fixed(Integer.toString(clusters), FixedCheck.even(large(), clusters));
+        }
+    }
+
+    private void fixed(String size, FixedCheck check) throws InterruptedException {
+        FixedCheck.Outcome found = check.run(threads, leagues, SEED);
+        row(check.league().name(), size, Coverage.percent(found.bars().least()),
+            Coverage.percent(found.bars().most()), Coverage.percent(found.bars().outer()),
+            Coverage.percent(found.ranks()));
+    }
+
+    private void exact() {
+        head("Bars of 2 bots without ties, computed for all strengths in steps of 5 Elo: how often they hold, in "
+            + "percent.", "clusters", "0 to 300 Elo apart: least", "mean", "most", "300 to 510 Elo apart: least",
+            "mean", "most");
+        for (int clusters : new int[] {30, 40, 60, 100, 200, 300}) {
+            ExactCheck check = new ExactCheck(clusters);
+            ExactCheck.Outcome near = check.run(0, FAR);
+            ExactCheck.Outcome far = check.run(FAR, FARTHEST);
+            row(clusters, Coverage.percent(near.least()), Coverage.percent(near.mean()),
+                Coverage.percent(near.most()), Coverage.percent(far.least()), Coverage.percent(far.mean()),
+                Coverage.percent(far.most()));
         }
     }
 
@@ -170,7 +193,7 @@ public final class SelfCheck {
         head("Sequential tests with alpha = beta = 0.05: how often H1 was accepted, and seeds until the end.", "Elo",
             "games", "truth", "H1 accepted", "seeds, mean", "theory", "of theory");
         for (Gsprt.Model model : Gsprt.Model.values()) {
-            for (double[] elo : new double[][] {{0, 20}, {0, 10}, {-10, 0}}) {
+            for (double[] elo : new double[][] {{0, 20}, {0, 10}, {-10, 0}, {0, 5}}) {
                 for (double ties : new double[] {0, 1}) {
                     for (double at : new double[] {elo[0], elo[1]}) {
                         SprtCheck.Outcome found = new SprtCheck(new Gsprt(elo[0], elo[1], EVEN, EVEN, model), at,

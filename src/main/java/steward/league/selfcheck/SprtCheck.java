@@ -52,15 +52,17 @@ record SprtCheck(Gsprt test, double at, double ties, double push) {
         }
         MadeUpGroup group = group((low + high) / 2);
         double[] scores = group.scores();
+        double lower = test.lower();
+        double upper = test.upper();
         long[] sums = Counted.play(threads, leagues, 2, () -> (number, counts) -> {
             SplitMix64 random = new SplitMix64(seed + number);
             ScoreCounts counted = new ScoreCounts(2);
-            Gsprt.State state = Gsprt.State.OPEN;
-            while (state == Gsprt.State.OPEN && counted.observations() < LONGEST) {
+            double ratio = 0;
+            while (ratio > lower && ratio < upper && counted.observations() < LONGEST) {
                 counted.add(scores[group.draw(random)]);
-                state = test.state(counted);
+                ratio = test.ratio(counted);
             }
-            counts[0] += state == Gsprt.State.H1 ? 1 : 0;
+            counts[0] += ratio >= upper ? 1 : 0;
             counts[1] += counted.observations();
         });
         return new Outcome((double) sums[0] / leagues, (double) sums[1] / leagues,

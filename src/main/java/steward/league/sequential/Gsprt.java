@@ -70,8 +70,8 @@ public record Gsprt(double elo0, double elo1, double alpha, double beta, Model m
         if (scores.observations() == 0) {
             return 0;
         }
-        double t = (scores.mean() - 0.5) / Math.sqrt(scores.variance());
         double deviation = Math.sqrt(scores.variance());
+        double t = (scores.mean() - 0.5) / deviation;
         double one = t - bound(elo0, scores.games(), deviation);
         double other = t - bound(elo1, scores.games(), deviation);
         return scores.observations() / 2.0 * StrictMath.log((1 + one * one) / (1 + other * other));

@@ -1,5 +1,6 @@
 package steward.league.sequential;
 
+import java.util.Arrays;
 import java.util.Map;
 import java.util.TreeMap;
 
@@ -10,12 +11,14 @@ import java.util.TreeMap;
  */
 public final class ScoreCounts {
 
-
     /** Observations. */
     private static final double MIXED = 2;
 
     private final int games;
-    private final Map<Double, Long> counts = new TreeMap<>();
+    /** Ascending. */
+    private double[] scores;
+    /** How often each came. */
+    private long[] counts;
     private long observations;
 
     /**
@@ -23,15 +26,8 @@ public final class ScoreCounts {
      */
     public ScoreCounts(int games) {
         this.games = games;
-        if (games == 2) {
-            for (int k = 0; k <= 4; k++) {
-                counts.put(k / 4.0, 0L);
-            }
-        } else {
-            counts.put(0.0, 0L);
-            counts.put(0.5, 0L);
-            counts.put(1.0, 0L);
-        }
+        scores = games == 2 ? new double[] {0, 0.25, 0.5, 0.75, 1} : new double[] {0, 0.5, 1};
+        counts = new long[scores.length];
     }
 
     /** Adds a score. */
@@ -44,8 +40,25 @@ public final class ScoreCounts {
         if (!(score >= 0 && score <= 1)) {
             throw new IllegalArgumentException("score " + score + ", expected 0 to 1");
         }
-        counts.merge(score, count, Long::sum);
+        int place = Arrays.binarySearch(scores, score + 0.0);              // -0 is 0
+        if (place < 0) {
+            place = -place - 1;
+            scores = inserted(scores, place);
+            scores[place] = score;
+            long[] old = counts;
+            counts = new long[scores.length];
+            System.arraycopy(old, 0, counts, 0, place);
+            System.arraycopy(old, place, counts, place + 1, old.length - place);
+        }
+        counts[place] += count;
         observations += count;
+    }
+
+    private static double[] inserted(double[] values, int place) {
+        double[] more = new double[values.length + 1];
+        System.arraycopy(values, 0, more, 0, place);
+        System.arraycopy(values, place, more, place + 1, values.length - place);
+        return more;
     }
 
     /** How many there are. */
@@ -60,14 +73,18 @@ public final class ScoreCounts {
 
     /** How often each score came, from the lowest; also those that have not come. */
     public Map<Double, Long> counts() {
-        return new TreeMap<>(counts);
+        Map<Double, Long> all = new TreeMap<>();
+        for (int k = 0; k < scores.length; k++) {
+            all.put(scores[k], counts[k]);
+        }
+        return all;
     }
 
     /** The mean score; NaN where there is none. */
     public double mean() {
         double sum = 0;
-        for (Map.Entry<Double, Long> each : counts.entrySet()) {
-            sum += each.getKey() * each.getValue();
+        for (int k = 0; k < scores.length; k++) {
+            sum += scores[k] * counts[k];
         }
         return sum / observations;
     }
@@ -79,9 +96,9 @@ public final class ScoreCounts {
     public double variance() {
         double mean = mean();
         double sum = 0;
-        for (Map.Entry<Double, Long> each : counts.entrySet()) {
-            double distance = each.getKey() - mean;
-            sum += distance * distance * each.getValue();
+        for (int k = 0; k < scores.length; k++) {
+            double distance = scores[k] - mean;
+            sum += distance * distance * counts[k];
         }
         return (sum + MIXED / (4.0 * games)) / (observations + MIXED);
     }

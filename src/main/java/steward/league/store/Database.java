@@ -1,6 +1,5 @@
 package steward.league.store;
 
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.sql.Connection;
@@ -15,6 +14,7 @@ import org.sqlite.SQLiteErrorCode;
 import org.sqlite.SQLiteException;
 import org.sqlite.SQLiteOpenMode;
 import steward.files.InputException;
+import steward.files.OutputFiles;
 import steward.league.LeagueFolder;
 
 /**
@@ -163,21 +163,11 @@ final class Database implements AutoCloseable {
 
     private static void refuseUnusable(Path file, Path folder, boolean write) {
         if (Files.exists(file) && !Files.isReadable(file)) {
-            throw new InputException(file + ": cannot be read: no permission" + owner(file));
+            throw new InputException(file + ": cannot be read: no permission" + OutputFiles.owner(file));
         }
         Path wanted = Files.exists(file) && !Files.isWritable(file) ? file : folder;
         if (write && !Files.isWritable(wanted)) {
-            throw new InputException(wanted + ": cannot be written: no permission" + owner(wanted));
-        }
-    }
-
-    /** Whose it is, where that is another. */
-    private static String owner(Path file) {
-        try {
-            String owner = Files.getOwner(file).getName();
-            return owner.equals(System.getProperty("user.name")) ? "" : " (it belongs to " + owner + ")";
-        } catch (IOException | UnsupportedOperationException unknown) {
-            return "";
+            throw new InputException(wanted + ": cannot be written: no permission" + OutputFiles.owner(wanted));
         }
     }
 

@@ -29,8 +29,10 @@ public final class GameQueries {
         + "s.worst_nanos, s.first_nanos FROM game g JOIN machine m ON m.id = g.machine JOIN seat s ON s.game = g.id ";
 
     /** In the order in which the games were stored; a lineup and the ranks as one number, which is fetched at once. */
-    private static final String CLUSTERED = "SELECT seed, lineup << 32 | CAST(replace(ranks, ' ', '') AS INTEGER), "
-        + "id FROM game NOT INDEXED WHERE season = ? AND counts = 1 ORDER BY id";
+    private static final String CLUSTER = "SELECT seed, lineup << 32 | CAST(replace(ranks, ' ', '') AS INTEGER), "
+        + "id FROM game NOT INDEXED WHERE season = ? AND counts = 1";
+    private static final String CLUSTERED = CLUSTER + " ORDER BY id";
+    private static final String CLUSTERED_BEFORE = CLUSTER + " AND decision < ? ORDER BY id";
 
     private final Database database;
     private final int season;
@@ -61,7 +63,7 @@ public final class GameQueries {
                 }
             }
             if (key.players() == 1) {
-                addAlone(results, Long.MAX_VALUE);
+                addAlone(results, "g.id <= ?", Long.MAX_VALUE);
             } else {
                 addGroups(results);
             }
@@ -92,10 +94,10 @@ public final class GameQueries {
         return lineups;
     }
 
-    private void addAlone(Results results, long upTo) throws SQLException {
+    private void addAlone(Results results, String which, long upTo) throws SQLException {
         long count = 0;
         try (ResultSet row = database.query("SELECT g.seed, s.version, s.score FROM game g JOIN seat s "
-            + "ON s.game = g.id WHERE g.season = ? AND g.counts = 1 AND g.id <= ?", season, upTo)) {
+            + "ON s.game = g.id WHERE g.season = ? AND g.counts = 1 AND " + which, season, upTo)) {
             while (row.next()) {
                 results.addAlone(row.getLong(1), row.getInt(2), row.getDouble(3));
                 count++;
@@ -138,14 +140,35 @@ public final class GameQueries {
         void game(int decision, long seed, int[] lineup, double score, int... ranks);
     }
 
-    /** Tells of every game of the schedule that counts; the score is that of the first player. */
-    public void known(KnownTaker taker) {
+    /** The results, without sums of versions, of the schedule's decisions below a number. */
+    public Results resultsBefore(int decision) {
+        Results results = new Results(key);
+        database.with(() -> {
+            if (key.players() == 1) {
+                addAlone(results, "g.decision < ?", decision);
+                return null;
+            }
+            ClusterCounts clusters = new ClusterCounts(lineups(), false);
+            try (ResultSet row = database.query(CLUSTERED_BEFORE, season, decision)) {
+                while (row.next()) {
+                    clusters.add(row.getLong(1), row.getLong(2));
+                }
+            }
+            clusters.giveWhole(results);
+            clusters.giveOpen(results);
+            return null;
+        });
+        return results;
+    }
+
+    /** Tells of every game of the schedule that counts, from a decision on; the score is that of the first player. */
+    public void known(int from, KnownTaker taker) {
         database.with(() -> {
             Map<Integer, int[]> lineups = lineups();
             boolean scored = key.players() == 1;
             try (ResultSet row = database.query("SELECT g.decision, g.seed, g.lineup, g.ranks, " + (scored
                 ? "s.score FROM game g JOIN seat s ON s.game = g.id" : "0.0 FROM game g NOT INDEXED")
-                + " WHERE g.season = ? AND g.decision IS NOT NULL AND g.counts = 1", season)) {
+                + " WHERE g.season = ? AND g.decision >= ? AND g.counts = 1", season, from)) {
                 while (row.next()) {
                     taker.game(row.getInt(1), row.getLong(2), lineups.get(row.getInt(3)), row.getDouble(5),
                         numbers(row.getString(4)));

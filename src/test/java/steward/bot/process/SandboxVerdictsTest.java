@@ -3,6 +3,7 @@ package steward.bot.process;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
@@ -89,7 +90,8 @@ class SandboxVerdictsTest {
 
     @ParameterizedTest
     @EnumSource(Way.class)
-    void theTable(Way way) {
+    void theTable(Way way) throws IOException {
+        ScriptedBots.assumeInterruptible();
         ScriptedBots.assumeWorks(way.level);
         by(way, () -> {
             List<String> wrong = new ArrayList<>();
@@ -162,7 +164,8 @@ class SandboxVerdictsTest {
     /** As without a sandbox. */
     @ParameterizedTest
     @EnumSource(Way.class)
-    void descriptorsAndIgnoredSignalsAreThoseOfAnyProgram(Way way) {
+    void descriptorsAndIgnoredSignalsAreThoseOfAnyProgram(Way way) throws IOException {
+        ScriptedBots.assumeInterruptible();
         ScriptedBots.assumeWorks(way.level);
         List<String> command = List.of("sh", "-c",
             "read -r l; ls /proc/$$/fd; grep SigIgn /proc/self/status; echo .; exec sleep 1000");

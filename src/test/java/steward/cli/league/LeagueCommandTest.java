@@ -3,16 +3,20 @@ package steward.cli.league;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermission;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
 import steward.cli.Cli;
 import steward.cli.Main;
 import steward.cli.shared.Streams;
+import steward.league.Season;
 
 /** The commands of a league that play nothing. */
 class LeagueCommandTest {
@@ -112,6 +116,36 @@ class LeagueCommandTest {
         done("init", "TMP/b", "--scene", "duel");
         Files.move(folder.resolve("copy.db"), folder.resolve("b/league.db"));
         assertEquals(done("table", "TMP/a"), done("table", "TMP/b"));
+    }
+
+    @Test
+    void aCopyThatCannotBeWrittenIsSaidToBeIt() {
+        generated("a", 2);
+        assumeTrue(Files.isDirectory(Path.of("/proc")), "skipped: there is no folder in which nobody may write");
+        assertTrue(refused("backup", "TMP/a", "/proc/copy.db").startsWith("steward: /proc/copy.db: cannot be written"));
+    }
+
+    @Test
+    void aFolderThatIsClosedIsNotOneWithoutALeague() throws IOException {
+        generated("a", 2);
+        Path closed = folder.resolve("a");
+        Set<PosixFilePermission> before = Files.getPosixFilePermissions(closed);
+        Files.setPosixFilePermissions(closed, Set.of());
+        try {
+            assumeTrue(!Files.isExecutable(closed), "skipped: this user may do everything");
+            assertEquals("steward: TMP/a: cannot be read: no permission\n", refused("table", "TMP/a"));
+        } finally {
+            Files.setPosixFilePermissions(closed, before);
+        }
+    }
+
+    @Test
+    void aSceneThatHasBeenChangedIsNamed() {
+        Season one = Season.of("duel", "1", "limits", "rules", 2, false);
+        assertEquals("the scene duel has been changed",
+            one.difference(Season.of("duel", "2", "limits", "rules", 2, false)));
+        assertEquals("the scene is another one (crowd, was duel)",
+            one.difference(Season.of("crowd", "2", "limits", "rules", 2, false)));
     }
 
     @Test

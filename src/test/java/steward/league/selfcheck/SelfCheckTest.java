@@ -19,7 +19,7 @@ class SelfCheckTest {
     private static final double PROMISED = 0.007;
 
     private static void holds(MadeUpLeague league, int clusters) throws InterruptedException {
-        Coverage found = FixedCheck.even(league, clusters).run(2, LEAGUES, 5);
+        Coverage found = FixedCheck.even(league, clusters).run(2, LEAGUES, 5).bars();
         assertEquals(0.95, found.least(), PROMISED + FOUR_DEVIATIONS, found::toString);
         assertEquals(0.95, found.most(), PROMISED + FOUR_DEVIATIONS, found::toString);
     }
@@ -39,10 +39,35 @@ class SelfCheckTest {
         // With seeds of 300 Elo the two games of a seed go alike so often that a seed's mean varies by a quarter more
         // than that of two independent games: bars of independent games would be too short.
         MadeUpLeague league = MadeUpLeague.pairs("seeds", new double[] {0, 0}, 0, 0, 300, 0);
-        Coverage right = FixedCheck.even(league, 100).run(2, LEAGUES, 5);
+        Coverage right = FixedCheck.even(league, 100).run(2, LEAGUES, 5).bars();
         MadeUpGroup independent = MadeUpGroup.two(0, 0, 0, 0, 0, 1);
         assertTrue(league.groups().get(0).variance() > 1.25 * independent.variance(), "seeds matter");
         assertEquals(0.95, right.least(), PROMISED + FOUR_DEVIATIONS, right::toString);
+    }
+
+    @Test
+    void barsOfTwoBotsHoldForAllStrengthsAsFarAsWholeGamesLetThem() throws InterruptedException {
+        // Of 60 games one more or less has a chance of up to 3% where the bar ends: no bar can do better than about so.
+        ExactCheck.Outcome near = new ExactCheck(30).run(0, 300);
+        ExactCheck.Outcome far = new ExactCheck(30).run(300, 515);
+        assertTrue(near.least() > 0.942 && far.least() > 0.942, near + " " + far);
+        assertEquals(0.95, near.mean(), 0.002);
+        assertTrue(far.most() < 0.975, far::toString);
+        ExactCheck.Outcome many = new ExactCheck(200).run(0, 515);
+        assertEquals(0.95, many.least(), PROMISED);
+        assertEquals(0.95, many.most(), 0.009, many::toString);
+        // Played, it is what was computed.
+        MadeUpLeague league = MadeUpLeague.pairs("two", new double[] {400, 0}, 0, 0, 0, 0);
+        assertEquals(new ExactCheck(30).run(400, 401).mean(),
+            FixedCheck.even(league, 30).run(2, LEAGUES, 5).bars().least(), FOUR_DEVIATIONS);
+    }
+
+    @Test
+    void rangesOfRanksHaveTheTrueRank() throws InterruptedException {
+        // Where three are equal, each has all ranks; a range that leaves one out is wrong.
+        MadeUpLeague even = MadeUpLeague.pairs("even", MadeUpLeague.spaced(3, 0), 0.1, 0, 0, 0);
+        double found = FixedCheck.even(even, 40).run(2, LEAGUES, 5).ranks();
+        assertTrue(found >= 0.95 - FOUR_DEVIATIONS && found < 1, found + "");
     }
 
     @Test

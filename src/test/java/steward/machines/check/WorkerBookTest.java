@@ -48,7 +48,7 @@ class WorkerBookTest {
         return book.lines().stream().filter(line -> line.name().equals("x")).findFirst().orElseThrow().doubts();
     }
 
-    /** R. A. Fisher's tea: 4 of 8 cups are marked, 4 are taken, all of them right: 1 in 70, and as much all wrong. */
+    /** R. A. Fisher's tea: of 8 cups 4 are marked, 4 are taken, all of them right: 1 in 70 one way, and the other. */
     @Test
     void theChanceIsExact() {
         DrawnWithout tea = new DrawnWithout();
@@ -66,8 +66,8 @@ class WorkerBookTest {
     }
 
     /**
-     * More than 4,000 different sums: the normal distribution takes over. Of 10,000 of 20,000, half of which have the
-     * mark, the standard deviation is sqrt(10,000 / 4 * 10,000 / 19,999) = 35.4; 600 more than 5,000 are 17 of them.
+     * More than 4,000 different sums: the normal distribution takes over. Of 10,000 of 20,000, where half have the
+     * mark, the standard deviation is sqrt(10,000 / 4 * 10,000 / 19,999) = 35.4: 600 more than 5,000 are 17 of them.
      */
     @Test
     void manyGamesAreMeasuredByTheNormalDistribution() {

@@ -1,0 +1,92 @@
+package steward.league.selfcheck;
+
+import java.util.ArrayList;
+import java.util.List;
+import steward.league.rating.Difference;
+import steward.league.rating.RatingFit;
+import steward.league.rating.Stratum;
+
+/**
+ * How often the bar of the difference of two bots without ties holds, exactly: the sum of the chances of all ways in
+ * which their games can go. Scores are whole numbers of games, so that this jumps with the strength as results come
+ * into their bars and leave them.
+ *
+ * @param clusters how many are played, each of two games
+ */
+record ExactCheck(int clusters) {
+
+    private static final double STEP = 5;
+
+    /** A way in which the games can go: how many seeds one won, shared and lost; and what is found then. */
+    private record Way(int won, int shared, int lost, double elo, double bar) {
+    }
+
+    /**
+     * Over some strengths.
+     *
+     * @param least how often the bar holds where it does least often
+     * @param mean  on average
+     * @param most  where it does most often
+     */
+    record Outcome(double least, double mean, double most) {
+    }
+
+    /** For the differences in Elo {@code from}, {@code from} + 5, ... below {@code to}. */
+    Outcome run(double from, double to) {
+        List<Way> ways = ways();
+        double least = 1;
+        double most = 0;
+        double sum = 0;
+        int strengths = 0;
+        for (double elo = from; elo < to; elo += STEP) {
+            double share = share(ways, league(elo));
+            least = Math.min(least, share);
+            most = Math.max(most, share);
+            sum += share;
+            strengths++;
+        }
+        return new Outcome(least, sum / strengths, most);
+    }
+
+    private static MadeUpLeague league(double elo) {
+        return MadeUpLeague.pairs("two", new double[] {elo, 0}, 0, 0, 0, 0);
+    }
+
+    /** The patterns of a seed are lost, shared, won: they are in the order of their points. */
+    private List<Way> ways() {
+        Stratum stratum = league(0).groups().get(0).stratum();
+        List<Way> ways = new ArrayList<>();
+        for (int won = 0; won <= clusters; won++) {
+            for (int shared = 0; won + shared <= clusters; shared++) {
+                int lost = clusters - won - shared;
+                stratum.clear();
+                stratum.add(0, lost);
+                stratum.add(1, shared);
+                stratum.add(2, won);
+                Difference found = RatingFit.of(2, List.of(stratum), false).difference(0, 1);
+                ways.add(new Way(won, shared, lost, found.elo(), found.bar()));
+            }
+        }
+        return ways;
+    }
+
+    private double share(List<Way> ways, MadeUpLeague league) {
+        double truth = league.truth().rating(0) - league.truth().rating(1);
+        double[] logs = league.groups().get(0).chances();
+        for (int k = 0; k < logs.length; k++) {
+            logs[k] = StrictMath.log(logs[k]);
+        }
+        double[] factorials = new double[clusters + 1];
+        for (int k = 2; k <= clusters; k++) {
+            factorials[k] = factorials[k - 1] + StrictMath.log(k);
+        }
+        double share = 0;
+        for (Way way : ways) {
+            if (Math.abs(way.elo() - truth) <= way.bar()) {
+                share += StrictMath.exp(factorials[clusters] - factorials[way.won()] - factorials[way.shared()]
+                    - factorials[way.lost()] + way.won() * logs[2] + way.shared() * logs[1] + way.lost() * logs[0]);
+            }
+        }
+        return share;
+    }
+}

@@ -1,0 +1,136 @@
+package steward.cli.league;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Pattern;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import steward.cli.Cli;
+import steward.cli.shared.Colour;
+import steward.league.Season;
+import steward.league.page.LeaguePage;
+import steward.league.page.LeaguePlots;
+import steward.league.page.LeagueView;
+import steward.league.rating.LeagueTable;
+import steward.league.rating.RatingPath;
+import steward.league.rating.Results;
+
+/** A league that has just begun, in all its forms: a bar of which nothing is known is no number. */
+class FewGamesTest {
+
+    private static final Season SEASON = Season.of("duel", "key", "limits", "rules", 2, false);
+
+    @TempDir
+    private Path folder;
+
+    private static List<LeagueTable.Entry> entries(int bots) {
+        return IntStream.rangeClosed(1, bots)
+            .mapToObj(version -> new LeagueTable.Entry(version, "bot-" + version, false, true)).toList();
+    }
+
+    /** Both games of a seed, all won by the first. */
+    private static void won(Results results, long seed, int winner, int loser) {
+        results.addGame(seed, new int[] {winner, loser}, 0, 1);
+        results.addGame(seed, new int[] {loser, winner}, 1, 0);
+        for (int version : new int[] {winner, loser}) {
+            results.addSums(version, 2, 0, 0, 2, 2e6, 1_000_000);
+        }
+    }
+
+    /** 1 has played 2, and 3 has played 4: nothing tells how the two pairs compare. Then more, and more again. */
+    private static List<Results> beginnings() {
+        List<Results> all = new ArrayList<>();
+        for (int seeds : new int[] {0, 1, 2, 9}) {
+            Results results = new Results(SEASON);
+            for (int seed = 0; seed < seeds; seed++) {
+                won(results, seed, 1, 2);
+                won(results, seed, 3, 4);
+            }
+            all.add(results);
+        }
+        return all;
+    }
+
+    @Test
+    void everyFormHasNumbersOrNothing() throws IOException {
+        for (Results results : beginnings()) {
+            List<LeagueTable.Entry> entries = entries(5);
+            LeagueTable table = LeagueTable.of(results, entries);
+            RatingPath.Collector path = new RatingPath.Collector(entries);
+            path.take(results);
+            path.take(results);
+            String text = String.join("\n", TableText.whole(table, SEASON, List.of(), Colour.NONE));
+            assertFalse(Pattern.compile("9999|\\d{5}|Infinity|NaN|∞").matcher(text).find(), text);
+            ByteArrayOutputStream page = new ByteArrayOutputStream();
+            LeaguePage.write(new LeagueView(SEASON, table, path.path(), List.of(), Double.NaN, List.of()), folder, page,
+                "few");
+            String html = page.toString(StandardCharsets.UTF_8);
+            String data = html.substring(html.indexOf("{\"scene\":"));
+            data = data.substring(0, data.indexOf("</script>"));
+            assertFalse(Pattern.compile("Infinity|NaN|9999").matcher(data).find(), data);
+            LeaguePlots.write(table, path.path(), "few", folder);
+            assertTrue(Files.size(folder.resolve("ratings.png")) > 1000);
+            String plot = Files.readString(folder.resolve("ratings.svg"));
+            assertFalse(Pattern.compile("Infinity|NaN|>-?\\d{4,}").matcher(plot).find(), "the plot");
+        }
+    }
+
+    @Test
+    void theCommandsSayNothingOfWhatIsNotKnown() {
+        for (int games : new int[] {1, 2, 3, 4}) {
+            String league = folder.resolve("league" + games).toString();
+            done("init", league, "--scene", "duel", "--seed", "1");
+            done("generate", league, "--games", Integer.toString(games), "--bots", "4");
+            for (String[] form : new String[][] {{}, {"--json"}, {"--csv"}}) {
+                String[] words = new String[form.length + 2];
+                words[0] = "table";
+                words[1] = league;
+                System.arraycopy(form, 0, words, 2, form.length);
+                String out = done(words);
+                assertFalse(Pattern.compile("Infinity|NaN|9999|\\d{19}").matcher(out.replaceAll("seed.*", "")).find(),
+                    out);
+            }
+            done("table", league, "--plots", folder.resolve("plots" + games).toString());
+            done("page", league, "--out", folder.resolve("page" + games + ".html").toString());
+        }
+    }
+
+    private static String done(String... words) {
+        String[] call = new String[words.length + 1];
+        call[0] = "league";
+        System.arraycopy(words, 0, call, 1, words.length);
+        Cli cli = Cli.run(call);
+        assertEquals(0, cli.status(), cli.err());
+        return cli.out();
+    }
+
+    /** What games say beside ratings is told only where the two shares can be told apart. */
+    @Test
+    void noBotBeatsAnotherMoreThanRatingsTellByNothing() {
+        Results results = new Results(SEASON);
+        // Each beats the next in 299 of 300 games, or in all: 1 against 3 is nearly certain in any case.
+        for (int seed = 0; seed < 30_000; seed++) {
+            results.addGame(seed, new int[] {1, 2}, seed % 100 == 0 ? 1 : 0, seed % 100 == 0 ? 0 : 1);
+            results.addGame(seed, new int[] {2, 3}, seed % 100 == 50 ? 1 : 0, seed % 100 == 50 ? 0 : 1);
+            results.addGame(seed, new int[] {1, 3}, seed % 500 == 7 ? 1 : 0, seed % 500 == 7 ? 0 : 1);
+        }
+        LeagueTable table = LeagueTable.of(results, entries(3));
+        for (LeagueTable.Surprise each : table.surprises()) {
+            String line = TableText.surprise(table, each);
+            var shares = Pattern.compile("tell: ([0-9.]+)% of .* tell ([0-9.]+)%").matcher(line);
+            assertTrue(shares.find(), line);
+            assertFalse(shares.group(1).equals(shares.group(2)), line);
+        }
+        assertEquals(List.of(), table.surprises(), "less than half a percent is nothing to name");
+    }
+}

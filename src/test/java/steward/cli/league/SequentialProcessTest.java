@@ -1,0 +1,127 @@
+package steward.cli.league;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import steward.cli.Cli;
+import steward.cli.ShellBots;
+import steward.cli.TextShellBots;
+
+/** Tests that stop, rules that end a league, and the search for parameters, with programs that play. */
+@Tag("process")
+@Tag("slow")
+@Timeout(300)
+class SequentialProcessTest {
+
+    @TempDir
+    private Path folder;
+    private String scene;
+    private String drives;
+    private String drivesToo;
+    private String stays;
+
+    @BeforeEach
+    void prepare() throws IOException {
+        assumeTrue(ShellBots.runnable(), "skipped: there is no /bin/sh");
+        scene = folder.resolve("short.json").toString();
+        Files.writeString(Path.of(scene), Files.readString(Path.of("config/scenes/duel.json"))
+            .replace("\"maximumTurns\": 200", "\"maximumTurns\": 5"));
+        TextShellBots bots = new TextShellBots(folder);
+        drives = "drives=codingame:" + bots.driver();
+        drivesToo = "drivesToo=codingame:" + bots.driver().replace(" 0", " 99");
+        stays = "stays=codingame:" + bots.idler(0);
+    }
+
+    private static String done(String... words) {
+        Cli cli = Cli.run(words);
+        assertEquals(0, cli.status(), cli.err());
+        return cli.out();
+    }
+
+    private String league(String name, String... bots) throws IOException {
+        String league = folder.resolve(name).toString();
+        done("league", "init", league, "--scene", scene, "--seed", "3");
+        Path settings = Path.of(league, "league.json");
+        Files.writeString(settings, Files.readString(settings).replace("\"factor\": 1", "\"factor\": \"none\"")
+            .replace("\"lag\": 64", "\"lag\": 4"));
+        for (String bot : bots) {
+            done("league", "add", league, bot);
+        }
+        return league;
+    }
+
+    private String sprt(String... more) {
+        List<String> words = new ArrayList<>(List.of("sprt", "--scene", scene, "--bot", drives, "--bot", stays,
+            "--elo1", "200", "--seed", "3", "--no-deadline"));
+        words.addAll(Arrays.asList(more));
+        return done(words.toArray(String[]::new));
+    }
+
+    private static String tableHead(String league) {
+        return done("league", "table", league).lines().findFirst().orElseThrow();
+    }
+
+    @Test
+    void aTestGoesOnWhereItWas() throws IOException {
+        String whole = sprt();
+        assertTrue(whole.contains(": H1 is accepted: drives is better"), whole);
+        String league = league("tested");
+        assertTrue(sprt("--into", league, "--games", "6").contains(": not decided, about "));
+        assertEquals("6 games of duel", tableHead(league));
+        assertEquals(whole, sprt("--into", league), "as if it had not been interrupted");
+        String played = tableHead(league);
+        assertEquals(whole, sprt("--into", league), "everything is stored");
+        assertEquals(played, tableHead(league));
+        assertEquals(whole, done("league", "sprt", league("other", drives, stays), "drives", "stays", "--elo1", "200",
+            "--threads", "2"), "threads change nothing");
+    }
+
+    @Test
+    void aLeagueEndsWhenEnoughIsKnown() throws IOException {
+        String whole = league("whole", drives, drivesToo);
+        String said = done("league", "run", whole, "--until-ranked", "--equal", "300", "--games", "400");
+        assertTrue(said.contains("Ranked: drives = drivesToo") || said.contains("Ranked: drivesToo = drives"), said);
+        assertTrue(said.contains("= within 300 Elo."), said);
+        String games = tableHead(whole);
+        assertFalse(games.startsWith("400 "), "it ended by its rule");
+
+        String parts = league("parts", drives, drivesToo);
+        said = done("league", "run", parts, "--until-ranked", "--equal", "300", "--games", "5", "--threads", "2");
+        assertTrue(said.contains("Not yet ranked: the order of 1 of 1 pair of neighbours is open."), said);
+        done("league", "run", parts, "--until-ranked", "--equal", "300", "--games", "400", "--threads", "2");
+        assertEquals(games, tableHead(parts), "neither threads nor interruptions change the end");
+
+        said = done("league", "run", parts, "--until-bars", "1", "--games", games.split(" ")[0]);
+        assertTrue(said.contains("Not yet at --until-bars 1: the widest anytime bar is "), said);
+        assertTrue(done("league", "run", parts, "--until-bars", "1000", "--games", "400")
+            .contains("All anytime bars are at most 1000 Elo."));
+        assertEquals(games, tableHead(parts), "that was known already");
+    }
+
+    @Test
+    void aSearchGoesOnWhereItWasAndFindsTheBetterChoice() throws IOException {
+        String league = league("tuned");
+        List<String> words = new ArrayList<>(List.of("tune", "--scene", scene, "--bot",
+            "mine=codingame:sh '" + folder.resolve("text pod.sh") + "' {way:stay|drive} 0", "--against", stays,
+            "--games", "24", "--seeds", "1", "--test-games", "12", "--seed", "1", "--no-deadline"));
+        String whole = done(words.toArray(String[]::new));
+        assertTrue(whole.contains("way drive"), whole);
+        words.addAll(List.of("--into", league, "--plots", folder.resolve("plots").toString()));
+        assertEquals(whole, done(words.toArray(String[]::new)));
+        assertEquals(whole, done(words.toArray(String[]::new)), "from what is stored");
+        assertTrue(Files.size(folder.resolve("plots/tune.png")) > 1000);
+    }
+}
