@@ -9,13 +9,15 @@ final class BadMessage {
 
     private static final Map<Pattern, String> BAD = new LinkedHashMap<>();
 
+    private static final Pattern TYPE = Pattern.compile("\\bint\\b|\\blong value\\b|\\bdouble value\\b");
+
     static {
         BAD.put(Pattern.compile("^\\s*at .*\\.java:"), "a line of a stack trace");
         BAD.put(Pattern.compile("this should not have happened"), "an error of the program");
         BAD.put(Pattern.compile("\\b(?:java|javax|jdk|sun|steward|tools|picocli)\\.[a-z]+[.A-Z]"), "a Java package");
         BAD.put(Pattern.compile("\\b[A-Z][A-Za-z]*(?:Exception|Error|Node|Token|Path)\\b"), "a Java class");
         BAD.put(Pattern.compile("\\b(?:VALUE|START|END|NOT|PROPERTY)_[A-Z_]+"), "a token of the parser");
-        BAD.put(Pattern.compile("\\bint\\b|\\blong value\\b|\\bdouble value\\b"), "a Java type");
+        BAD.put(TYPE, "a Java type");
         BAD.put(Pattern.compile(": null$|'null'|\\(null\\)"), "null");
         BAD.put(Pattern.compile("[\\x00-\\x08\\x0b-\\x1f\\x7f]"), "a control character");
     }
@@ -32,8 +34,13 @@ final class BadMessage {
 
     /** What is wrong with a line, or {@code null}. */
     static String problem(String line) {
+        return problem(line, "");
+    }
+
+    /** The same for a message that may repeat words of an input. */
+    static String problem(String line, String input) {
         for (Map.Entry<Pattern, String> bad : BAD.entrySet()) {
-            if (bad.getKey().matcher(line).find()) {
+            if (bad.getKey().matcher(line).find() && !(bad.getKey() == TYPE && TYPE.matcher(input).find())) {
                 return bad.getValue();
             }
         }

@@ -1,5 +1,6 @@
 package steward.cli;
 
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assertions.fail;
 
@@ -60,10 +61,31 @@ class BrokenInputTest {
     /** Found by fuzzing: a null that stands in the file is named as what it is. */
     @Test
     void aNullWhereAWordIsExpected() throws IOException {
-        Kind kind = BrokenInputs.kinds().stream().filter(each -> each.name().equals("scene duel")).findFirst()
-            .orElseThrow();
+        Kind kind = kind("scene duel");
         String broken = new String(kind.original(), StandardCharsets.UTF_8).replace("\"truncate\"", "null");
         assertTrue(new BrokenInputs(folder, SEED).check(kind, broken.getBytes(StandardCharsets.UTF_8)));
+    }
+
+    /** Found by fuzzing: a message may repeat a word of the file. */
+    @Test
+    void aWordOfTheFileIsRepeated() throws IOException {
+        Kind kind = kind("scene duel");
+        String broken = new String(kind.original(), StandardCharsets.UTF_8).replace("\"truncate\"", "int");
+        assertTrue(new BrokenInputs(folder, SEED).check(kind, broken.getBytes(StandardCharsets.UTF_8)));
+    }
+
+    /** Found by fuzzing: a number of an impact that is too great for a double is shown as it was recorded. */
+    @Test
+    void anImpulseBeyondAllNumbers() throws IOException {
+        Kind kind = kind("replay --impacts --json");
+        String whole = new String(kind.original(), StandardCharsets.UTF_8);
+        String broken = whole.replaceFirst("\"impulse\":[-0-9.eE]+", "\"impulse\":1e999");
+        assertFalse(broken.equals(whole), "there is no impact");
+        assertFalse(new BrokenInputs(folder, SEED).check(kind, broken.getBytes(StandardCharsets.UTF_8)));
+    }
+
+    private static Kind kind(String name) throws IOException {
+        return BrokenInputs.kinds().stream().filter(each -> each.name().equals(name)).findFirst().orElseThrow();
     }
 
     @Test

@@ -221,8 +221,9 @@ final class BrokenInputs {
         boolean playsAgain = frames || kind.call().contains("--verify");
         assertTrue(status == ExitStatus.DONE || status == ExitStatus.UNUSABLE
             || status == ExitStatus.FAILED && playsAgain, () -> "status " + status + "\n" + said);
+        String text = new String(broken, StandardCharsets.UTF_8);
         for (String line : said.split("\n")) {
-            String problem = BadMessage.problem(line);
+            String problem = BadMessage.problem(line, text);
             assertEquals(null, problem, () -> problem + " in: " + said);
         }
         long messages = said.lines().filter(line -> line.startsWith("steward: ")

@@ -31,9 +31,9 @@ import steward.contest.PairedPlay;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.game.GameSetup;
+import steward.league.page.TunePlot;
 import steward.league.sequential.Gsprt;
 import steward.league.tune.Spsa;
-import steward.league.tune.TunePlot;
 import steward.league.tune.TunedCommand;
 import steward.text.TextFormat;
 

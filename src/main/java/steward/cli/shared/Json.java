@@ -73,6 +73,8 @@ public final class Json {
             out.writeEndArray();
         } else if (value instanceof Double number) {
             JsonNumbers.write(out, number);
+        } else if (value instanceof BeyondDouble number) {
+            out.writeRawValue(number.text());
         } else if (value instanceof Boolean flag) {
             out.writeBoolean(flag);
         } else {
@@ -102,12 +104,26 @@ public final class Json {
         return switch (in.currentToken()) {
             case START_OBJECT -> object(in);
             case START_ARRAY -> array(in);
-            case VALUE_NUMBER_INT, VALUE_NUMBER_FLOAT -> in.getDoubleValue();
+            case VALUE_NUMBER_INT, VALUE_NUMBER_FLOAT -> number(in);
             case VALUE_TRUE -> Boolean.TRUE;
             case VALUE_FALSE -> Boolean.FALSE;
             case VALUE_NULL -> null;
             default -> in.getString();
         };
+    }
+
+    private static Object number(JsonParser in) {
+        double number = in.getDoubleValue();
+        return Double.isFinite(number) ? (Object) number : new BeyondDouble(number, in.getString());
+    }
+
+    /** A number such as 1e999, of which a double is not finite: it is written as it was read. */
+    private record BeyondDouble(double value, String text) {
+
+        @Override
+        public String toString() {
+            return text;
+        }
     }
 
     /** The objects of an array; empty if it is missing. */
@@ -125,7 +141,8 @@ public final class Json {
 
     /** A number, or NaN if there is none. */
     public static double number(Object value) {
-        return value instanceof Double number ? number : Double.NaN;
+        return value instanceof Double number ? number
+            : value instanceof BeyondDouble beyond ? beyond.value() : Double.NaN;
     }
 
     /** A scalar as readable text; {@code -} for nothing. */

@@ -30,6 +30,10 @@ final class ExactSolver extends ImpulseSolver {
      */
     private static final double LARGE = 0x1p20;
 
+    /** Slower bodies are made faster by this factor for the length of an impact. */
+    private static final double SLOW = 0x1p-600;
+    private static final double FASTER = 0x1p500;
+
     private final ExactPairs pairs;
     private final ExactWalls wallTimes;
     private final LowParts lows;
@@ -73,6 +77,36 @@ final class ExactSolver extends ImpulseSolver {
     @Override
     void exchange(Bodies bodies, int a, int b, double restitution, Impulse rule, SolvedImpulse solved) {
         computeDirection(bodies, a, b);
+        if (!hasMinimum && !former && areSlow(bodies, a, b)) {
+            exchangeSlow(bodies, a, b, restitution, rule, solved);
+            return;
+        }
+        exchangeAlong(bodies, a, b, restitution, rule, solved);
+    }
+
+    /**
+     * The light body of a pair can leave the heavy one a velocity of which the low part would underflow: velocities are
+     * multiplied by a power of two, and the results divided by it.
+     */
+    private void exchangeSlow(Bodies bodies, int a, int b, double restitution, Impulse rule, SolvedImpulse solved) {
+        multiplyVelocities(bodies, a, b, FASTER);
+        exchangeAlong(bodies, a, b, restitution, rule, solved);
+        multiplyVelocities(bodies, a, b, 1 / FASTER);
+        solved.set(solved.impulse / FASTER, solved.energy / FASTER / FASTER);
+    }
+
+    private static boolean areSlow(Bodies bodies, int a, int b) {
+        return Math.abs(bodies.vx[a]) + Math.abs(bodies.vy[a]) + Math.abs(bodies.vx[b]) + Math.abs(bodies.vy[b]) < SLOW;
+    }
+
+    private static void multiplyVelocities(Bodies bodies, int a, int b, double factor) {
+        bodies.vx[a] *= factor;
+        bodies.vy[a] *= factor;
+        bodies.vx[b] *= factor;
+        bodies.vy[b] *= factor;
+    }
+
+    private void exchangeAlong(Bodies bodies, int a, int b, double restitution, Impulse rule, SolvedImpulse solved) {
         q.project(bodies.vx[a], bodies.vx[b], bodies.vy[a], bodies.vy[b], dx, dxLow, dy, dyLow);
         computeLength();
         solved.setNormal(dx / length, dy / length);

@@ -155,7 +155,8 @@ class PartTest {
         done("add", "TMP/scene", "fast=codingame:" + bots.driver());
         done("add", "TMP/scene", "still=codingame:" + bots.idler(0));
         league("merge", "TMP/scene", "TMP/part1.db")
-            .assertRefused("part1.db: found a part of another season, expected one of this league's: the scene is");
+            .assertRefused("part1.db: found a part of another season, expected one of this league's: the scene "
+                + "duel has been changed");
         done("init", "TMP/bots", "--scene", "TMP/short.json", "--seed", "5");
         fix("bots");
         done("add", "TMP/bots", "fast=codingame:" + bots.driver());

@@ -1,4 +1,4 @@
-package steward.league.tune;
+package steward.league.page;
 
 import java.io.BufferedOutputStream;
 import java.io.IOException;
@@ -12,7 +12,7 @@ import org.knowm.xchart.ChartEncoder;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.style.markers.SeriesMarkers;
-import steward.league.page.LeaguePlots;
+import steward.league.tune.TunedCommand;
 
 /** Draws how parameters went, as PNG and SVG. */
 public final class TunePlot {
