@@ -22,6 +22,8 @@ final class LeagueProgress {
     private final GameStore store;
     private final LeagueRun.Limits limits;
     private Results results;
+    /** How all games are read, once some have been set aside. */
+    private Supplier<Results> anew;
     private long began = System.nanoTime();
     private long played;
 
@@ -42,9 +44,20 @@ final class LeagueProgress {
         played += game.counts() ? 1 : 0;
     }
 
-    /** Games that counted do no more: all of them, read anew. */
-    synchronized void replace(Results anew) {
-        results = anew;
+    /**
+     * Games that counted do no more: all are read anew. One that ends just then may be missing, or twice, until {@link
+     * #settle}.
+     */
+    synchronized void replace(Supplier<Results> stored) {
+        anew = stored;
+        results = stored.get();
+    }
+
+    /** The run is over and all of its games are stored. */
+    synchronized void settle() {
+        if (anew != null) {
+            results = anew.get();
+        }
     }
 
     /** Games of this run. */

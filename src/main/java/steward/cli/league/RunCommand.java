@@ -174,7 +174,7 @@ public final class RunCommand implements Callable<Integer> {
             }
             if (machines != null) {
                 run.with(machines);
-                machines.follow(run, () -> WorkerBooks.read(viewed, store), () -> progress.replace(viewed.results()));
+                machines.follow(run, () -> WorkerBooks.read(viewed, store), () -> progress.replace(viewed::results));
                 others.set(machines);
             }
             screen.set(streams.errTerminal() && !quiet ? new LiveTable(streams.err(),
@@ -235,6 +235,7 @@ public final class RunCommand implements Callable<Integer> {
         if (quiet) {
             return;
         }
+        progress.settle();
         LeagueTable table = progress.table(run.roster().settings());
         TableText.whole(table, season, machines == null ? List.of() : machines.workers(), streams.outColour())
             .forEach(streams.out()::println);
