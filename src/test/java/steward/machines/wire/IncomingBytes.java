@@ -131,8 +131,10 @@ public final class IncomingBytes {
             String[] names = {"here/bot.py", "../bot.py", "/tmp/bot.py", "here/../../bot.py", "here//bot.py",
                 "here/./x", "c:\\bot.py", "here/.../x", "a/b/c/d", "bundle.json/x", ""};
             String name = isBroken ? names[random.nextInt(names.length)] : names[0];
-            entry(zip, isBroken && random.nextInt(4) == 0 && !name.isEmpty() ? new String(broken(name.getBytes(
-                StandardCharsets.UTF_8), random), StandardCharsets.ISO_8859_1) : name, new byte[random.nextInt(50)]);
+            String sent = isBroken && random.nextInt(4) == 0 && !name.isEmpty() ? new String(broken(name.getBytes(
+                StandardCharsets.UTF_8), random), StandardCharsets.ISO_8859_1) : name;
+            byte[] content = new byte[random.nextInt(50)];
+            entry(zip, sent.equals("bundle.json") ? "bundle.jso" : sent, content);     // a stream writes no name twice
         } catch (IOException inMemory) {
             throw new UncheckedIOException(inMemory);
         }
