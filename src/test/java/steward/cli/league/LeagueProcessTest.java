@@ -46,10 +46,7 @@ class LeagueProcessTest {
     @BeforeEach
     void prepare() throws IOException {
         assumeTrue(ShellBots.runnable(), "skipped: there is no /bin/sh");
-        String scene = Files.readString(Path.of("config/scenes/duel.json"))
-            .replace("\"maximumTurns\": 200", "\"maximumTurns\": 8").replace("\"answerMs\": 75", "\"answerMs\": 30000")
-            .replace("\"firstAnswerMs\": 1000", "\"firstAnswerMs\": 60000");
-        Files.writeString(folder.resolve("short.json"), scene);
+        ShellBots.shortDuel(folder);
         new TextShellBots(folder);
     }
 

@@ -131,7 +131,7 @@ class MessageSchemaTest {
             "60", "--quiet", "--serve", "127.0.0.1:" + port));
         byte[] welcome;
         byte[] job;
-        try (BrokerClient client = join(token)) {
+        try (BrokerClient client = WorkerTest.join(port, token)) {
             client.say(hello("0123456789abcdef"));
             assertEquals("refused", WireMessage.read(listen(client), "m").header().text("type"));
             client.say(hello(PhysicsFingerprint.text()));
@@ -150,19 +150,6 @@ class MessageSchemaTest {
         speak(token, welcome, job, bundles);
         assertEquals(Set.of("hello", "fetch", "result", "unfit", "differs", "bye", "welcome", "refused", "bundle",
             "job"), types);
-    }
-
-    private BrokerClient join(WorkerToken token) throws BrokenException, InterruptedException {
-        for (int tries = 0; ; tries++) {
-            try {
-                return new BrokerClient("127.0.0.1", port, token);
-            } catch (BrokenException notYet) {
-                if (notYet.isRefused() || tries == 300) {
-                    throw notYet;
-                }
-                TimeUnit.MILLISECONDS.sleep(100);
-            }
-        }
     }
 
     /** What a real worker says, in three joinings: to a bot that it cannot unpack, to a game, and to other rules. */
