@@ -20,6 +20,8 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.cli.Main;
 import steward.cli.ShellBots;
 import steward.cli.TextShellBots;
@@ -35,6 +37,7 @@ import steward.league.store.GameStore;
 @Tag("process")
 @Tag("slow")
 @Timeout(600)
+@Execution(ExecutionMode.CONCURRENT)
 class LeagueProcessTest {
 
     private static final int KILLS = Integer.getInteger("steward.turns", 3);

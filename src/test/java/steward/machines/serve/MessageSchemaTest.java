@@ -31,6 +31,8 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.bot.isolation.Isolation;
 import steward.cli.Cli;
 import steward.cli.ShellBots;
@@ -59,6 +61,7 @@ import steward.scene.PhysicsFingerprint;
 @Tag("process")
 @Tag("slow")
 @Timeout(300)
+@Execution(ExecutionMode.CONCURRENT)
 class MessageSchemaTest {
 
     private static final Schema SCHEMA = schema();
