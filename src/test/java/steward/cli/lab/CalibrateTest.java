@@ -45,7 +45,7 @@ import steward.scene.SceneFiles;
 import steward.scene.SceneKey;
 
 /** {@code steward tradeoff --calibrate SCENE}, and scenes that state the error they tolerate. */
-@Timeout(60)
+@Timeout(600)
 @Execution(ExecutionMode.CONCURRENT)
 class CalibrateTest {
 
