@@ -156,6 +156,10 @@ public final class RatingFit {
 
     // ---- what can be asked -----------------------------------------------------------------------
 
+    List<Stratum> strata() {
+        return strata;
+    }
+
     /** How many bots there are. */
     public int bots() {
         return bots;
@@ -221,30 +225,32 @@ public final class RatingFit {
 
     /** The difference of two ratings. */
     public Difference difference(int one, int other) {
+        return of(along(one, other), ratings[one] - ratings[other]);
+    }
+
+    /**
+     * Adds by stratum: its number of clusters times its part in the variance of a difference, as a share of it. That is
+     * what one cluster more takes away, times the square of the number. Variances are those that the model tells.
+     */
+    void addParts(int one, int other, double... parts) {
+        double[] along = along(one, other);
+        double variance = 0;
+        double[] own = new double[parts.length];
+        for (int q = 0; q < parts.length; q++) {
+            own[q] = spread.isAny(q) ? spread.modelled(q, along) : 0;
+            variance += own[q];
+        }
+        for (int q = 0; q < parts.length; q++) {
+            parts[q] += variance > 0 ? own[q] * strata.get(q).clusters / variance : 0;
+        }
+    }
+
+    private double[] along(int one, int other) {
         double[] along = new double[inverse.length];
         for (int k = 0; k < along.length; k++) {
             along[k] = inverse[one][k] - inverse[other][k];
         }
-        return of(along, ratings[one] - ratings[other]);
-    }
-
-    /** Takes the part of a group of bots. */
-    interface PartTaker {
-        void take(int[] group, double part);
-    }
-
-    /** Tells by group: its number of clusters times their part in the variance of a difference, as a share of it. */
-    void parts(int one, int other, PartTaker taker) {
-        double[] along = new double[inverse.length];
-        for (int k = 0; k < along.length; k++) {
-            along[k] = inverse[one][k] - inverse[other][k];
-        }
-        double variance = of(along, 0).variance();
-        for (int q = 0; q < strata.size(); q++) {
-            if (spread.isAny(q)) {
-                taker.take(strata.get(q).bots, spread.along(q, along) * strata.get(q).clusters / variance);
-            }
-        }
+        return along;
     }
 
     /** The difference of a rating to the weighted mean of all; the weights have the sum 1. */
@@ -267,15 +273,20 @@ public final class RatingFit {
             variance += PRIOR * along[i] * along[i];
         }
         variance += tied ? TIES_PRIOR * along[bots] * along[bots] : 0;
+        double played = 0;
         double squares = 0;
+        double byFreedom = 0;
         for (int q = 0; q < strata.size(); q++) {
             if (spread.isAny(q)) {
                 double part = spread.along(q, along);
-                variance += part;
-                squares += part * part / spread.freedom(q);
+                played += part;
+                squares += part * part;
+                byFreedom += part * part / spread.freedom(q);
             }
         }
+        variance += played;
         return new Difference(value, variance,
-            squares > 0 ? Math.min(CERTAIN, variance * variance / squares) : CERTAIN);
+            byFreedom > 0 ? Math.min(CERTAIN, variance * variance / byFreedom) : CERTAIN,
+            played > 0 ? squares / (played * played) : 1);
     }
 }

@@ -105,6 +105,16 @@ final class MadeUpGroup {
         return stratum;
     }
 
+    /** A stratum in which everything has gone as often as is to be expected. */
+    Stratum inProportion(long clusters) {
+        Stratum stratum = stratum();
+        double[] chances = chances();
+        for (int k = 0; k < chances.length; k++) {
+            stratum.add(k, Math.round(chances[k] * clusters));
+        }
+        return stratum;
+    }
+
     int[] bots() {
         return bots;
     }

@@ -87,10 +87,10 @@ class SelfCheckTest {
     void leaguesThatAreEndedByARuleAreRight() throws InterruptedException {
         MadeUpLeague league = MadeUpLeague.pairs("six", new double[] {200, 120, 90, 0, -60, -200}, 0.3, 20, 50, 40);
         StopRule rule = new StopRule(Double.NaN, true, 20);
-        AdaptiveCheck.Outcome turns = new AdaptiveCheck(league, false, rule, 100_000).run(2, 40, 5);
-        AdaptiveCheck.Outcome learnt = new AdaptiveCheck(league, true, rule, 100_000).run(2, 40, 5);
+        ScheduleCheck.Outcome turns = new ScheduleCheck(league, false, rule, 100_000).run(2, 40, 5);
+        ScheduleCheck.Outcome learnt = new ScheduleCheck(league, true, rule, 100_000).run(2, 40, 5);
         assertTrue(turns.right() >= 0.95 && learnt.right() >= 0.95, turns + " " + learnt);
-        assertTrue(learnt.coverage().least() >= 0.85, learnt::toString);
+        assertTrue(learnt.atLooks(Coverage.Among.ALL).least() >= 0.85, learnt::toString);
         assertTrue(learnt.decisions() < 0.8 * turns.decisions(), turns + " " + learnt);
     }
 
