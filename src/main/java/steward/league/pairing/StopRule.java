@@ -28,6 +28,8 @@ public record StopRule(double bars, boolean ranked, double equal) {
 
     /** Elo within which bots count as equal, if nothing else is said. */
     public static final double USUAL_EQUAL = 5;
+    /** How much of what may be said wrongly falls to the test of bots that win or lose nearly everything. */
+    private static final double TESTED = 0.1;
     /** One that never ends a league. */
     public static final StopRule NONE = new StopRule(Double.NaN, false, USUAL_EQUAL);
 
@@ -59,14 +61,17 @@ public record StopRule(double bars, boolean ranked, double equal) {
     }
 
     /**
-     * What is known of two versions; it does not matter which of them is the better one. The bars hold with 95% for all
-     * pairs of bots and at all looks at once: each has the part of the 5% that falls to one of so many pairs.
+     * What is known of two versions; it does not matter which of them is the better one. All that is said holds with
+     * 95% for all pairs of bots and at all looks at once: each has the part of the 5% that falls to one of so many
+     * pairs, nine tenths for its bar and one for the test of those of which one has won or lost nearly everything.
      */
     Order order(Ratings ratings, int one, int other) {
         int bots = ratings.versions().size();
+        double alpha = AnytimeBar.ALPHA / Math.max(1, bots * (bots - 1) / 2);
         Difference difference = ratings.difference(one, other);
-        double bar = difference.anytimeBar(AnytimeBar.ALPHA / Math.max(1, bots * (bots - 1) / 2));
+        double bar = difference.anytimeBar((1 - TESTED) * alpha);
         double apart = Math.abs(difference.elo());
-        return apart > bar ? Order.ORDERED : apart + bar <= equal ? Order.EQUAL : Order.OPEN;
+        return apart > bar || ratings.isUnequal(one, other, TESTED * alpha) ? Order.ORDERED
+            : apart + bar <= equal ? Order.EQUAL : Order.OPEN;
     }
 }

@@ -37,9 +37,10 @@ final class ClusterSpread {
      * @param ratings at the maximum, in natural units
      * @param tied    whether there are ties: then the inverse has a last row for the logarithm of their weight
      * @param ties    the weight of ties
+     * @param tested  whether these are ratings that are tested: then all clusters count by their distance to the model
      * @param inverse of the second derivatives
      */
-    ClusterSpread(List<Stratum> strata, double[][] weights, double[] ratings, boolean tied, double ties,
+    ClusterSpread(List<Stratum> strata, double[][] weights, double[] ratings, boolean tied, double ties, boolean tested,
                   double[]... inverse) {
         this.strata = strata;
         this.weights = weights;
@@ -53,7 +54,7 @@ final class ClusterSpread {
         TieModel model = new TieModel();
         for (int q = 0; q < moments.length; q++) {
             if (strata.get(q).clusters > 0) {
-                spread(q, model);
+                spread(q, model, !tested && strata.get(q).clusters >= RatingFit.WHOLE);
             }
         }
     }
@@ -111,13 +112,12 @@ final class ClusterSpread {
         return sum;
     }
 
-    private void spread(int q, TieModel model) {
+    private void spread(int q, TieModel model, boolean own) {
         Stratum stratum = strata.get(q);
         int pairs = stratum.pairs();
         int size = stratum.bots.length + 1;
         double[] mean = new double[2 * pairs];
         double[] told = new double[3 * pairs];
-        boolean own = stratum.clusters >= RatingFit.WHOLE;
         double leverage = model(q, model, mean, told, own);
         double[] found = observed(q, mean);
         double freedom = own ? stratum.clusters - 1 : stratum.clusters * (1 - leverage);

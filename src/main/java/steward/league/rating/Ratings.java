@@ -59,6 +59,21 @@ public record Ratings(List<Integer> versions, RatingFit fit, double... weights) 
         return fit.difference(place(one), place(other));
     }
 
+    /**
+     * Whether two versions of which one has won or lost nearly everything are surely not equal; the one with the higher
+     * rating is the better one then. May be asked at any time.
+     *
+     * @param alpha the probability with which this may ever be said wrongly
+     */
+    public boolean isUnequal(int one, int other, double alpha) {
+        if (!fit.isExtreme(place(one), place(other))) {
+            return false;
+        }
+        Difference tested = fit.fromEqual(place(one), place(other));
+        return Math.abs(tested.elo()) > tested.anytimeBar(alpha)
+            && tested.value() * difference(one, other).value() > 0;
+    }
+
     /** The ranks that the games leave a version. */
     public RankRange ranks(int version) {
         return RankRange.of(fit, place(version));

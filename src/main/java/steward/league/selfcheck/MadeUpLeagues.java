@@ -44,6 +44,12 @@ final class MadeUpLeagues {
         return List.of(trio(), mixed(), threes());
     }
 
+    /** Those in which one wins nearly everything. */
+    static List<MadeUpLeague> won() {
+        return List.of(two(1500), MadeUpLeague.pairs("5 bots, one 1400 Elo ahead",
+            new double[] {1500, 100, 0, -100, -200}, 0.1, 0, 0, 0));
+    }
+
     /** 16 bots, by the steps in Elo between neighbours. */
     static MadeUpLeague sixteen(double... steps) {
         double[] elo = new double[steps.length + 1];

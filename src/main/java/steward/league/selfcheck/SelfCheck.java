@@ -203,19 +203,27 @@ public final class SelfCheck {
             int middle = league.bots() / 2;
             rules(league.gauntlet(middle), "gauntlet of bot " + (middle + 1), false);
         }
+        StopRule ranked = new StopRule(Double.NaN, true, StopRule.USUAL_EQUAL);
+        for (MadeUpLeague league : MadeUpLeagues.won()) {
+            rule(league, "round robin", false, ranked);
+            rule(league, "adaptive", true, ranked);
+        }
     }
 
     private void rules(MadeUpLeague league, String pairing, boolean adaptive) throws InterruptedException {
-        for (StopRule rule : List.of(new StopRule(50, false, StopRule.USUAL_EQUAL),
-            new StopRule(Double.NaN, true, 30))) {
-            ScheduleCheck.Outcome found = new ScheduleCheck(league, adaptive, rule, MOST_DECISIONS)
-                .run(threads, leagues, SEED);
-            for (Coverage.Among among : among(league)) {
-                row(league.name(), pairing + words(among),
-                    rule.ranked() ? "--until-ranked --equal 30" : "--until-bars 50", Math.round(found.decisions()),
-                    Coverage.percent(found.atLooks(among).least()), Coverage.percent(found.atEnd(among).least()),
-                    rule.ranked() ? Coverage.percent(found.right()) : "-");
-            }
+        rule(league, pairing, adaptive, new StopRule(50, false, StopRule.USUAL_EQUAL));
+        rule(league, pairing, adaptive, new StopRule(Double.NaN, true, 30));
+    }
+
+    private void rule(MadeUpLeague league, String pairing, boolean adaptive, StopRule rule)
+        throws InterruptedException {
+        ScheduleCheck.Outcome found = new ScheduleCheck(league, adaptive, rule, MOST_DECISIONS)
+            .run(threads, leagues, SEED);
+        for (Coverage.Among among : among(league)) {
+            row(league.name(), pairing + words(among), rule.ranked()
+                ? "--until-ranked --equal " + Math.round(rule.equal()) : "--until-bars " + Math.round(rule.bars()),
+                Math.round(found.decisions()), Coverage.percent(found.atLooks(among).least()),
+                Coverage.percent(found.atEnd(among).least()), rule.ranked() ? Coverage.percent(found.right()) : "-");
         }
     }
 
