@@ -6,6 +6,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -57,6 +59,9 @@ public final class TuneCommand implements Callable<Integer> {
     private static final double ALPHA = 0.05;
     private static final double GAIN = 20;
     private static final String PREFIX = "tune.";
+
+    /** What a parameter looks like. Other braces may be the bot's own business. */
+    private static final Pattern PLACEHOLDER = Pattern.compile("\\{\\w+:[^{}\"]*}");
 
     private final Streams streams;
     private final CallCheck check = CallCheck.withHelp();
@@ -131,6 +136,13 @@ public final class TuneCommand implements Callable<Integer> {
             command = TunedCommand.parse(bot);
         } catch (IllegalArgumentException problem) {
             throw new InputException("--bot: " + problem.getMessage());
+        }
+        for (String other : against) {
+            Matcher placeholder = PLACEHOLDER.matcher(other);
+            if (placeholder.find()) {
+                throw new InputException("--against: found the parameter '" + placeholder.group()
+                    + "', expected a bot without any: those in --bot are tuned");
+            }
         }
         if (plots != null) {
             OutputFiles.prepareFolder(OutputFiles.path(plots));

@@ -10,10 +10,14 @@ import steward.league.Pairing;
 import steward.league.rating.Ratings;
 
 /**
- * Chooses the group whose next games shrink most the doubt about the order of neighbours. The doubt about two
- * neighbours that are neither surely ordered nor surely equal is the variance of the difference of their ratings. It is
- * a sum over groups, each part being inverse to the group's number of clusters: one more of n takes the part 1/(n + 1)
- * of the group's part away. Sums of these over all doubtful neighbours, each as a share of its variance, are compared.
+ * Chooses the group whose next games shrink most the doubt about the order. The doubt about two bots that are neither
+ * surely ordered nor surely equal is the variance of the difference of their ratings. It is a sum over groups, each
+ * part being inverse to the group's number of clusters: one more of n takes the part 1/(n + 1) of the group's part
+ * away. Sums of these over all doubtful pairs, each as a share of its variance, are compared.
+ *
+ * <p>All pairs of bots that are in doubt count, not only those that stand beside each other now: which of them do is
+ * chance, and where chance says who plays, those who were lucky stay so. Bars were then found to hold in 93.5%. For the
+ * same reason variances are those of the model, not of the few clusters that a pairing has.
  *
  * <p>Before that every pair meets {@value #FIRST} times, and always each bot has at least the share {@link #LEAST} of
  * the games that it would have in a round robin. What is chosen follows from results of decisions that are {@code lag}
@@ -46,7 +50,7 @@ public final class AdaptivePairing implements Pairing {
     /**
      * @param versions that play
      * @param ratings  of them by the results of decisions below a number, which is never less than before
-     * @param rule     says which neighbours are in doubt
+     * @param rule     says which bots are in doubt
      */
     public AdaptivePairing(List<Integer> versions, int players, int lag, StopRule rule, IntFunction<Ratings> ratings) {
         this.versions = versions.stream().sorted().toList();
@@ -111,22 +115,25 @@ public final class AdaptivePairing implements Pairing {
 
     /** What each group is worth, or {@code null} if nothing is in doubt. */
     private double[] worth(Ratings found) {
-        List<Integer> order = StopRule.order(found);
-        List<StopRule.Order> orders = rule.orders(found, order);
-        double[] worth = new double[groups.size()];
-        boolean any = false;
-        for (int k = 0; k < orders.size(); k++) {
-            if (orders.get(k) == StopRule.Order.OPEN) {
-                any = true;
-                found.parts(order.get(k), order.get(k + 1)).forEach((group, part) -> {
-                    Integer place = places.get(group);
-                    if (place != null) {
-                        worth[place] += part;
-                    }
-                });
+        List<int[]> open = new ArrayList<>();
+        for (int i = 0; i < versions.size(); i++) {
+            for (int j = i + 1; j < versions.size(); j++) {
+                if (rule.order(found, versions.get(i), versions.get(j)) == StopRule.Order.OPEN) {
+                    open.add(new int[] {versions.get(i), versions.get(j)});
+                }
             }
         }
-        return any ? worth : null;
+        if (open.isEmpty()) {
+            return null;
+        }
+        double[] worth = new double[groups.size()];
+        found.parts(open).forEach((group, part) -> {
+            Integer place = places.get(group);
+            if (place != null) {
+                worth[place] += part;
+            }
+        });
+        return worth;
     }
 
     @Override

@@ -28,6 +28,8 @@ public record StopRule(double bars, boolean ranked, double equal) {
 
     /** Elo within which bots count as equal, if nothing else is said. */
     public static final double USUAL_EQUAL = 5;
+    /** How much of what may be said wrongly falls to the test of bots that win or lose nearly everything. */
+    private static final double TESTED = 0.1;
     /** One that never ends a league. */
     public static final StopRule NONE = new StopRule(Double.NaN, false, USUAL_EQUAL);
 
@@ -49,20 +51,27 @@ public record StopRule(double bars, boolean ranked, double equal) {
             -ratings.fit().rating(ratings.versions().indexOf(version))).thenComparing(version -> version)).toList();
     }
 
-    /**
-     * What is known of each version of an order and the next one. The bars hold with 95% for all pairs of bots and at
-     * all looks at once: each has the part of the 5% that falls to one of so many pairs.
-     */
+    /** What is known of each version of an order and the next one. */
     public List<Order> orders(Ratings ratings, List<Integer> order) {
-        int bots = order.size();
-        double alpha = AnytimeBar.ALPHA / Math.max(1, bots * (bots - 1) / 2);
         List<Order> orders = new ArrayList<>();
-        for (int k = 0; k + 1 < bots; k++) {
-            Difference difference = ratings.difference(order.get(k), order.get(k + 1));
-            double bar = difference.anytimeBar(alpha);
-            orders.add(difference.elo() > bar ? Order.ORDERED
-                : Math.abs(difference.elo()) + bar <= equal ? Order.EQUAL : Order.OPEN);
+        for (int k = 0; k + 1 < order.size(); k++) {
+            orders.add(order(ratings, order.get(k), order.get(k + 1)));
         }
         return orders;
+    }
+
+    /**
+     * What is known of two versions; it does not matter which of them is the better one. All that is said holds with
+     * 95% for all pairs of bots and at all looks at once: each has the part of the 5% that falls to one of so many
+     * pairs, nine tenths for its bar and one for the test of those of which one has won or lost nearly everything.
+     */
+    Order order(Ratings ratings, int one, int other) {
+        int bots = ratings.versions().size();
+        double alpha = AnytimeBar.ALPHA / Math.max(1, bots * (bots - 1) / 2);
+        Difference difference = ratings.difference(one, other);
+        double bar = difference.anytimeBar((1 - TESTED) * alpha);
+        double apart = Math.abs(difference.elo());
+        return apart > bar || ratings.isUnequal(one, other, TESTED * alpha) ? Order.ORDERED
+            : apart + bar <= equal ? Order.EQUAL : Order.OPEN;
     }
 }

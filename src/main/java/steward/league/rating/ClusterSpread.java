@@ -29,15 +29,18 @@ final class ClusterSpread {
     /** By stratum, over its bots' ratings and the weight of ties, in rows; {@code null} without clusters. */
     private final double[][] moments;
     private final double[] freedoms;
+    /** By stratum and pair, as the model tells them: variance of points, covariance, variance of ties, all weighted. */
+    private final double[][] variances;
 
     /**
      * @param weights of a game, by stratum and pair
      * @param ratings at the maximum, in natural units
      * @param tied    whether there are ties: then the inverse has a last row for the logarithm of their weight
      * @param ties    the weight of ties
+     * @param tested  whether these are ratings that are tested: then all clusters count by their distance to the model
      * @param inverse of the second derivatives
      */
-    ClusterSpread(List<Stratum> strata, double[][] weights, double[] ratings, boolean tied, double ties,
+    ClusterSpread(List<Stratum> strata, double[][] weights, double[] ratings, boolean tied, double ties, boolean tested,
                   double[]... inverse) {
         this.strata = strata;
         this.weights = weights;
@@ -47,10 +50,11 @@ final class ClusterSpread {
         this.inverse = inverse;
         moments = new double[strata.size()][];
         freedoms = new double[strata.size()];
+        variances = new double[strata.size()][];
         TieModel model = new TieModel();
         for (int q = 0; q < moments.length; q++) {
             if (strata.get(q).clusters > 0) {
-                spread(q, model);
+                spread(q, model, !tested && strata.get(q).clusters >= RatingFit.WHOLE);
             }
         }
     }
@@ -88,18 +92,37 @@ final class ClusterSpread {
         return sum;
     }
 
-    private void spread(int q, TieModel model) {
+    /**
+     * The same if games vary as the model tells and do not go together. It is told by all games: a pairing whose few
+     * clusters happen to be alike does not seem surer than others.
+     */
+    double modelled(int q, double... along) {
+        int[] group = strata.get(q).bots;
+        double[] told = variances[q];
+        double last = tied ? along[along.length - 1] : 0;
+        double sum = 0;
+        int k = 0;
+        for (int i = 0; i < group.length; i++) {
+            for (int j = i + 1; j < group.length; j++) {
+                double apart = along[group[i]] - along[group[j]];
+                sum += told[k] * apart * apart + 2 * told[k + 1] * apart * last + told[k + 2] * last * last;
+                k += 3;
+            }
+        }
+        return sum;
+    }
+
+    private void spread(int q, TieModel model, boolean own) {
         Stratum stratum = strata.get(q);
         int pairs = stratum.pairs();
         int size = stratum.bots.length + 1;
         double[] mean = new double[2 * pairs];
-        double[] variances = new double[3 * pairs];
-        boolean own = stratum.clusters >= RatingFit.WHOLE;
-        double leverage = model(q, model, mean, variances, own);
+        double[] told = new double[3 * pairs];
+        double leverage = model(q, model, mean, told, own);
         double[] found = observed(q, mean);
         double freedom = own ? stratum.clusters - 1 : stratum.clusters * (1 - leverage);
         double factor = (own ? stratum.clusters / freedom : 1 / (1 - leverage)) * freedom / (freedom + MIXED);
-        double[] extra = extremes(stratum, weights[q], mean, variances);
+        double[] extra = extremes(stratum, weights[q], mean, told);
         double[] moment = new double[size * size];
         for (int k = 0; k < moment.length; k++) {
             moment[k] = factor * found[k];
@@ -108,12 +131,13 @@ final class ClusterSpread {
         for (int i = 0; i + 1 < size; i++) {
             for (int j = i + 1; j + 1 < size; j++) {
                 double mixed = MIXED / (freedom + MIXED);
-                addPair(moment, size, i, j, (mixed + extra[pair]) * variances[3 * pair],
-                    mixed * variances[3 * pair + 1], mixed * variances[3 * pair + 2]);
+                addPair(moment, size, i, j, (mixed + extra[pair]) * told[3 * pair],
+                    mixed * told[3 * pair + 1], mixed * told[3 * pair + 2]);
                 pair++;
             }
         }
         moments[q] = moment;
+        variances[q] = told;
         freedoms[q] = freedom + MIXED;
     }
 
@@ -134,10 +158,10 @@ final class ClusterSpread {
      * What the model says of a stratum.
      *
      * @param mean      to be filled: points and ties of a game, of the model or of the stratum itself
-     * @param variances to be filled: variance of the points, covariance, variance of ties of all weighted games
+     * @param told      to be filled: variance of the points, covariance, variance of ties of all weighted games
      * @return the leverage of a cluster
      */
-    private double model(int q, TieModel model, double[] mean, double[] variances, boolean own) {
+    private double model(int q, TieModel model, double[] mean, double[] told, boolean own) {
         Stratum stratum = strata.get(q);
         int last = inverse.length - 1;
         double leverage = 0;
@@ -152,9 +176,9 @@ final class ClusterSpread {
                 mean[2 * pair + 1] = own && games > 0 ? stratum.sums[3 * pair + 2] / games : model.tie;
                 double weight = weights[q][pair];
                 double square = weight * weight * stratum.weight * games;
-                variances[3 * pair] = square * model.pointsVariance;
-                variances[3 * pair + 1] = tied ? square * model.covariance : 0;
-                variances[3 * pair + 2] = tied ? square * model.tieVariance : 0;
+                told[3 * pair] = square * model.pointsVariance;
+                told[3 * pair + 1] = tied ? square * model.covariance : 0;
+                told[3 * pair + 2] = tied ? square * model.tieVariance : 0;
                 if (!own) {
                     double turn = inverse[one][one] + inverse[other][other] - 2 * inverse[one][other];
                     double part = turn * model.pointsVariance;
@@ -206,7 +230,7 @@ final class ClusterSpread {
     }
 
     /** By pair, which part of the model's variance is added: where one has hardly any points what is missing to it. */
-    private static double[] extremes(Stratum stratum, double[] weights, double[] mean, double... variances) {
+    private static double[] extremes(Stratum stratum, double[] weights, double[] mean, double... told) {
         double[] extra = new double[stratum.pairs()];
         for (int pair = 0; pair < extra.length; pair++) {
             double games = stratum.sums[3 * pair];
@@ -220,7 +244,7 @@ final class ClusterSpread {
                 double surplus = weights[pair] * (numbers[3 * pair + 1] - numbers[3 * pair] * mean[2 * pair]);
                 found += stratum.counts[p] * surplus * surplus;
             }
-            extra[pair] = Math.max(0, 1 - found / variances[3 * pair]);
+            extra[pair] = Math.max(0, 1 - found / told[3 * pair]);
         }
         return extra;
     }

@@ -6,13 +6,17 @@ package steward.league.rating;
  * @param value    in natural units: the logarithm of wins per loss
  * @param variance of it
  * @param freedom  degrees of freedom of the variance
+ * @param single   how much of a single pairing it is: the sum of the squares of the pairings' shares of the variance, 1
+ *                 where one has all of it
  */
-public record Difference(double value, double variance, double freedom) {
+public record Difference(double value, double variance, double freedom, double single) {
 
     /** The standard normal quantile of 0.975. */
     private static final double Z = 1.959963984540054;
-    /** From so many degrees of freedom on, which 30 clusters have, bars are those of the normal distribution. */
+    /** Degrees of freedom that 30 clusters have; see {@link #ofBar}. */
     private static final double LARGE = 29;
+    /** Less than this is no difference to a single pairing but rounding. */
+    private static final double ROUNDING = 1e-9;
 
     /** In Elo; a bar of so much says that nothing is known. */
     public static final double MOST_BAR = 9999;
@@ -34,8 +38,19 @@ public record Difference(double value, double variance, double freedom) {
 
     /** Half the width of the bar in Elo that holds as surely as z standard deviations. */
     public double bar(double z) {
-        return Math.min(MOST_BAR,
-            RatingFit.ELO * Math.sqrt(variance) * (freedom >= LARGE ? z : Normal.student(z, freedom)));
+        return Math.min(MOST_BAR, RatingFit.ELO * Math.sqrt(variance) * ofBar(z));
+    }
+
+    /**
+     * Student's t for few clusters. From 30 on a single pairing needs the normal distribution alone: the variance of a
+     * share of points is known when the share is, nearly. A sum over pairings has no such help, so that Student's t
+     * stays for what is not of a single one.
+     */
+    private double ofBar(double z) {
+        if (freedom < LARGE) {
+            return Normal.student(z, freedom);
+        }
+        return single > 1 - ROUNDING ? z : Normal.student(z, freedom / (1 - single));
     }
 
     /** Half the width in Elo of the 95% bar that holds at all looks at once. */

@@ -31,6 +31,10 @@ public final class RatingFit {
     /** A longer step is shortened: far from the top the parabola is a poor guide. */
     private static final double LONGEST_STEP = 2;
     private static final double CLOSE = 1e-10;
+    /** How much more than the games two ratings pull that are held together. */
+    private static final double HELD = 10_000;
+    /** Scores beyond are those of which the variance at the top tells little: hardly anything went the other way. */
+    private static final double EXTREME = 0.05;
     /** Degrees of freedom of a variance that is known. */
     private static final double CERTAIN = 1e9;
 
@@ -39,16 +43,21 @@ public final class RatingFit {
     /** The weight of a game of each pair of each stratum. */
     private final double[][] weights;
     private final double[] ratings;
+    /** Weighted points and games of each bot. */
+    private final double[] points;
+    private final double[] games;
     private boolean tied;
     private double logTies;
     private double[][] inverse;
     private ClusterSpread spread;
 
-    private RatingFit(int bots, List<Stratum> strata, boolean pooled) {
+    private RatingFit(int bots, List<Stratum> strata, double[]... weights) {
         this.bots = bots;
         this.strata = strata;
         ratings = new double[bots];
-        weights = PairingWeights.of(bots, strata, pooled);
+        points = new double[bots];
+        games = new double[bots];
+        this.weights = weights;
     }
 
     /**
@@ -64,16 +73,21 @@ public final class RatingFit {
 
     /** The same, begun at another fit of the same bots, which is quicker where that is close; or {@code null}. */
     public static RatingFit of(int bots, List<Stratum> strata, boolean pooled, RatingFit near) {
-        RatingFit fit = new RatingFit(bots, strata, pooled);
-        fit.climb(near);
-        fit.spread = new ClusterSpread(strata, fit.weights, fit.ratings, fit.tied, fit.ties(), fit.inverse);
+        RatingFit fit = new RatingFit(bots, strata, PairingWeights.of(bots, strata, pooled));
+        fit.climb(near, (int[]) null);
+        fit.spread = new ClusterSpread(strata, fit.weights, fit.ratings, fit.tied, fit.ties(), false, fit.inverse);
         return fit;
     }
 
     // ---- the maximum -----------------------------------------------------------------------------
 
-    /** Newton's method: the logarithm of the posterior is concave. */
-    private void climb(RatingFit near) {
+    /**
+     * Newton's method: the logarithm of the posterior is concave.
+     *
+     * @param held two bots whose ratings are held together, or {@code null}
+     * @return the step that would come next; with two that are held, if they were let go
+     */
+    private double[] climb(RatingFit near, int... held) {
         double[][] sums = new double[3][bots * bots];
         Stratum.each(strata, (q, k, low, high) -> {
             double[] own = strata.get(q).sums;
@@ -82,8 +96,12 @@ public final class RatingFit {
             }
         });
         double ties = 0;
-        for (double each : sums[2]) {
-            ties += each;
+        for (int k = 0; k < sums[2].length; k++) {
+            ties += sums[2][k];
+            games[k / bots] += sums[0][k];
+            games[k % bots] += sums[0][k];
+            points[k / bots] += sums[1][k];
+            points[k % bots] += sums[0][k] - sums[1][k];
         }
         tied = ties > 0;
         if (near != null) {
@@ -97,6 +115,9 @@ public final class RatingFit {
         Cholesky factor = null;
         for (int step = 0; step < MOST_STEPS; step++) {
             derivatives(sums, model, slope, curvature);
+            if (held != null) {
+                hold(slope, curvature, held[0], held[1]);
+            }
             factor = new Cholesky(curvature);
             double[] change = factor.solve(slope);
             double longest = 0;
@@ -112,7 +133,23 @@ public final class RatingFit {
                 break;
             }
         }
+        if (held != null) {
+            derivatives(sums, model, slope, curvature);
+            factor = new Cholesky(curvature);
+        }
         inverse = factor.inverse();
+        return factor.solve(slope);
+    }
+
+    private void hold(double[] slope, double[][] curvature, int one, int other) {
+        double pull = HELD * (curvature[one][one] + curvature[other][other]);
+        double apart = pull * (ratings[one] - ratings[other]);
+        slope[one] -= apart;
+        slope[other] += apart;
+        curvature[one][one] += pull;
+        curvature[other][other] += pull;
+        curvature[one][other] -= pull;
+        curvature[other][one] -= pull;
     }
 
     private void derivatives(double[][] sums, TieModel model, double[] slope, double[][] curvature) {
@@ -155,6 +192,10 @@ public final class RatingFit {
     }
 
     // ---- what can be asked -----------------------------------------------------------------------
+
+    List<Stratum> strata() {
+        return strata;
+    }
 
     /** How many bots there are. */
     public int bots() {
@@ -221,30 +262,57 @@ public final class RatingFit {
 
     /** The difference of two ratings. */
     public Difference difference(int one, int other) {
+        return of(along(one, other), ratings[one] - ratings[other]);
+    }
+
+    /** Whether one of two has won or lost nearly everything: then {@link #fromEqual} tells their order sooner. */
+    public boolean isExtreme(int one, int other) {
+        return isExtreme(one) || isExtreme(other);
+    }
+
+    private boolean isExtreme(int bot) {
+        return Math.min(points[bot], games[bot] - points[bot]) < EXTREME * games[bot];
+    }
+
+    /**
+     * The difference of two ratings seen from where they are equal: the first step that the games ask for from the best
+     * fit in which they are, with its variance there. It tests whether they are equal (a score test, with the sandwich:
+     * D. D. Boos, "On generalized score tests", American Statistician 46, 1992), and is no estimate. Where one has won
+     * everything the top is far out and flat, and says nothing for hundreds of games; here n wins are some root of n
+     * standard deviations. The clusters' squares about what is tested grow with their distance, so that a few that are
+     * alike do not seem sure: degrees of freedom are not needed.
+     */
+    public Difference fromEqual(int one, int other) {
+        RatingFit fit = new RatingFit(bots, strata, weights);
+        double[] step = fit.climb(this, one, other);
+        fit.spread = new ClusterSpread(strata, weights, fit.ratings, fit.tied, fit.ties(), true, fit.inverse);
+        Difference found = fit.difference(one, other);
+        return new Difference(found.value() + step[one] - step[other], found.variance(), CERTAIN, 1);
+    }
+
+    /**
+     * Adds by stratum: its number of clusters times its part in the variance of a difference, as a share of it. That is
+     * what one cluster more takes away, times the square of the number. Variances are those that the model tells.
+     */
+    void addParts(int one, int other, double... parts) {
+        double[] along = along(one, other);
+        double variance = 0;
+        double[] own = new double[parts.length];
+        for (int q = 0; q < parts.length; q++) {
+            own[q] = spread.isAny(q) ? spread.modelled(q, along) : 0;
+            variance += own[q];
+        }
+        for (int q = 0; q < parts.length; q++) {
+            parts[q] += variance > 0 ? own[q] * strata.get(q).clusters / variance : 0;
+        }
+    }
+
+    private double[] along(int one, int other) {
         double[] along = new double[inverse.length];
         for (int k = 0; k < along.length; k++) {
             along[k] = inverse[one][k] - inverse[other][k];
         }
-        return of(along, ratings[one] - ratings[other]);
-    }
-
-    /** Takes the part of a group of bots. */
-    interface PartTaker {
-        void take(int[] group, double part);
-    }
-
-    /** Tells by group: its number of clusters times their part in the variance of a difference, as a share of it. */
-    void parts(int one, int other, PartTaker taker) {
-        double[] along = new double[inverse.length];
-        for (int k = 0; k < along.length; k++) {
-            along[k] = inverse[one][k] - inverse[other][k];
-        }
-        double variance = of(along, 0).variance();
-        for (int q = 0; q < strata.size(); q++) {
-            if (spread.isAny(q)) {
-                taker.take(strata.get(q).bots, spread.along(q, along) * strata.get(q).clusters / variance);
-            }
-        }
+        return along;
     }
 
     /** The difference of a rating to the weighted mean of all; the weights have the sum 1. */
@@ -267,15 +335,20 @@ public final class RatingFit {
             variance += PRIOR * along[i] * along[i];
         }
         variance += tied ? TIES_PRIOR * along[bots] * along[bots] : 0;
+        double played = 0;
         double squares = 0;
+        double byFreedom = 0;
         for (int q = 0; q < strata.size(); q++) {
             if (spread.isAny(q)) {
                 double part = spread.along(q, along);
-                variance += part;
-                squares += part * part / spread.freedom(q);
+                played += part;
+                squares += part * part;
+                byFreedom += part * part / spread.freedom(q);
             }
         }
+        variance += played;
         return new Difference(value, variance,
-            squares > 0 ? Math.min(CERTAIN, variance * variance / squares) : CERTAIN);
+            byFreedom > 0 ? Math.min(CERTAIN, variance * variance / byFreedom) : CERTAIN,
+            played > 0 ? squares / (played * played) : 1);
     }
 }

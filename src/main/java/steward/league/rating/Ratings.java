@@ -59,6 +59,21 @@ public record Ratings(List<Integer> versions, RatingFit fit, double... weights) 
         return fit.difference(place(one), place(other));
     }
 
+    /**
+     * Whether two versions of which one has won or lost nearly everything are surely not equal; the one with the higher
+     * rating is the better one then. May be asked at any time.
+     *
+     * @param alpha the probability with which this may ever be said wrongly
+     */
+    public boolean isUnequal(int one, int other, double alpha) {
+        if (!fit.isExtreme(place(one), place(other))) {
+            return false;
+        }
+        Difference tested = fit.fromEqual(place(one), place(other));
+        return Math.abs(tested.elo()) > tested.anytimeBar(alpha)
+            && tested.value() * difference(one, other).value() > 0;
+    }
+
     /** The ranks that the games leave a version. */
     public RankRange ranks(int version) {
         return RankRange.of(fit, place(version));
@@ -69,11 +84,22 @@ public record Ratings(List<Integer> versions, RatingFit fit, double... weights) 
         return fit.residual(place(one), place(other));
     }
 
-    /** By group: the number of its clusters times their part in the variance of a difference, as a share of it. */
-    public Map<List<Integer>, Double> parts(int one, int other) {
+    /**
+     * By group: the number of its clusters times its part in the variance of a difference, as a share of it, summed up
+     * over some differences.
+     *
+     * @param pairs of versions
+     */
+    public Map<List<Integer>, Double> parts(List<int[]> pairs) {
+        List<Stratum> strata = fit.strata();
+        double[] sums = new double[strata.size()];
+        for (int[] pair : pairs) {
+            fit.addParts(place(pair[0]), place(pair[1]), sums);
+        }
         Map<List<Integer>, Double> parts = new LinkedHashMap<>();
-        fit.parts(place(one), place(other), (group, part) ->
-            parts.merge(Arrays.stream(group).mapToObj(versions::get).toList(), part, Double::sum));
+        for (int q = 0; q < sums.length; q++) {
+            parts.merge(Arrays.stream(strata.get(q).bots).mapToObj(versions::get).toList(), sums[q], Double::sum);
+        }
         return parts;
     }
 

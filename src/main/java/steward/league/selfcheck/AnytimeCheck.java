@@ -59,12 +59,16 @@ record AnytimeCheck(MadeUpLeague league, int rounds) {
         for (int i = 0; i < league.bots(); i++) {
             for (int j = i + 1; j < league.bots(); j++) {
                 if (!out[pair]) {
-                    Difference found = fit.difference(i, j);
-                    double truth = league.truth().rating(i) - league.truth().rating(j);
-                    out[pair] = Math.abs(found.elo() - truth) > found.anytimeBar();
+                    out[pair] = isOutside(fit.difference(i, j), league.truth().rating(i) - league.truth().rating(j));
                 }
                 pair++;
             }
         }
+    }
+
+    /** Whether the truth is outside the anytime bar. That is never below two standard deviations, which saves time. */
+    static boolean isOutside(Difference found, double truth) {
+        double error = Math.abs(found.elo() - truth);
+        return error > 2 * RatingFit.ELO * Math.sqrt(found.variance()) && error > found.anytimeBar();
     }
 }

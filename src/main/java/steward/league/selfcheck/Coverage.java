@@ -14,12 +14,27 @@ record Coverage(long leagues, double least, double most, double outer) {
 
     private static final double EXTREME = 0.05;
 
+    /** Differences of ratings. */
+    enum Among {
+        /** All. */
+        ALL,
+        /** Those with the bot against which all others play. */
+        WITH_HERO,
+        /** Those of two others. */
+        OTHERS
+    }
+
     /**
      * From counts.
      *
      * @param inside by pairing, in the order (0,1), (0,2), ...
      */
     static Coverage of(MadeUpLeague league, long leagues, long... inside) {
+        return of(league, Among.ALL, leagues, inside);
+    }
+
+    /** The same of some differences. */
+    static Coverage of(MadeUpLeague league, Among among, long leagues, long... inside) {
         double least = Double.NaN;
         double most = Double.NaN;
         double outer = Double.NaN;
@@ -27,6 +42,10 @@ record Coverage(long leagues, double least, double most, double outer) {
         for (int i = 0; i < league.bots(); i++) {
             for (int j = i + 1; j < league.bots(); j++) {
                 double share = (double) inside[pair++] / leagues;
+                boolean hero = i == league.hero() || j == league.hero();
+                if (among != Among.ALL && hero != (among == Among.WITH_HERO)) {
+                    continue;
+                }
                 double score = league.truth().expected(i, j);
                 if (score < EXTREME || score > 1 - EXTREME) {
                     outer = Double.isNaN(outer) ? share : Math.min(outer, share);

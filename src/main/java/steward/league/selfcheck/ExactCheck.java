@@ -1,6 +1,7 @@
 package steward.league.selfcheck;
 
 import java.util.ArrayList;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import steward.league.rating.Difference;
 import steward.league.rating.RatingFit;
@@ -15,7 +16,8 @@ import steward.league.rating.Stratum;
  */
 record ExactCheck(int clusters) {
 
-    private static final double STEP = 5;
+    /** Between strengths, in Elo. */
+    static final double STEP = 5;
 
     /** A way in which the games can go: how many seeds one won, shared and lost; and what is found then. */
     private record Way(int won, int shared, int lost, double elo, double bar) {
@@ -29,23 +31,21 @@ record ExactCheck(int clusters) {
      * @param most  where it does most often
      */
     record Outcome(double least, double mean, double most) {
+
+        static Outcome of(List<Double> shares) {
+            DoubleSummaryStatistics sums = shares.stream().mapToDouble(Double::doubleValue).summaryStatistics();
+            return new Outcome(sums.getMin(), sums.getAverage(), sums.getMax());
+        }
     }
 
     /** For the differences in Elo {@code from}, {@code from} + 5, ... below {@code to}. */
     Outcome run(double from, double to) {
         List<Way> ways = ways();
-        double least = 1;
-        double most = 0;
-        double sum = 0;
-        int strengths = 0;
+        List<Double> shares = new ArrayList<>();
         for (double elo = from; elo < to; elo += STEP) {
-            double share = share(ways, league(elo));
-            least = Math.min(least, share);
-            most = Math.max(most, share);
-            sum += share;
-            strengths++;
+            shares.add(share(ways, league(elo)));
         }
-        return new Outcome(least, sum / strengths, most);
+        return Outcome.of(shares);
     }
 
     private static MadeUpLeague league(double elo) {

@@ -105,6 +105,16 @@ final class MadeUpGroup {
         return stratum;
     }
 
+    /** A stratum in which everything has gone as often as is to be expected. */
+    Stratum inProportion(long clusters) {
+        Stratum stratum = stratum();
+        double[] chances = chances();
+        for (int k = 0; k < chances.length; k++) {
+            stratum.add(k, Math.round(chances[k] * clusters));
+        }
+        return stratum;
+    }
+
     int[] bots() {
         return bots;
     }
@@ -112,11 +122,17 @@ final class MadeUpGroup {
     /** Draws a cluster: the number of its pattern. */
     int draw(SplitMix64 random) {
         double drawn = uniform(random);
-        int pattern = 0;
-        while (drawn >= cumulative[pattern]) {
-            pattern++;
+        int low = 0;
+        int high = cumulative.length - 1;
+        while (low < high) {
+            int middle = (low + high) >>> 1;
+            if (drawn >= cumulative[middle]) {
+                low = middle + 1;
+            } else {
+                high = middle;
+            }
         }
-        return pattern;
+        return low;
     }
 
     private static double uniform(SplitMix64 random) {

@@ -2,6 +2,7 @@ package steward.league.selfcheck;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import steward.league.rating.RatingFit;
 
 /**
@@ -11,17 +12,33 @@ import steward.league.rating.RatingFit;
  * @param bots   how many
  * @param pooled see {@link RatingFit#of}
  * @param groups all that can be paired
- * @param truth  the fit under uniform pairing without chance
+ * @param hero   the bot that is in all groups, where all play against one; otherwise -1
+ * @param truth  the fit under uniform pairing of the groups without chance
  */
-record MadeUpLeague(String name, int bots, boolean pooled, List<MadeUpGroup> groups, RatingFit truth) {
+record MadeUpLeague(String name, int bots, boolean pooled, List<MadeUpGroup> groups, int hero, RatingFit truth) {
 
     /** So many clusters that the prior does not matter. */
     private static final long MANY = 1L << 40;
 
     /** A configuration of these groups. */
     static MadeUpLeague of(String name, int bots, boolean pooled, List<MadeUpGroup> groups) {
-        return new MadeUpLeague(name, bots, pooled, List.copyOf(groups),
+        return of(name, bots, pooled, groups, -1);
+    }
+
+    private static MadeUpLeague of(String name, int bots, boolean pooled, List<MadeUpGroup> groups, int hero) {
+        return new MadeUpLeague(name, bots, pooled, List.copyOf(groups), hero,
             RatingFit.of(bots, groups.stream().map(group -> group.truth(MANY)).toList(), pooled));
+    }
+
+    /** The same bots, all of them against one: what such games can tell is the fit to them, and not to all pairings. */
+    MadeUpLeague gauntlet(int bot) {
+        return of(name, bots, pooled,
+            groups.stream().filter(group -> IntStream.of(group.bots()).anyMatch(each -> each == bot)).toList(), bot);
+    }
+
+    /** The same games, compared with another truth. */
+    MadeUpLeague comparedWith(RatingFit other) {
+        return new MadeUpLeague(name, bots, pooled, groups, hero, other);
     }
 
     /**

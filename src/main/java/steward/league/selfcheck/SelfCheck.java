@@ -1,9 +1,11 @@
 package steward.league.selfcheck;
 
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import steward.league.pairing.StopRule;
 import steward.league.sequential.Gsprt;
 import steward.numerics.SplitMix64;
@@ -12,7 +14,8 @@ import steward.numerics.SplitMix64;
 public final class SelfCheck {
 
     /** The parts, in the order in which they are printed. */
-    public static final List<String> PARTS = List.of("fixed", "exact", "anytime", "rules", "sprt", "adaptive");
+    public static final List<String> PARTS = List.of("fixed", "exact", "pairings", "anytime", "rules", "sprt",
+        "adaptive");
 
     /** Leagues of a configuration, if nothing else is said. */
     public static final long USUAL = 20_000;
@@ -47,6 +50,7 @@ public final class SelfCheck {
         switch (part) {
             case "fixed" -> fixed();
             case "exact" -> exact();
+            case "pairings" -> pairings();
             case "anytime" -> anytime();
             case "rules" -> rules();
             case "sprt" -> sprt();
@@ -74,51 +78,21 @@ public final class SelfCheck {
         return String.format(Locale.ROOT, format, value);
     }
 
-    // ---- configurations --------------------------------------------------------------------------
-
-    private static MadeUpLeague two(double elo) {
-        return MadeUpLeague.pairs("2 bots, " + Math.round(elo) + " Elo apart", new double[] {elo, 0}, 0, 0, 0, 0);
-    }
-
-    private static List<MadeUpLeague> small() {
-        return List.of(two(0), two(100), two(300), two(400), two(480), two(700),
-            MadeUpLeague.pairs("2 bots, ties", new double[] {60, 0}, 0.8, 0, 0, 0),
-            MadeUpLeague.pairs("2 bots, ties, seeds of 150 Elo", new double[] {60, 0}, 0.5, 50, 150, 0),
-            MadeUpLeague.pairs("2 bots, ties, sides of 300 Elo", new double[] {60, 0}, 0.5, 300, 0, 0),
-            trio(), mixed(), MadeUpLeague.threes("5 bots, 3 players, seeds of 60 Elo", 60, MadeUpLeague.spaced(5, 60)),
-            MadeUpLeague.alone("4 bots, each alone", MadeUpLeague.spaced(4, 60)));
-    }
-
-    private static MadeUpLeague trio() {
-        return MadeUpLeague.pairs("3 bots, rock, paper, scissors of 150 Elo", MadeUpLeague.spaced(3, 0), 0.1, 0, 0,
-            150);
-    }
-
-    private static MadeUpLeague mixed() {
-        return MadeUpLeague.pairs("6 bots, three of them in a circle, ties, seeds, sides", MadeUpLeague.spaced(6, 40),
-            0.3, 30, 60, 100);
-    }
-
-    private static MadeUpLeague large() {
-        return MadeUpLeague.pairs("30 bots, ties, seeds of 60 Elo", MadeUpLeague.spaced(30, 20), 0.1, 0, 60, 0);
-    }
-
     // ---- the tables ------------------------------------------------------------------------------
 
     private void fixed() throws InterruptedException {
         head("Bars at a fixed number of clusters: how often they held, and ranges of ranks, in percent.", "league",
             "clusters of a pairing", "scores 5..95%: least", "most", "other scores: least", "ranks: least");
         for (int clusters : new int[] {5, 10, 30, 100, 300}) {
-            for (MadeUpLeague league : small()) {
+            for (MadeUpLeague league : MadeUpLeagues.small()) {
                 fixed(Integer.toString(clusters), FixedCheck.even(league, clusters));
             }
         }
-        for (MadeUpLeague league : List.of(trio(), mixed(), MadeUpLeague.threes("5 bots, 3 players",  0,
-            MadeUpLeague.spaced(5, 60)))) {
+        for (MadeUpLeague league : MadeUpLeagues.paired()) {
             fixed("30 to 400, unequal", new FixedCheck(league, unequal(league.groups().size())));
         }
         for (int clusters : new int[] {5, 30}) {
-            fixed(Integer.toString(clusters), FixedCheck.even(large(), clusters));
+            fixed(Integer.toString(clusters), FixedCheck.even(MadeUpLeagues.large(), clusters));
         }
     }
 
@@ -131,16 +105,24 @@ public final class SelfCheck {
 
     private void exact() {
         head("Bars of 2 bots without ties, computed for all strengths in steps of 5 Elo: how often they hold, in "
-            + "percent.", "clusters", "0 to 300 Elo apart: least", "mean", "most", "300 to 510 Elo apart: least",
-            "mean", "most");
+            + "percent. A cluster is two games.", "clusters", "bars", "0 to 300 Elo apart: least", "mean", "most",
+            "300 to 510 Elo apart: least", "mean", "most");
         for (int clusters : new int[] {30, 40, 60, 100, 200, 300}) {
             ExactCheck check = new ExactCheck(clusters);
-            ExactCheck.Outcome near = check.run(0, FAR);
-            ExactCheck.Outcome far = check.run(FAR, FARTHEST);
-            row(clusters, Coverage.percent(near.least()), Coverage.percent(near.mean()),
-                Coverage.percent(near.most()), Coverage.percent(far.least()), Coverage.percent(far.mean()),
-                Coverage.percent(far.most()));
+            exact(clusters, "these", check.run(0, FAR), check.run(FAR, FARTHEST));
         }
+        for (int clusters : new int[] {30, 40, 60}) {
+            OtherBars bars = new OtherBars(2 * clusters);
+            exact(clusters, "Wilson's", bars.wilson(0, FAR), bars.wilson(FAR, FARTHEST));
+            exact(clusters, "mid-P", bars.midP(0, FAR), bars.midP(FAR, FARTHEST));
+            exact(clusters, "nearest of all", bars.best(0, FAR), bars.best(FAR, FARTHEST));
+        }
+    }
+
+    private void exact(int clusters, String bars, ExactCheck.Outcome near, ExactCheck.Outcome far) {
+        row(clusters, bars, Coverage.percent(near.least()), Coverage.percent(near.mean()),
+            Coverage.percent(near.most()), Coverage.percent(far.least()), Coverage.percent(far.mean()),
+            Coverage.percent(far.most()));
     }
 
     private static int[] unequal(int groups) {
@@ -152,6 +134,49 @@ public final class SelfCheck {
         return clusters;
     }
 
+    private void pairings() throws InterruptedException {
+        head("Bars at a fixed number of seeds, by pairing: how often they held, in percent. Of a gauntlet's bars those "
+            + "of differences with its bot stand apart.", "league", "pairing", "seeds",
+            "clusters of the rarest pairing, mean", "scores 5..95%: least", "most", "other scores: least");
+        pairings(MadeUpLeagues.trio(), new int[] {30, 100, 300, 1000}, 0);
+        pairings(MadeUpLeagues.mixed(), new int[] {150, 600, 1500, 4000}, 0, 3);
+        pairings(MadeUpLeagues.threes(), new int[] {100, 300, 1000}, 0);
+        MadeUpLeague gauntlet = MadeUpLeagues.trio().gauntlet(0).comparedWith(MadeUpLeagues.trio().truth());
+        pairing(gauntlet, "gauntlet, compared with round robin", false, 200);
+    }
+
+    private void pairings(MadeUpLeague league, int[] seeds, int... heroes) throws InterruptedException {
+        for (int each : seeds) {
+            pairing(league, "adaptive", true, each);
+        }
+        for (int hero : heroes) {
+            MadeUpLeague gauntlet = league.gauntlet(hero);
+            for (int clusters : new int[] {10, 30, 100, 300}) {
+                pairing(gauntlet, "gauntlet of bot " + (hero + 1), false, clusters * gauntlet.groups().size());
+            }
+        }
+    }
+
+    private void pairing(MadeUpLeague league, String pairing, boolean adaptive, int seeds)
+        throws InterruptedException {
+        ScheduleCheck.Outcome found = new ScheduleCheck(league, adaptive, StopRule.NONE, seeds)
+            .run(threads, leagues, SEED);
+        for (Coverage.Among among : among(league)) {
+            Coverage bars = found.ofFixed(among);
+            row(league.name(), pairing + words(among), seeds, number("%.1f", found.rarest()),
+                Coverage.percent(bars.least()), Coverage.percent(bars.most()), Coverage.percent(bars.outer()));
+        }
+    }
+
+    private static List<Coverage.Among> among(MadeUpLeague league) {
+        return league.hero() < 0 ? List.of(Coverage.Among.ALL)
+            : List.of(Coverage.Among.WITH_HERO, Coverage.Among.OTHERS);
+    }
+
+    private static String words(Coverage.Among among) {
+        return among == Coverage.Among.WITH_HERO ? ": with it" : among == Coverage.Among.OTHERS ? ": others" : "";
+    }
+
     private void coverage(MadeUpLeague league, String size, Coverage found) {
         row(league.name(), size, Coverage.percent(found.least()), Coverage.percent(found.most()),
             Coverage.percent(found.outer()));
@@ -160,32 +185,45 @@ public final class SelfCheck {
     private void anytime() throws InterruptedException {
         head("Anytime bars: how often they held at all looks, in percent.", "league", "clusters of a pairing",
             "scores 5..95%: least", "most", "other scores: least");
-        for (MadeUpLeague league : small()) {
+        for (MadeUpLeague league : MadeUpLeagues.small()) {
             int rounds = league.bots() == 2 ? 3000 : league.bots() < 5 ? 1000 : 300;
             coverage(league, "1 to " + rounds, new AnytimeCheck(league, rounds).run(threads, leagues, SEED));
         }
-        coverage(large(), "1 to 16", new AnytimeCheck(large(), 16).run(threads, leagues, SEED));
+        MadeUpLeague large = MadeUpLeagues.large();
+        coverage(large, "1 to 16", new AnytimeCheck(large, 16).run(threads, leagues, SEED));
     }
 
     private void rules() throws InterruptedException {
         head("Leagues that are ended by a rule: how often anytime bars held at all looks and at the end, and all that "
             + "was said of the order was true, in percent.", "league", "pairing", "rule", "seeds, mean",
             "bars at all looks: least", "bars at the end: least", "order true");
-        StopRule bars = new StopRule(50, false, StopRule.USUAL_EQUAL);
-        StopRule ranked = new StopRule(Double.NaN, true, 30);
-        for (MadeUpLeague league : List.of(trio(), mixed(),
-            MadeUpLeague.threes("5 bots, 3 players", 0, MadeUpLeague.spaced(5, 60)))) {
-            for (boolean adaptive : new boolean[] {false, true}) {
-                for (StopRule rule : List.of(bars, ranked)) {
-                    AdaptiveCheck.Outcome found = new AdaptiveCheck(league, adaptive, rule, MOST_DECISIONS)
-                        .run(threads, leagues, SEED);
-                    row(league.name(), adaptive ? "adaptive" : "round robin",
-                        rule.ranked() ? "--until-ranked --equal 30" : "--until-bars 50",
-                        Math.round(found.decisions()), Coverage.percent(found.coverage().least()),
-                        Coverage.percent(found.atEnd().least()),
-                        rule.ranked() ? Coverage.percent(found.right()) : "-");
-                }
-            }
+        for (MadeUpLeague league : MadeUpLeagues.paired()) {
+            rules(league, "round robin", false);
+            rules(league, "adaptive", true);
+            int middle = league.bots() / 2;
+            rules(league.gauntlet(middle), "gauntlet of bot " + (middle + 1), false);
+        }
+        StopRule ranked = new StopRule(Double.NaN, true, StopRule.USUAL_EQUAL);
+        for (MadeUpLeague league : MadeUpLeagues.won()) {
+            rule(league, "round robin", false, ranked);
+            rule(league, "adaptive", true, ranked);
+        }
+    }
+
+    private void rules(MadeUpLeague league, String pairing, boolean adaptive) throws InterruptedException {
+        rule(league, pairing, adaptive, new StopRule(50, false, StopRule.USUAL_EQUAL));
+        rule(league, pairing, adaptive, new StopRule(Double.NaN, true, 30));
+    }
+
+    private void rule(MadeUpLeague league, String pairing, boolean adaptive, StopRule rule)
+        throws InterruptedException {
+        ScheduleCheck.Outcome found = new ScheduleCheck(league, adaptive, rule, MOST_DECISIONS)
+            .run(threads, leagues, SEED);
+        for (Coverage.Among among : among(league)) {
+            row(league.name(), pairing + words(among), rule.ranked()
+                ? "--until-ranked --equal " + Math.round(rule.equal()) : "--until-bars " + Math.round(rule.bars()),
+                Math.round(found.decisions()), Coverage.percent(found.atLooks(among).least()),
+                Coverage.percent(found.atEnd(among).least()), rule.ranked() ? Coverage.percent(found.right()) : "-");
         }
     }
 
@@ -211,26 +249,29 @@ public final class SelfCheck {
 
     private void adaptive() throws InterruptedException {
         long whole = Math.max(LEAST_WHOLE, leagues / FEWER);
-        head("16 bots until --until-ranked --equal 5, " + whole + " leagues.", "steps between neighbours, Elo",
-            "round robin, seeds", "adaptive, seeds", "share", "order true");
+        head("16 bots until --until-ranked --equal 5, " + whole + " leagues. The last column is the least share with "
+            + "which bars would be narrow enough if all strengths were known before.", "steps between neighbours, Elo",
+            "round robin, seeds", "adaptive, seeds", "share", "order true", "strengths known");
         double[][] steps = {{10, 60, 20, 50, 30, 40, 15, 55, 25, 45, 35, 60, 20, 50, 30},
-            {60, 57, 53, 50, 46, 43, 39, 36, 32, 29, 25, 22, 18, 14, 10},
+            {60, 57, 53, 50, 46, 43, 39, 36, 32, 29, 25, 22, 18, 14, 10}, drawn(1), drawn(2), drawn(3),
             {35, 35, 35, 35, 35, 35, 35, 35, 35, 35, 35, 35, 35, 35, 35}};
+        StopRule rule = new StopRule(Double.NaN, true, StopRule.USUAL_EQUAL);
         for (double[] each : steps) {
-            double[] elo = new double[each.length + 1];
-            List<String> words = new ArrayList<>();
-            for (int k = 0; k < each.length; k++) {
-                elo[k + 1] = elo[k] - each[k];
-                words.add(Long.toString(Math.round(each[k])));
-            }
-            MadeUpLeague league = MadeUpLeague.pairs("16 bots", elo, 0.3, 20, 50, 0);
-            StopRule rule = new StopRule(Double.NaN, true, StopRule.USUAL_EQUAL);
-            AdaptiveCheck.Outcome turns = new AdaptiveCheck(league, false, rule, MOST_DECISIONS)
+            MadeUpLeague league = MadeUpLeagues.sixteen(each);
+            ScheduleCheck.Outcome turns = new ScheduleCheck(league, false, rule, MOST_DECISIONS)
                 .run(threads, whole, SEED);
-            AdaptiveCheck.Outcome learnt = new AdaptiveCheck(league, true, rule, MOST_DECISIONS)
+            ScheduleCheck.Outcome learnt = new ScheduleCheck(league, true, rule, MOST_DECISIONS)
                 .run(threads, whole, SEED);
-            row(String.join(" ", words), Math.round(turns.decisions()), Math.round(learnt.decisions()),
-                number("%.2f", learnt.decisions() / turns.decisions()), Coverage.percent(learnt.right()));
+            row(Arrays.stream(each).mapToObj(step -> Long.toString(Math.round(step))).collect(Collectors.joining(" ")),
+                Math.round(turns.decisions()), Math.round(learnt.decisions()),
+                number("%.2f", learnt.decisions() / turns.decisions()), Coverage.percent(learnt.right()),
+                number("%.2f", new BestAllocation(league).share()));
         }
+    }
+
+    /** Steps by lot. */
+    private static double[] drawn(long seed) {
+        SplitMix64 random = new SplitMix64(seed);
+        return IntStream.range(0, 15).mapToDouble(step -> 10 + random.nextInt(51)).toArray();
     }
 }

@@ -10,6 +10,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.league.pairing.StopRule;
+import steward.league.rating.RatingFit;
+import steward.league.rating.Ratings;
+import steward.league.rating.Stratum;
 import steward.league.sequential.Gsprt;
 
 /** A small form of {@code steward league --self-check}: fixed seeds, bounds of four standard deviations. */
@@ -35,6 +38,67 @@ class SelfCheckTest {
         holds(MadeUpLeague.pairs("trio", MadeUpLeague.spaced(4, 30), 0.1, 0, 60, 150), 30);
         holds(MadeUpLeague.threes("threes", 60, MadeUpLeague.spaced(4, 60)), 30);
         holds(MadeUpLeague.alone("alone", MadeUpLeague.spaced(4, 60)), 60);
+    }
+
+    private static void holds(ScheduleCheck.Outcome found, Coverage.Among among) {
+        Coverage bars = found.ofFixed(among);
+        assertEquals(0.95, bars.least(), PROMISED + FOUR_DEVIATIONS, bars::toString);
+        assertEquals(0.95, bars.most(), PROMISED + FOUR_DEVIATIONS, bars::toString);
+    }
+
+    @Test
+    @Tag("slow")
+    void fixedBarsHoldHoweverBotsArePaired() throws InterruptedException {
+        holds(new ScheduleCheck(MadeUpLeagues.trio(), true, StopRule.NONE, 100).run(2, LEAGUES, 5),
+            Coverage.Among.ALL);
+        holds(new ScheduleCheck(MadeUpLeagues.mixed(), true, StopRule.NONE, 900).run(2, LEAGUES, 5),
+            Coverage.Among.ALL);
+        ScheduleCheck.Outcome gauntlet = new ScheduleCheck(MadeUpLeagues.mixed().gauntlet(3), false, StopRule.NONE,
+            200).run(2, LEAGUES, 5);
+        assertEquals(40, gauntlet.rarest(), 1e-9);
+        holds(gauntlet, Coverage.Among.WITH_HERO);
+        holds(gauntlet, Coverage.Among.OTHERS);
+    }
+
+    @Test
+    void aGauntletTellsNothingOfPairsThatHaveNotMet() throws InterruptedException {
+        // Rock is played by scissors, which lose 150 Elo, and paper, which wins them: scissors seem 300 Elo below paper
+        // and are in truth above.
+        MadeUpLeague trio = MadeUpLeagues.trio();
+        ScheduleCheck played = new ScheduleCheck(trio.gauntlet(0).comparedWith(trio.truth()), false, StopRule.NONE,
+            200);
+        assertEquals(0, played.run(2, 50, 5).ofFixed(Coverage.Among.OTHERS).most());
+    }
+
+    @Test
+    void whatNoBarCanDoIsComputed() {
+        // Binomial chances of 60 games, summed up by a program of a few lines of Python: the range of scores with a
+        // chance nearest to 95% has 94.12% at 440 Elo and 96.20% at 445.
+        ExactCheck.Outcome best = new OtherBars(60).best(300, 515);
+        assertEquals(0.9412327816503685, best.least(), 1e-12);
+        assertEquals(0.9620295697011976, best.most(), 1e-12);
+        ExactCheck.Outcome wilson = new OtherBars(60).wilson(300, 515);
+        ExactCheck.Outcome midP = new OtherBars(60).midP(300, 515);
+        ExactCheck.Outcome ours = new ExactCheck(30).run(300, 515);
+        assertTrue(ours.least() > wilson.least() && ours.least() > midP.least(), wilson + " " + midP);
+        assertTrue(ours.most() < wilson.most() && ours.most() < midP.most(), wilson + " " + midP);
+    }
+
+    @Test
+    void theBestAllocationHasItsClosedForm() {
+        // Of three bots the last is far away: only the first two are in doubt, whose variance is c1/n1 + c2/n2 + c3/n3.
+        // The least sum of n for it is (sqrt(c1) + sqrt(c2) + sqrt(c3))^2, that of equal n is 3 (c1 + c2 + c3).
+        MadeUpLeague league = MadeUpLeague.pairs("three", new double[] {10, 0, -600}, 0, 0, 0, 0);
+        List<Stratum> strata = league.groups().stream().map(group -> group.inProportion(1 << 20)).toList();
+        Ratings ratings = new Ratings(List.of(0, 1, 2), RatingFit.of(3, strata, false), 1, 0, 0);
+        double roots = 0;
+        double sum = 0;
+        for (double part : ratings.parts(List.of(new int[] {0, 1})).values()) {
+            roots += Math.sqrt(part);
+            sum += part;
+        }
+        assertEquals(roots * roots / (3 * sum), new BestAllocation(league).share(), 1e-3);
+        assertEquals(1, new BestAllocation(MadeUpLeague.pairs("two", new double[] {10, 0}, 0, 0, 0, 0)).share(), 1e-6);
     }
 
     @Test
@@ -90,10 +154,10 @@ class SelfCheckTest {
     void leaguesThatAreEndedByARuleAreRight() throws InterruptedException {
         MadeUpLeague league = MadeUpLeague.pairs("six", new double[] {200, 120, 90, 0, -60, -200}, 0.3, 20, 50, 40);
         StopRule rule = new StopRule(Double.NaN, true, 20);
-        AdaptiveCheck.Outcome turns = new AdaptiveCheck(league, false, rule, 100_000).run(2, 40, 5);
-        AdaptiveCheck.Outcome learnt = new AdaptiveCheck(league, true, rule, 100_000).run(2, 40, 5);
+        ScheduleCheck.Outcome turns = new ScheduleCheck(league, false, rule, 100_000).run(2, 40, 5);
+        ScheduleCheck.Outcome learnt = new ScheduleCheck(league, true, rule, 100_000).run(2, 40, 5);
         assertTrue(turns.right() >= 0.95 && learnt.right() >= 0.95, turns + " " + learnt);
-        assertTrue(learnt.coverage().least() >= 0.85, learnt::toString);
+        assertTrue(learnt.atLooks(Coverage.Among.ALL).least() >= 0.85, learnt::toString);
         assertTrue(learnt.decisions() < 0.8 * turns.decisions(), turns + " " + learnt);
     }
 
@@ -119,5 +183,8 @@ class SelfCheckTest {
         new SelfCheck(60, 3, other::add).print("fixed");
         assertEquals(one, other);
         assertTrue(one.size() > 60, "it has its rows");
+        new SelfCheck(2, 1, one::add).print("pairings");
+        String row = "gauntlet of bot 4: others | 1500 | 300.0";
+        assertTrue(one.stream().anyMatch(line -> line.contains(row)), row);
     }
 }

@@ -18,14 +18,15 @@ import steward.league.rating.Stratum;
 import steward.numerics.SplitMix64;
 
 /**
- * A league until a rule ends it, paired in turn or by what is learnt.
+ * A league as it is played: paired in turn, by what is learnt or against one, until a rule ends it or after a number of
+ * decisions.
  *
- * @param league   the bots
- * @param adaptive how it is paired
- * @param rule     that ends it
+ * @param league   the bots; where all play against one, with its {@link MadeUpLeague#hero}
+ * @param adaptive whether it is paired by what is learnt
+ * @param rule     that ends it, or {@link StopRule#NONE}
  * @param most     decisions after which it ends in any case
  */
-record AdaptiveCheck(MadeUpLeague league, boolean adaptive, StopRule rule, int most) {
+record ScheduleCheck(MadeUpLeague league, boolean adaptive, StopRule rule, int most) {
 
     /** That of a league as it is made. */
     private static final int LAG = 64;
@@ -33,28 +34,47 @@ record AdaptiveCheck(MadeUpLeague league, boolean adaptive, StopRule rule, int m
     /**
      * What came out.
      *
+     * @param league    the bots
+     * @param leagues   how many were played
      * @param decisions until the end, on average
+     * @param rarest    clusters of the group that was paired least, on average
      * @param right     share of the leagues in which all that the rule found is true
-     * @param coverage  how often the bars of single differences held at all looks
-     * @param atEnd     how often they held at the end
+     * @param looks     by difference: how often its anytime bar held at all looks
+     * @param end       how often it held at the end
+     * @param fixed     how often the bar for a fixed number held at the end
      */
-    record Outcome(double decisions, double right, Coverage coverage, Coverage atEnd) {
+    record Outcome(MadeUpLeague league, long leagues, double decisions, double rarest, double right, long[] looks,
+                   long[] end, long... fixed) {
+
+        Coverage atLooks(Coverage.Among among) {
+            return Coverage.of(league, among, leagues, looks);
+        }
+
+        Coverage atEnd(Coverage.Among among) {
+            return Coverage.of(league, among, leagues, end);
+        }
+
+        Coverage ofFixed(Coverage.Among among) {
+            return Coverage.of(league, among, leagues, fixed);
+        }
     }
 
     Outcome run(int threads, long leagues, long seed) throws InterruptedException {
         int bots = league.bots();
         int pairs = bots * (bots - 1) / 2;
-        long[] counts = Counted.play(threads, leagues, 2 + 2 * pairs, () -> {
+        int groups = league.groups().size();
+        long[] counts = Counted.play(threads, leagues, 2 + 3 * pairs + groups, () -> {
             List<Stratum> strata = league.groups().stream().map(MadeUpGroup::stratum).toList();
             return (number, sums) -> new Play(strata, new SplitMix64(seed + number)).play(sums);
         });
-        long[] always = Arrays.copyOfRange(counts, 2, 2 + pairs);
+        long[] looks = Arrays.copyOfRange(counts, 2, 2 + pairs);
         for (int k = 0; k < pairs; k++) {
-            always[k] = leagues - always[k];
+            looks[k] = leagues - looks[k];
         }
-        return new Outcome((double) counts[0] / leagues, (double) counts[1] / leagues,
-            Coverage.of(league, leagues, always),
-            Coverage.of(league, leagues, Arrays.copyOfRange(counts, 2 + pairs, 2 + 2 * pairs)));
+        long rarest = Arrays.stream(counts, 2 + 3 * pairs, counts.length).min().orElse(0);
+        return new Outcome(league, leagues, (double) counts[0] / leagues, (double) rarest / leagues,
+            (double) counts[1] / leagues, looks, Arrays.copyOfRange(counts, 2 + pairs, 2 + 2 * pairs),
+            Arrays.copyOfRange(counts, 2 + 2 * pairs, 2 + 3 * pairs));
     }
 
     /** One league. */
@@ -78,7 +98,8 @@ record AdaptiveCheck(MadeUpLeague league, boolean adaptive, StopRule rule, int m
             int players = league.groups().get(0).bots().length;
             IntFunction<Ratings> ratings = this::before;
             pairing = adaptive ? new AdaptivePairing(versions, players, LAG, rule, ratings)
-                : Pairing.roundRobin(versions, players);
+                : league.hero() < 0 ? Pairing.roundRobin(versions, players)
+                : Pairing.gauntlet(versions, players, league.hero());
         }
 
         private Ratings before(int decision) {
@@ -94,38 +115,50 @@ record AdaptiveCheck(MadeUpLeague league, boolean adaptive, StopRule rule, int m
 
         void play(long... sums) {
             int decision = 0;
-            boolean met = false;
-            for (; decision < most && !met; decision++) {
-                if (Looks.isLook(decision) && decision >= LAG) {
-                    Ratings found = before(decision - LAG + 1);
-                    look();
-                    met = rule.isMet(found);
-                    if (met) {
-                        break;
-                    }
-                }
+            while (decision < most && !isOver(decision)) {
                 pairing.next(decision);
                 int[] group = pairing.choose();
                 pairing.made(1, group);
                 int place = place(group);
                 unknown.add(new int[] {place, league.groups().get(place).draw(random)});
+                decision++;
             }
-            sums[0] += decision;
-            sums[1] += isRight() ? 1 : 0;
-            for (int k = 0; k < out.length; k++) {
-                sums[2 + k] += out[k] ? 1 : 0;
+            if (decision == most) {
+                before(decision);
+                look();
             }
-            int pair = 0;
-            for (int i = 0; i < league.bots(); i++) {
-                for (int j = i + 1; j < league.bots(); j++) {
-                    sums[2 + out.length + pair++] += isOutside(i, j) ? 0 : 1;
-                }
-            }
+            count(decision, sums);
         }
 
-        private boolean isOutside(int i, int j) {
-            Difference found = fit.difference(i, j);
-            return Math.abs(found.elo() - truth(i, j)) > found.anytimeBar();
+        private boolean isOver(int decision) {
+            if (!rule.isAny() || decision < LAG || !Looks.isLook(decision)) {
+                return false;
+            }
+            Ratings found = before(decision - LAG + 1);
+            look();
+            return rule.isMet(found);
+        }
+
+        private void count(int decisions, long... sums) {
+            sums[0] += decisions;
+            sums[1] += isRight() ? 1 : 0;
+            int next = 2;
+            for (boolean each : out) {
+                sums[next++] += each ? 1 : 0;
+            }
+            for (int i = 0; i < league.bots(); i++) {
+                for (int j = i + 1; j < league.bots(); j++) {
+                    Difference found = fit.difference(i, j);
+                    double error = Math.abs(found.elo() - truth(i, j));
+                    sums[next] += error <= found.anytimeBar() ? 1 : 0;
+                    sums[next + out.length] += error <= found.bar() ? 1 : 0;
+                    next++;
+                }
+            }
+            next += out.length;
+            for (Stratum stratum : strata) {
+                sums[next++] += stratum.clusters();
+            }
         }
 
         private double truth(int i, int j) {
@@ -136,7 +169,7 @@ record AdaptiveCheck(MadeUpLeague league, boolean adaptive, StopRule rule, int m
             int pair = 0;
             for (int i = 0; i < league.bots(); i++) {
                 for (int j = i + 1; j < league.bots(); j++) {
-                    out[pair] = out[pair] || isOutside(i, j);
+                    out[pair] = out[pair] || AnytimeCheck.isOutside(fit.difference(i, j), truth(i, j));
                     pair++;
                 }
             }

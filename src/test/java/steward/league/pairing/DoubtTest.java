@@ -1,0 +1,80 @@
+package steward.league.pairing;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import steward.league.rating.RatingFit;
+import steward.league.rating.Ratings;
+import steward.league.rating.Stratum;
+
+/** What is in doubt, and who plays therefore. Games of two, two of a seed. */
+class DoubtTest {
+
+    private static final StopRule RULE = new StopRule(Double.NaN, true, StopRule.USUAL_EQUAL);
+
+    /** Clusters of two bots, by how many of its two games the first has won. */
+    private static Stratum met(int one, int other, long lost, long shared, long won) {
+        Stratum stratum = new Stratum(1, one, other);
+        stratum.add(stratum.pattern(2, 0, 0), lost);
+        stratum.add(stratum.pattern(2, 1, 0), shared);
+        stratum.add(stratum.pattern(2, 2, 0), won);
+        return stratum;
+    }
+
+    private static Ratings ratings(int bots, Stratum... strata) {
+        double[] even = IntStream.range(0, bots).mapToDouble(bot -> 1.0 / bots).toArray();
+        return new Ratings(IntStream.range(0, bots).boxed().toList(), RatingFit.of(bots, List.of(strata), false), even);
+    }
+
+    @Test
+    void whoHappensToStandInTheMiddleDoesNotPlayMore() {
+        // All three are in doubt, whoever is ahead by chance: they play a round robin. If only neighbours in the table
+        // counted, the first and the last would meet half as often, and those who were lucky would stay so.
+        Ratings found = ratings(3, met(0, 1, 9, 20, 11), met(0, 2, 8, 20, 12), met(1, 2, 9, 20, 11));
+        assertEquals(List.of(0, 1, 2), StopRule.order(found));
+        AdaptivePairing pairing = new AdaptivePairing(found.versions(), 2, 4, RULE, decision -> found);
+        Map<List<Integer>, Integer> games = new HashMap<>();
+        for (int decision = 0; decision < 300; decision++) {
+            pairing.next(decision);
+            int[] group = pairing.choose();
+            pairing.made(1, group);
+            games.merge(List.of(group[0], group[1]), 1, Integer::sum);
+        }
+        games.values().forEach(each -> assertEquals(100, each, 5, games::toString));
+    }
+
+    @Test
+    void clustersThatHappenToBeAlikeDoNotSeemSure() {
+        // All are equal. Bots 0 and 1 have shared all of their seeds, 0 and 2 none: to the order of 0 and 1 the games
+        // of 0 and 2 tell as much as those of 1 and 2, which went as games go.
+        Ratings found = ratings(3, met(0, 1, 0, 40, 0), met(0, 2, 20, 0, 20), met(1, 2, 10, 20, 10));
+        Map<List<Integer>, Double> parts = found.parts(List.of(new int[] {0, 1}));
+        assertEquals(parts.get(List.of(0, 2)), parts.get(List.of(1, 2)), 1e-9);
+        assertEquals(4, parts.get(List.of(0, 1)) / parts.get(List.of(1, 2)), 1e-9);
+        assertEquals(40, parts.values().stream().mapToDouble(Double::doubleValue).sum(), 1e-9);
+    }
+
+    @Test
+    void aBotThatWinsEverythingIsOrderedAfterTensOfGames() {
+        List<StopRule.Order> orders = new ArrayList<>();
+        for (int seeds : new int[] {5, 10, 30}) {
+            orders.add(RULE.order(ratings(2, met(0, 1, 0, 0, seeds)), 0, 1));
+        }
+        assertEquals(List.of(StopRule.Order.OPEN, StopRule.Order.OPEN, StopRule.Order.ORDERED), orders);
+        // The bar alone, at the top of what is nearly flat, is wider than the difference for hundreds of games.
+        Ratings found = ratings(2, met(0, 1, 0, 0, 100));
+        assertTrue(found.difference(0, 1).anytimeBar() > found.difference(0, 1).elo());
+        // The same among others, whichever of the two is named first; and those that do not differ are in doubt.
+        Ratings five = ratings(4, met(0, 1, 0, 0, 30), met(0, 2, 0, 0, 30), met(0, 3, 0, 0, 30),
+            met(1, 2, 7, 15, 8), met(1, 3, 8, 15, 7), met(2, 3, 7, 16, 7));
+        assertEquals(StopRule.Order.ORDERED, RULE.order(five, 0, 1));
+        assertEquals(StopRule.Order.ORDERED, RULE.order(five, 3, 0));
+        assertEquals(StopRule.Order.OPEN, RULE.order(five, 1, 2));
+    }
+}
