@@ -46,7 +46,7 @@ public final class LeagueRun {
     /** How often files are looked at, in milliseconds. */
     private static final long LOOK_MS = 200;
     /** How long a thread sleeps that has to wait for other games, in milliseconds. */
-    private static final long WAIT_MS = 100;
+    static final long WAIT_MS = 100;
 
     private final LeagueFolder folder;
     private final GameStore store;
@@ -208,19 +208,21 @@ public final class LeagueRun {
 
     /** Plays until an end is reached. Call once. */
     public void play() throws InterruptedException {
-        int far = elsewhere == null ? 0 : elsewhere.most();
-        ExecutorService workers = Executors.newFixedThreadPool(limits.threads() + far, LeagueRun::daemon);
+        ExecutorService workers = Executors.newCachedThreadPool(LeagueRun::daemon);
         try {
             List<Future<?>> working = new ArrayList<>();
-            for (int k = 0; k < limits.threads() + far; k++) {
-                boolean here = k < limits.threads();
+            for (int k = 0; k < limits.threads(); k++) {
                 working.add(workers.submit(() -> {
                     boolean more = true;
                     while (more) {
-                        more = here ? playNext(play::play) : playFar();
+                        more = playNext(play::play);
                     }
                     return null;
                 }));
+            }
+            if (elsewhere != null) {
+                working.add(workers.submit(() -> new FarGames(elsewhere, workers).play(this::isOver,
+                    () -> playNext(elsewhere::play))));
             }
             for (Future<?> one : working) {
                 one.get();
@@ -246,17 +248,6 @@ public final class LeagueRun {
     private interface Player {
         List<StoredGame> play(Schedule.Task task, LeagueSettings settings, List<Member> members)
             throws InterruptedException;
-    }
-
-    private boolean playFar() throws InterruptedException {
-        if (!elsewhere.takePlace(WAIT_MS)) {
-            return !isOver();
-        }
-        try {
-            return playNext(elsewhere::play);
-        } finally {
-            elsewhere.leavePlace();
-        }
     }
 
     private synchronized boolean isOver() {
