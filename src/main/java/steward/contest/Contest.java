@@ -37,9 +37,10 @@ import steward.text.TextFormat;
  * @param timeFactor by which the scene's limits are multiplied; {@code POSITIVE_INFINITY} for no deadlines
  * @param key        what replays are signed with, or {@code null}
  * @param isolation  how bots are kept apart, asked for when bots are started
+ * @param starter    starts bots
  */
 public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double timeFactor,
-                      @Internal SigningKey key, @Internal Supplier<Isolation> isolation) {
+                      @Internal SigningKey key, @Internal Supplier<Isolation> isolation, @Internal BotStarter starter) {
 
     /** A contest whose replays are signed with {@code key}, if there is one, and whose bots are isolated so. */
     @Internal
@@ -48,24 +49,30 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
 
     /** A contest whose replays are not signed, with the usual isolation. */
     public Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double timeFactor) {
-        this(setup, entrants, time, timeFactor, null, Isolation::usual);
+        this(setup, entrants, time, timeFactor, null, Isolation::usual, Entrant::player);
     }
 
     /** The same, its replays signed. */
     @Internal
     public Contest signedWith(SigningKey other) {
-        return new Contest(setup, entrants, time, timeFactor, other, isolation);
+        return new Contest(setup, entrants, time, timeFactor, other, isolation, starter);
     }
 
     /** The same between other bots. */
     public Contest between(List<Entrant> others) {
-        return new Contest(setup, others, time, timeFactor, key, isolation);
+        return new Contest(setup, others, time, timeFactor, key, isolation, starter);
     }
 
     /** The same with bots kept apart in another way. */
     @Internal
     public Contest isolatedBy(Supplier<Isolation> other) {
-        return new Contest(setup, entrants, time, timeFactor, key, other);
+        return new Contest(setup, entrants, time, timeFactor, key, other, starter);
+    }
+
+    /** The same with bots that are started in another way: in this JVM, to measure without processes. */
+    @Internal
+    public Contest startedBy(BotStarter other) {
+        return new Contest(setup, entrants, time, timeFactor, key, isolation, other);
     }
 
     /** The level at which bots are started, {@code off}, {@code light} or {@code strict}. */
@@ -75,7 +82,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
 
     /** The same, its limits those of something else. */
     public Contest limitedBy(TimeBasis basis) {
-        return new Contest(setup, entrants, time.by(basis), timeFactor, key, isolation);
+        return new Contest(setup, entrants, time.by(basis), timeFactor, key, isolation, starter);
     }
 
     /**
@@ -288,7 +295,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
             Entrant entrant = entrants.get(entrantOf(player, rotation));
             List<List<String>> others = entrants.stream().filter(each -> each != entrant && each.problem() == null)
                 .map(Entrant::words).toList();
-            seats.add(new Seat(entrant.player(isolation.get(), others), entrant.protocol()));
+            seats.add(new Seat(starter.player(entrant, isolation.get(), others), entrant.protocol()));
         }
         MatchListener listener = recording == null ? follower
             : new TeeListener(new ReplayWriter(recording, header(seed, rotation), key), follower);
@@ -298,7 +305,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
     /** A bot by itself, not started yet, kept apart as in a match: to be asked again what it was asked. */
     @Internal
     public Player player(Entrant entrant) {
-        return entrant.player(isolation.get(), List.of());
+        return starter.player(entrant, isolation.get(), List.of());
     }
 
     private ReplayHeader header(long seed, int rotation) {

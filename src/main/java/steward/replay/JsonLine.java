@@ -128,7 +128,7 @@ public final class JsonLine {
     }
 
     /** An array of strings and nulls; all null when the field is absent. */
-    String[] texts(String name, int count) {
+    public String[] texts(String name, int count) {
         if (!has(name)) {
             return new String[count];
         }

@@ -35,7 +35,7 @@ final class House {
         "league", "league.rating", "league.sequential", "league.pairing", "league.tune", "league.selfcheck",
         "league.store", "league.play", "league.page",
         "machines.check", "machines.part", "machines.token", "machines.wire", "machines.bundle", "machines.broker",
-        "machines.serve", "machines.worker",
+        "machines.serve", "machines.worker", "machines.capacity",
         "lab.oracle", "lab.trial", "lab.stability.pairs", "lab.stability.crowds", "lab.stability",
         "lab.timing", "lab.calibration", "lab.tradeoff", "lab.tradeoff.report",
         "bench", "bench.textbook", "bench.section",

@@ -113,7 +113,8 @@ class BrokenInputTest {
     @Tag("process")                                     // whether a bundle can be started is tried
     void whatArrivesFromOtherMachines() throws IOException {
         IncomingBytes incoming = new IncomingBytes(Files.createDirectory(folder.resolve("incoming")), SEED);
-        for (IntPredicate target : List.<IntPredicate>of(incoming::word, incoming::job, incoming::bundle)) {
+        for (IntPredicate target : List.<IntPredicate>of(incoming::word, incoming::league, incoming::job,
+                incoming::bundle)) {
             int refused = 0;
             for (int number = 0; number < 10 * INPUTS; number++) {
                 try {

@@ -86,6 +86,7 @@ public final class Fuzz {
         targets.add(new Named("command of a bot", number -> inputs.command(COMMAND, number)));
         IncomingBytes incoming = new IncomingBytes(Files.createDirectory(folder.resolve("incoming")), seed);
         targets.add(new Named("message of a worker", incoming::word));
+        targets.add(new Named("message of a league", incoming::league));
         targets.add(new Named("job for a worker", incoming::job));
         targets.add(new Named("bundle", incoming::bundle));
         return targets;

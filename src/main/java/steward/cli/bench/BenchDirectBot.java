@@ -9,7 +9,7 @@ import steward.match.DirectBot;
  * A pod-race bot for measurements that reads the race itself: every pod steers at its next checkpoint less one turn of
  * its own speed, slowly, so that a match takes about as many turns as official ones.
  */
-final class BenchDirectBot implements DirectBot {
+public final class BenchDirectBot implements DirectBot {
 
     static final int THRUST = 60;
 

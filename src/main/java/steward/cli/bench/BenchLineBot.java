@@ -9,7 +9,7 @@ import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;
 
 /** The same bot as {@link BenchDirectBot}, but exchanging lines. */
-final class BenchLineBot implements Bot {
+public final class BenchLineBot implements Bot {
 
     private final List<double[]> checkpoints = new ArrayList<>();
     private final double[] place = new double[2];

@@ -18,6 +18,7 @@ public final class MachineCommands {
         commands.put("worker", new LeagueWorkerCommand(streams));
         commands.put("shard", new ShardCommand(streams));
         commands.put("merge", new MergeCommand(streams));
+        commands.put("capacity", new CapacityCommand(streams));
         return commands;
     }
 }

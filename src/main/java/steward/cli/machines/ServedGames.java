@@ -71,11 +71,6 @@ final class ServedGames implements Serving.Service {
     }
 
     @Override
-    public int most() {
-        return games.most();
-    }
-
-    @Override
     public boolean takePlace(long waitMs) throws InterruptedException {
         return games.takePlace(waitMs);
     }

@@ -9,9 +9,6 @@ import steward.league.play.Roster.Member;
 /** Other machines that play games of a run. All methods are called by any thread. */
 public interface Elsewhere {
 
-    /** How many games may be under way there at the same time, at most. */
-    int most();
-
     /**
      * Waits for a place for one more game, which then is taken.
      *

@@ -32,7 +32,7 @@ import steward.league.store.GameWriter;
 public final class LeagueRun {
 
     /** How long a thread sleeps that has to wait for other games, in milliseconds. */
-    private static final long WAIT_MS = 100;
+    static final long WAIT_MS = 100;
 
     private final LeagueFolder folder;
     private final GameStore store;
@@ -161,13 +161,16 @@ public final class LeagueRun {
 
     /** Plays until an end is reached. Call once. */
     public void play() throws InterruptedException {
-        int far = elsewhere == null ? 0 : elsewhere.most();
+        int far = elsewhere == null ? 0 : 1;
         try {
             WorkerThreads.run("league", limits.threads() + far, thread -> () -> {
-                boolean here = thread < limits.threads();
+                if (thread == limits.threads()) {
+                    new FarGames(elsewhere).play(this::isOver, () -> playNext(elsewhere::play));
+                    return null;
+                }
                 boolean more = true;
                 while (more) {
-                    more = here ? playNext(play::play) : playFar();
+                    more = playNext(play::play);
                 }
                 return null;
             });
@@ -183,17 +186,6 @@ public final class LeagueRun {
     private interface Player {
         List<StoredGame> play(Schedule.Task task, LeagueSettings settings, List<Member> members)
             throws InterruptedException;
-    }
-
-    private boolean playFar() throws InterruptedException {
-        if (!elsewhere.takePlace(WAIT_MS)) {
-            return !isOver();
-        }
-        try {
-            return playNext(elsewhere::play);
-        } finally {
-            elsewhere.leavePlace();
-        }
     }
 
     private synchronized boolean isOver() {

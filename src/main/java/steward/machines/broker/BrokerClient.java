@@ -130,8 +130,18 @@ public final class BrokerClient implements AutoCloseable {
         String what = type == ActiveMQExceptionType.SECURITY_EXCEPTION
             ? "the league refuses the token: it is wrong or revoked"
             : type == ActiveMQExceptionType.MAX_CONSUMER_LIMIT_EXCEEDED
-                ? "another worker plays with this token, expected one at a time" : String.valueOf(problem.getMessage());
+                ? "another worker plays with this token, expected one at a time" : inOurWords(type, problem);
         return new BrokenException(what, refused);
+    }
+
+    /** Artemis begins its messages with numbers of its own. */
+    private static String inOurWords(ActiveMQExceptionType type, ActiveMQException problem) {
+        return switch (type) {
+            case OBJECT_CLOSED, NOT_CONNECTED, DISCONNECTED, CONNECTION_TIMEDOUT, UNBLOCKED ->
+                "the connection is closed";
+            case ADDRESS_FULL -> "too much waits at the league";
+            default -> String.valueOf(problem.getMessage()).replaceFirst("^AMQ[0-9]+: *", "");
+        };
     }
 
     /** Says something to the league. */

@@ -146,7 +146,7 @@ public final class LeagueBroker implements AutoCloseable {
         tls.put(TransportConstants.USE_KQUEUE_PROP_NAME, "false");
         tls.put(TransportConstants.CONNECTIONS_ALLOWED, Integer.toString(CONNECTIONS));
         AddressSettings settings = new AddressSettings().setAutoCreateAddresses(false).setAutoCreateQueues(false)
-            .setMaxSizeBytes(MOST_WAITING).setAddressFullMessagePolicy(AddressFullMessagePolicy.BLOCK)
+            .setMaxSizeBytes(MOST_WAITING).setAddressFullMessagePolicy(AddressFullMessagePolicy.FAIL)
             .setMaxDeliveryAttempts(-1).setRedeliveryDelay(0);
         Configuration configuration = new ConfigurationImpl().setName("steward").setPersistenceEnabled(false)
             .setSecurityEnabled(true).setJMXManagementEnabled(false).setPopulateValidatedUser(true)

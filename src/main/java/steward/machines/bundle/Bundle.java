@@ -63,7 +63,7 @@ public record Bundle(String hash, byte[] bytes) {
             entry(zip, LIST, list.text().getBytes(StandardCharsets.UTF_8));
             for (Path file : files) {
                 if (Files.size(file) + bytes.size() > LARGEST) {
-                    throw tooLarge(bot, file);
+                    throw tooLarge(bot, file, Files.size(file) + bytes.size());
                 }
                 entry(zip, place(file), Files.readAllBytes(file));
             }
@@ -74,10 +74,10 @@ public record Bundle(String hash, byte[] bytes) {
         return new Bundle(hash(bytes.toByteArray()), bytes.toByteArray());
     }
 
-    private static InputException tooLarge(LeagueBot bot, Path file) {
-        return new InputException("bot '" + bot.name() + "': found more than " + (LARGEST >> 20)
-            + " MiB of files (at " + file + "), expected less for workers; put large files on the workers' machines, "
-            + "and list in \"files\" only the others");
+    private static InputException tooLarge(LeagueBot bot, Path file, long size) {
+        return new InputException("bot '" + bot.name() + "': found " + size + " bytes of files up to " + file
+            + ", expected at most " + LARGEST + " (" + (LARGEST >> 20) + " MiB) for workers; put large files on the "
+            + "workers' machines, and list in \"files\" only the others");
     }
 
     private static void entry(ZipOutputStream zip, String name, byte[] bytes) throws IOException {

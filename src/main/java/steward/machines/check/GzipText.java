@@ -20,9 +20,14 @@ public final class GzipText {
 
     /** Compresses. */
     public static byte[] compressed(byte[] bytes) {
-        ByteArrayOutputStream out = new ByteArrayOutputStream(bytes.length / 4 + 64);
+        return compressed(bytes, bytes.length);
+    }
+
+    /** Compresses so many of the bytes. */
+    static byte[] compressed(byte[] bytes, int count) {
+        ByteArrayOutputStream out = new ByteArrayOutputStream(count / 4 + 64);
         try (GZIPOutputStream gzip = new GZIPOutputStream(out)) {
-            gzip.write(bytes);
+            gzip.write(bytes, 0, count);
         } catch (IOException inMemory) {
             throw new UncheckedIOException(inMemory);
         }

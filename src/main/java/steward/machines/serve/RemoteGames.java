@@ -52,9 +52,11 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
 
     /** All of a new worker's first games are asked again. */
     static final int FIRST = 20;
-    /** More games than this are never under way on workers; a schedule seldom has as many. */
-    private static final int MOST = 256;
+    /** More games than this are never under way on workers: as many as there can be connections, and some that wait. */
+    public static final int MOST = 2500;
     private static final long POLL_MS = 200;
+    /** How often it is looked whether a game under way has to go to others, in milliseconds. */
+    private static final long LOOK_MS = 1000;
     /** How long an offered game waits for a worker when none is connected, in nanoseconds. */
     private static final long ALONE_NANOS = TimeUnit.SECONDS.toNanos(5);
     private static final int LONGEST_TEXT = 200;
@@ -76,6 +78,8 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     private final Thread listening = new Thread(this::listen, "what workers say");
     private volatile WorkerList list;
     private volatile boolean closed;
+    /** Whether a worker plays; as of the last look. */
+    private volatile boolean anyConnected;
     private volatile SettingAside setter = (machine, why) -> 0;
 
     /** Guarded by this. */
@@ -113,7 +117,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
      *
      * @param contest of the scene
      * @param teller  is told what happens, by any thread
-     * @throws InputException if nothing can listen there
+     * @throws InputException if nothing can listen there, or a bot cannot be packed
      */
     public RemoteGames(LeagueFolder folder, Season season, Contest contest, LeagueSettings settings, GameTypes types,
                        Service service, Consumer<String> teller) {
@@ -128,6 +132,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         reported = new ReportedGames(folder, season, contest, types);
         stamp = WorkerList.stamp(folder);
         list = WorkerList.read(folder);
+        settings.active().forEach(Bundle::of);         // what cannot be sent is said before any game is played
         BrokerKey key = new BrokerKey(folder);
         key.make();
         broker = new LeagueBroker(service.address(), key, list.workers().stream().map(WorkerList.Worker::name).toList(),
@@ -142,11 +147,6 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     }
 
     // ---- games -----------------------------------------------------------------------------------
-
-    @Override
-    public int most() {
-        return MOST;
-    }
 
     @Override
     public synchronized boolean takePlace(long waitMs) throws InterruptedException {
@@ -211,9 +211,9 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         long alone = 0;
         while (!closed) {
             try {
-                return offer.played().get(POLL_MS, TimeUnit.MILLISECONDS);
+                return offer.played().get(LOOK_MS, TimeUnit.MILLISECONDS);
             } catch (TimeoutException none) {
-                alone = isAnyConnected() ? 0 : alone == 0 ? System.nanoTime() : alone;
+                alone = anyConnected ? 0 : alone == 0 ? System.nanoTime() : alone;
                 if (alone != 0 && System.nanoTime() - alone > ALONE_NANOS) {
                     return null;
                 }
@@ -227,10 +227,6 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             }
         }
         return null;
-    }
-
-    private synchronized boolean isAnyConnected() {
-        return workers.values().stream().anyMatch(worker -> worker.slots > 0);
     }
 
     /** The game as its replays tell it; {@code null} if they are disproved, which has consequences for the worker. */
@@ -323,6 +319,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         Set<String> connected = broker.connected();
         synchronized (this) {
             workers.values().forEach(worker -> worker.slots = connected.contains(worker.name) ? worker.slots : 0);
+            anyConnected = workers.values().stream().anyMatch(worker -> worker.slots > 0);
             notifyAll();
         }
         String now = WorkerList.stamp(folder);
@@ -398,6 +395,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             state.version = shown(hello.version());
             state.machine = shown(hello.machine());
             state.began = state.began == 0 ? System.nanoTime() : state.began;
+            anyConnected = true;
             notifyAll();
         }
         say("worker " + state.name + " plays " + slots + (slots == 1 ? " game" : " games") + " at a time: "
@@ -464,6 +462,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     @Override
     public void close() {
         closed = true;
+        offers.values().forEach(offer -> offer.played().complete(null));
         listening.interrupt();
         broker.close();
     }

@@ -1,6 +1,6 @@
 package steward.machines.serve;
 
-import java.io.IOException;
+import java.io.ByteArrayInputStream;
 import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
@@ -19,29 +19,30 @@ import steward.league.play.KeptGames;
 import steward.league.play.Roster.Member;
 import steward.machines.check.AnswerCheck;
 import steward.machines.check.DisprovedException;
-import steward.machines.check.GzipText;
 import steward.machines.check.ReplayCheck;
+import steward.machines.check.TranscriptCheck;
 import steward.replay.RecordedMatch;
+import steward.replay.ReplayReader;
 
-/** Makes of a worker's replays what is stored of a game, or disproves them. Thread-safe. */
+/** Makes of a worker's transcripts what is stored of a game, or disproves them. Thread-safe. */
 final class ReportedGames {
 
     private final Season season;
-    private final ReplayCheck replays;
+    private final TranscriptCheck transcripts;
     private final AnswerCheck answers;
     private final KeptGames keeper;
 
     ReportedGames(LeagueFolder folder, Season season, Contest contest, GameTypes types) {
         this.season = season;
-        replays = new ReplayCheck(contest, types);
+        transcripts = new TranscriptCheck(contest);
         answers = new AnswerCheck(contest, types);
         keeper = new KeptGames(folder);
     }
 
     /**
-     * The attempts at a game as their replays tell them.
+     * The attempts at a game as their transcripts tell them.
      *
-     * @param sent    the replays, compressed
+     * @param sent    the transcripts, compressed
      * @param starved of each attempt, whether it is said that the machine was starved
      * @param machine where they were played
      * @throws DisprovedException if it was not so
@@ -61,9 +62,7 @@ final class ReportedGames {
         byte[] name = GameName.of(season, task.seed(),
             members.stream().map(member -> member.version().identity()).toList(), k + 1);
         String source = "game " + HexFormat.of().formatHex(name);
-        ReplayCheck.Outcome outcome = replays.check(source, sent.get(k), new ReplayCheck.Expected(
-            task.seed(), members.stream().map(member -> member.entrant().name()).toList(),
-            members.stream().map(member -> member.entrant().protocol()).toList()));
+        ReplayCheck.Outcome outcome = transcripts.check(source, sent.get(k), expected(task, members));
         boolean last = k == sent.size() - 1;
         boolean late = outcome.seats().stream().anyMatch(seat -> seat.fault() != null
             && FaultMessages.isTime(seat.fault()));
@@ -80,24 +79,27 @@ final class ReportedGames {
         String file = null;
         List<String> names = members.stream().map(member -> member.bot().name()).toList();
         if (KeptGames.keeps(now, true, seats, names)) {
-            try {
-                file = keeper.take(name, GzipText.bytes(sent.get(k)), true);
-            } catch (IOException damaged) {
-                throw new DisprovedException(source + ": " + damaged.getMessage());
-            }
+            file = keeper.take(name, transcripts.replay(source, sent.get(k), expected(task, members)), true);
         }
         return new StoredGame(0, name, task.decision(), task.seed(), k + 1, last, outcome.turns(), null,
             System.currentTimeMillis(), machine, file, seats);
     }
 
+    private static ReplayCheck.Expected expected(Schedule.Task task, List<Member> members) {
+        return new ReplayCheck.Expected(task.seed(), members.stream().map(member -> member.entrant().name()).toList(),
+            members.stream().map(member -> member.entrant().protocol()).toList());
+    }
+
     /**
      * Asks bots again what they were asked, those that do not draw by lot.
      *
-     * @param replay of the last attempt
+     * @param sent the transcript of the last attempt, compressed
      * @throws DisprovedException if one answers otherwise
      */
-    void askAgain(Schedule.Task task, List<Member> members, byte[] replay) throws DisprovedException {
-        RecordedMatch match = AnswerCheck.read("game of seed " + task.seed(), replay);
+    void askAgain(Schedule.Task task, List<Member> members, byte[] sent) throws DisprovedException {
+        String source = "game of seed " + task.seed();
+        byte[] replay = transcripts.replay(source, sent, expected(task, members));
+        RecordedMatch match = RecordedMatch.read(new ReplayReader(new ByteArrayInputStream(replay), source));
         for (int seat = 0; seat < members.size(); seat++) {
             Member member = members.get(seat);
             if (!member.bot().random() && !member.version().random()) {

@@ -1,17 +1,15 @@
 package steward.machines.worker;
 
-import java.io.ByteArrayOutputStream;
 import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Supplier;
-import steward.bot.TimeBasis;
 import steward.bot.command.BotCommand;
 import steward.bot.isolation.Isolation;
+import steward.contest.BotStarter;
 import steward.contest.Contest;
 import steward.contest.Contest.Entrant;
 import steward.contest.Failure;
@@ -21,14 +19,15 @@ import steward.files.InputException;
 import steward.game.GameSetup;
 import steward.game.GameTypes;
 import steward.machines.bundle.UnpackedBundle;
-import steward.machines.check.GzipText;
 import steward.machines.check.RulesFingerprint;
+import steward.machines.check.TranscriptWriter;
 import steward.machines.wire.GameJob;
 import steward.machines.wire.HeaderText;
+import steward.machines.wire.LeagueWord;
 import steward.machines.wire.WireMessage;
 import steward.match.MatchResult;
 import steward.match.Protocol;
-import steward.scene.json.Block;
+import steward.match.TeeListener;
 
 /** Plays jobs of a league: its scene and limits, and the bots that have been fetched. Thread-safe. */
 final class JobPlay {
@@ -82,34 +81,24 @@ final class JobPlay {
      *
      * @param folder  where bundles go
      * @param version of this program
+     * @param starter starts bots, or {@code null} for programs
      * @throws InputException      if it cannot be used
      * @throws OtherRulesException if the league's program computes other results in this scene
      */
-    JobPlay(WireMessage welcome, GameTypes types, Supplier<Isolation> isolation, Path folder, String version)
-            throws OtherRulesException {
-        Block header = welcome.header();
-        header.text("type");
-        double factor;
-        try {
-            factor = Double.parseDouble(header.text("factor"));
-        } catch (NumberFormatException problem) {
-            throw header.error("factor", header.shown("factor"), "a number");
-        }
-        TimeBasis basis = TimeBasis.of(header.text("basis")).orElseThrow(() ->
-            header.error("basis", header.shown("basis"), "wall or cpu"));
-        hiccups = Hiccups.of(header.text("hiccups")).orElseThrow(() ->
-            header.error("hiccups", header.shown("hiccups"), "replay or count"));
-        String theirs = header.text("version");
-        String rules = header.text("rules");
-        header.done();
-        GameSetup setup = types.open(new String(welcome.payload(), StandardCharsets.UTF_8),
-            "the league's scene");
+    JobPlay(LeagueWord.Welcome welcome, GameTypes types, Supplier<Isolation> isolation, Path folder, String version,
+            BotStarter starter) throws OtherRulesException {
+        hiccups = welcome.hiccups();
+        String theirs = welcome.version();
+        String rules = welcome.rules();
+        GameSetup setup = types.open(welcome.scene(), "the league's scene");
         String own = RulesFingerprint.of(setup);
         if (!own.equals(rules)) {
             throw new OtherRulesException("found Steward " + theirs + " (results " + rules + ") in the league and "
                 + "Steward " + version + " (results " + own + ") here, expected versions that compute the same", own);
         }
-        contest = Contest.withoutBots(setup, factor).limitedBy(basis).isolatedBy(isolation);
+        Contest usual = Contest.withoutBots(setup, welcome.factor()).limitedBy(welcome.basis())
+            .isolatedBy(isolation);
+        contest = starter == null ? usual : usual.startedBy(starter);
         this.folder = folder;
     }
 
@@ -127,30 +116,31 @@ final class JobPlay {
         if (entrants.size() != contest.players()) {
             throw new InputException("found a job of " + entrants.size() + " seats, expected " + contest.players());
         }
-        List<HeaderText> attempts = new ArrayList<>();
-        List<byte[]> replays = new ArrayList<>();
+        List<HeaderText> sizes = new ArrayList<>();
+        List<byte[]> transcripts = new ArrayList<>();
         String problem = null;
         for (int attempt = 1; attempt <= 2 && problem == null; attempt++) {
             Contest match = contest.between(entrants);
             GameLog log = new GameLog(match, 0);
-            ByteArrayOutputStream recording = new ByteArrayOutputStream();
+            TranscriptWriter transcript = new TranscriptWriter(entrants.stream().map(Entrant::bot).toList(),
+                contest.sandbox());
             MatchResult result = null;
             try {
-                result = match.play(job.seed(), 0, recording, log);
+                result = match.play(job.seed(), 0, null, new TeeListener(transcript, log));
             } catch (UncheckedIOException failed) {
                 problem = String.valueOf(failed.getMessage());
             }
             boolean again = attempt == 1 && result != null && hiccups == Hiccups.REPLAY
                 && log.failures().stream().anyMatch(Failure::starved);
-            byte[] replay = GzipText.compressed(recording.toByteArray());
-            replays.add(replay);
-            attempts.add(new HeaderText().put("size", replay.length).put("starved", again));
+            byte[] sent = transcript.compressed();
+            sizes.add(new HeaderText().put("size", sent.length).put("starved", again));
+            transcripts.add(sent);
             if (!again) {
                 break;
             }
         }
-        return WireMessage.bytes(new HeaderText().put("type", "result").put("job", job.id()).put("attempts", attempts)
-            .put("problem", problem), replays.toArray(byte[][]::new));
+        return WireMessage.bytes(new HeaderText().put("type", "result").put("job", job.id()).put("attempts", sizes)
+            .put("problem", problem), transcripts.toArray(byte[][]::new));
     }
 
     private synchronized Entrant entrant(GameJob.Seat seat, Fetcher fetcher) throws Exception {

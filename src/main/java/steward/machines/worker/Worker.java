@@ -12,6 +12,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import steward.bot.isolation.Isolation;
+import steward.contest.BotStarter;
 import steward.files.InputException;
 import steward.game.GameTypes;
 import steward.machines.broker.BrokerClient;
@@ -20,6 +21,7 @@ import steward.machines.bundle.Bundle;
 import steward.machines.token.WorkerToken;
 import steward.machines.wire.GameJob;
 import steward.machines.wire.HeaderText;
+import steward.machines.wire.LeagueWord;
 import steward.machines.wire.WireMessage;
 import steward.scene.PhysicsFingerprint;
 import steward.scene.json.SceneException;
@@ -57,9 +59,17 @@ public final class Worker {
      * @param folder    where bundles go
      * @param version   of this program
      * @param machine   what it is played on
+     * @param starter   starts bots, {@code null} as the league's programs
      */
     public record Options(String host, int port, WorkerToken token, int slots, long games, long nanos,
-                          Supplier<Isolation> isolation, Path folder, String version, String machine) {
+                          Supplier<Isolation> isolation, Path folder, String version, String machine,
+                          BotStarter starter) {
+
+        /** A worker whose bots are programs. */
+        public Options(String host, int port, WorkerToken token, int slots, long games, long nanos,
+                       Supplier<Isolation> isolation, Path folder, String version, String machine) {
+            this(host, port, token, slots, games, nanos, isolation, folder, version, machine, null);
+        }
     }
 
     /** @param teller is told what happens, by any thread */
@@ -156,28 +166,36 @@ public final class Worker {
             if (bytes == null) {
                 continue;
             }
-            WireMessage message = WireMessage.read(bytes, "the league");
-            switch (message.header().text("type")) {
-                case "refused" -> throw new InputException(message.header().text("reason"));
-                case "welcome" -> {
-                    try {
-                        return new JobPlay(message, types, options.isolation(), options.folder(),
-                            options.version());
-                    } catch (SceneException problem) {
-                        throw new InputException(problem.getMessage());
-                    } catch (JobPlay.OtherRulesException problem) {
-                        client.say(WireMessage.bytes(new HeaderText().put("type", "differs").put("rules",
-                            problem.own())));
-                        throw new InputException(problem.getMessage());
-                    }
-                }
-                default -> {
-                    continue;                          // of an earlier connection
-                }
+            LeagueWord word = word(bytes);
+            if (word instanceof LeagueWord.Refused refused) {
+                throw new InputException(refused.reason());
+            }
+            if (word instanceof LeagueWord.Welcome welcome) {      // else it is of an earlier connection
+                return jobs(client, welcome);
             }
         }
         throw new InputException(options.host() + ":" + options.port() + ": the league does not answer, expected a "
             + "league that is played");
+    }
+
+    private JobPlay jobs(BrokerClient client, LeagueWord.Welcome welcome) throws BrokenException {
+        try {
+            return new JobPlay(welcome, types, options.isolation(), options.folder(), options.version(),
+                options.starter());
+        } catch (SceneException problem) {
+            throw new InputException(problem.getMessage());
+        } catch (JobPlay.OtherRulesException problem) {
+            client.say(WireMessage.bytes(new HeaderText().put("type", "differs").put("rules", problem.own())));
+            throw new InputException(problem.getMessage());
+        }
+    }
+
+    private static LeagueWord word(byte[] bytes) {
+        try {
+            return LeagueWord.read(bytes, "the league", Bundle.LARGEST);
+        } catch (SceneException problem) {
+            throw new InputException(problem.getMessage());
+        }
     }
 
     /** One place: takes jobs until it is over. */
@@ -235,10 +253,8 @@ public final class Worker {
             if (bytes == null) {
                 continue;
             }
-            WireMessage message = WireMessage.read(bytes, "the league");
-            if (message.header().text("type").equals("bundle") && message.header().text("bundle").equals(hash)
-                && message.header().integer("from", 0, Integer.MAX_VALUE) == from) {
-                return message.payload();
+            if (word(bytes) instanceof LeagueWord.Piece piece && piece.bundle().equals(hash) && piece.from() == from) {
+                return piece.bytes();
             }
         }
         throw new InputException("the league does not send the bundle " + hash);

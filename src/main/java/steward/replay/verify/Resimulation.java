@@ -53,6 +53,15 @@ public final class Resimulation {
         }
     }
 
+    /** A match in a scene that is open already, from its seed. */
+    public Resimulation(GameSetup setup, long seed) {
+        this.setup = setup;
+        serverView = null;
+        game = setup.create(seed);
+        codec = setup.codec(game);
+        noFaults = new String[game.players()];
+    }
+
     /** The scene of the header, opened. */
     public GameSetup setup() {
         return setup;

@@ -69,6 +69,16 @@ class BrokerLoadingTest {
         }
     }
 
+    @SafeVarargs
+    private void loadsNoBroker(List<String>... calls) throws IOException, InterruptedException {
+        for (List<String> call : calls) {
+            String said = run(0, false, call.toArray(new String[0]));
+            assertTrue(said.contains("steward.cli.Main"), said);
+            assertFalse(said.contains(BROKER) || said.contains("io.netty") || said.contains("org.slf4j"),
+                () -> call + " loads the broker");
+        }
+    }
+
     @Test
     void noOtherCommandLoadsTheBroker() throws IOException, InterruptedException {
         assumeTrue(ShellBots.runnable(), "skipped: there is no /bin/sh");
@@ -78,7 +88,7 @@ class BrokerLoadingTest {
             .replace("\"maximumTurns\": 200", "\"maximumTurns\": 5")
             .replace("\"answerMs\": 75", "\"answerMs\": 30000"));
         new TextShellBots(folder);
-        for (List<String> call : List.of(
+        loadsNoBroker(
                 List.of("match", "--scene", "short.json", "--bot", "codingame:sh 'text pod.sh' drive 0", "--bot",
                     "codingame:sh 'text pod.sh' stay 0", "--out", "match.jsonl", "--quiet"),
                 List.of("replay", "match.jsonl", "--verify", "--quiet"),
@@ -87,12 +97,16 @@ class BrokerLoadingTest {
                 List.of("league", "add", "night", "b=codingame:sh 'text pod.sh' stay 0"),
                 List.of("league", "worker", "add", "night", "attic"),
                 List.of("league", "run", "night", "--games", "2", "--quiet"),
-                List.of("league", "table", "night"))) {
-            String said = run(0, false, call.toArray(new String[0]));
-            assertTrue(said.contains("steward.cli.Main"), said);
-            assertFalse(said.contains(BROKER) || said.contains("io.netty") || said.contains("org.slf4j"),
-                () -> call + " loads the broker");
-        }
+                List.of("league", "table", "night"),
+                List.of("league", "page", "night", "--out", "night.html"),
+                List.of("league", "init", "parts", "--scene", "short.json"),
+                List.of("league", "add", "parts", "a=codingame:sh 'text pod.sh' drive 0"),
+                List.of("league", "add", "parts", "b=codingame:sh 'text pod.sh' stay 0"));
+        Path settings = folder.resolve("parts/league.json");
+        Files.writeString(settings, Files.readString(settings).replace("adaptive", "round-robin"));
+        loadsNoBroker(
+                List.of("league", "shard", "parts", "--part", "1/1", "--games", "2", "--out", "part.db"),
+                List.of("league", "merge", "parts", "part.db"));
         int port;
         try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             port = free.getLocalPort();

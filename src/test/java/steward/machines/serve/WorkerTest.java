@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.InetAddress;
@@ -21,7 +20,9 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.net.ssl.SSLContext;
@@ -40,7 +41,6 @@ import steward.cli.ShellBots;
 import steward.cli.TextShellBots;
 import steward.cli.shared.Games;
 import steward.contest.Contest;
-import steward.contest.GameLog;
 import steward.files.InputException;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
@@ -49,7 +49,7 @@ import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
 import steward.machines.broker.BrokerClient;
 import steward.machines.broker.BrokerClient.BrokenException;
-import steward.machines.check.GzipText;
+import steward.machines.check.TranscriptWriter;
 import steward.machines.token.BrokerKey;
 import steward.machines.token.WorkerToken;
 import steward.machines.wire.HeaderText;
@@ -183,7 +183,7 @@ class WorkerTest {
 
     /**
      * Plays three games as it should, and then answers for the bot that loses as another would: everything in its
-     * replays follows from the commands.
+     * transcripts follows from the commands.
      */
     private void forge(BrokerClient client) throws BrokenException, InterruptedException {
         client.say(WireMessage.bytes(new HeaderText().put("type", "hello").put("version", "1")
@@ -202,12 +202,12 @@ class WorkerTest {
                         : bots.driver())).toList();
                 Contest contest = Contest.of(Games.open(folder.resolve("short.json").toString()), commands,
                     Protocol.JSON, 1).isolatedBy(() -> Isolation.OFF);
-                ByteArrayOutputStream recording = new ByteArrayOutputStream();
-                contest.play(Long.parseLong(job.header().text("seed")), 0, recording, new GameLog(contest, 0));
-                byte[] replay = GzipText.compressed(recording.toByteArray());
+                TranscriptWriter transcript = new TranscriptWriter(commands, "off");
+                contest.play(Long.parseLong(job.header().text("seed")), 0, null, transcript);
+                byte[] sent = transcript.compressed();
                 taker.finish(WireMessage.bytes(new HeaderText().put("type", "result")
                     .put("job", job.header().text("job")).put("attempts",
-                        List.of(new HeaderText().put("size", replay.length).put("starved", false))), replay));
+                        List.of(new HeaderText().put("size", sent.length).put("starved", false))), sent));
             }
         }
     }
@@ -309,11 +309,15 @@ class WorkerTest {
 
     /** A league that serves and gives no games out. */
     private RemoteGames served(String league) {
+        return served(league, what -> { });
+    }
+
+    private RemoteGames served(String league, Consumer<String> teller) {
         LeagueFolder here = new LeagueFolder(folder.resolve(league));
         LeagueSettings settings = here.read();
         Contest contest = Contest.withoutBots(Games.open(here.scene(settings.scene())), 1);
         return new RemoteGames(here, Season.of(contest.setup(), settings), contest, settings, Games.types(),
-            new RemoteGames.Service(new InetSocketAddress("127.0.0.1", port), 0.05, Long.MAX_VALUE, "1"), what -> { });
+            new RemoteGames.Service(new InetSocketAddress("127.0.0.1", port), 0.05, Long.MAX_VALUE, "1"), teller);
     }
 
     private String refused(WorkerToken token) {
@@ -327,7 +331,8 @@ class WorkerTest {
     void versionsThatComputeOtherResultsDoNotPlayTogether() throws Exception {
         make("many");
         WorkerToken token = token("many", "old");
-        try (RemoteGames games = served("many"); BrokerClient client = client(token)) {
+        List<String> told = new CopyOnWriteArrayList<>();
+        try (RemoteGames games = served("many", told::add); BrokerClient client = client(token)) {
             assertTrue(games.seen().isEmpty());
             client.say(WireMessage.bytes(new HeaderText().put("type", "hello").put("version", "0.0.9")
                 .put("bits", "0123456789abcdef").put("machine", "an old machine").put("slots", 1)));
@@ -338,8 +343,19 @@ class WorkerTest {
             WireMessage message = WireMessage.read(answer, "the league");
             assertEquals("refused", message.header().text("type"));
             String reason = message.header().text("reason");
-            assertTrue(reason.contains("found Steward 0.0.9 (results 0123456789abcdef) on worker old and Steward "),
-                reason);
+            assertEquals("found Steward 0.0.9 (results 0123456789abcdef) on worker old and Steward 1 (results "
+                + PhysicsFingerprint.text() + ") in the league, expected versions that compute the same", reason);
+            assertEquals(List.of(reason), told, "the league says it, too");
+
+            client.say(WireMessage.bytes(new HeaderText().put("type", "hello").put("version", "0.0.8")
+                .put("bits", PhysicsFingerprint.text()).put("machine", "a machine").put("slots", 2)));
+            client.say(WireMessage.bytes(new HeaderText().put("type", "differs").put("rules", "fedcba9876543210")));
+            while (told.size() < 3) {
+                TimeUnit.MILLISECONDS.sleep(10);
+            }
+            assertTrue(told.get(2).startsWith("found Steward 0.0.8 (results fedcba9876543210) on worker old and "
+                + "Steward 1 (results "), told::toString);
+            assertEquals(0, games.seen().get(0).slots(), "it is given no games");
         }
     }
 }

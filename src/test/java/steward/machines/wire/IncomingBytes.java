@@ -20,7 +20,7 @@ import steward.machines.bundle.UnpackedBundle;
 import steward.scene.json.SceneException;
 
 /**
- * What arrives from other machines, broken by chance: messages of workers, jobs of a league, bundles. Each has to be
+ * What arrives from other machines, broken by chance: messages of workers and leagues, jobs, bundles. Each has to be
  * taken or refused with one message, and a bundle must write nothing outside its folder.
  */
 public final class IncomingBytes {
@@ -39,6 +39,13 @@ public final class IncomingBytes {
         .put("job", HASH.substring(32)).put("seed", "-7").put("seats", List.of(new HeaderText().put("name", "a")
             .put("bundle", HASH).put("size", 99), new HeaderText().put("name", "b").put("bundle", HASH)
             .put("size", 1))));
+
+    private static final List<byte[]> LEAGUE_WORDS = List.of(
+        WireMessage.bytes(new HeaderText().put("type", "welcome").put("version", "1").put("rules", "0123456789abcdef")
+            .put("factor", "1.5").put("basis", "cpu").put("hiccups", "replay"), "{}".getBytes(StandardCharsets.UTF_8)),
+        WireMessage.bytes(new HeaderText().put("type", "refused").put("reason", "found 1, expected 2")),
+        WireMessage.bytes(new HeaderText().put("type", "bundle").put("bundle", HASH).put("from", 262_144)
+            .put("known", true), new byte[] {1, 2, 3}));
 
     private final Path folder;
     private final long seed;
@@ -105,6 +112,13 @@ public final class IncomingBytes {
     public boolean job(int number) {
         byte[] bytes = broken(JOB, random(number));
         return isRefused(() -> GameJob.read(bytes, "the league", Bundle.LARGEST));
+    }
+
+    /** What a league says to a worker; whether it is refused. */
+    public boolean league(int number) {
+        SplittableRandom random = random(number);
+        byte[] bytes = broken(LEAGUE_WORDS.get(random.nextInt(LEAGUE_WORDS.size())), random);
+        return isRefused(() -> LeagueWord.read(bytes, "the league", Bundle.LARGEST));
     }
 
     /** A bundle whose hash is right, its names and list broken, or the packed bytes; whether it is refused. */

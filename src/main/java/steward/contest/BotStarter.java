@@ -1,0 +1,19 @@
+package steward.contest;
+
+import java.util.List;
+import steward.Internal;
+import steward.bot.Player;
+import steward.bot.isolation.Isolation;
+import steward.contest.Contest.Entrant;
+
+/** Makes players of bots: processes, unless something is measured without them. */
+@Internal
+public interface BotStarter {
+
+    /**
+     * A player that is not started yet.
+     *
+     * @param others the programs of the other bots, which it must not see
+     */
+    Player player(Entrant entrant, Isolation isolation, List<List<String>> others);
+}

@@ -1,0 +1,284 @@
+package steward.machines.check;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import steward.contest.Contest;
+import steward.contest.Failure;
+import steward.game.Game;
+import steward.game.JsonNumbers;
+import steward.match.MatchListener;
+import steward.match.MatchResult;
+import steward.match.Turn;
+import steward.numerics.StateHash;
+import steward.replay.JsonLine;
+import steward.replay.RecordedTurn;
+import steward.replay.ReplayException;
+import steward.replay.ReplayHeader;
+import steward.replay.ReplayWriter;
+import steward.replay.verify.Difference;
+import steward.replay.verify.Resimulation;
+import steward.scene.json.JsonProblem;
+import steward.scene.json.SceneException;
+import tools.jackson.core.JacksonException;
+import tools.jackson.core.JsonParser;
+import tools.jackson.core.JsonToken;
+import tools.jackson.core.ObjectReadContext;
+
+/**
+ * Reads what a game came to from its transcript, see {@link TranscriptWriter}: it is played again, so that states,
+ * events and result follow from the commands and cannot be anything else. The hash of all states says whether the other
+ * machine computed the same. Only how long answers took is believed. Thread-safe.
+ */
+public final class TranscriptCheck {
+
+    private static final MatchListener NOBODY = new MatchListener() { };
+    private static final Set<String> HEAD = Set.of("bots", "sandbox");
+    private static final Set<String> TURN = Set.of("commands", "faults", "messages", "stderr");
+    private static final List<String> TIMES = List.of("averageNanos", "worstNanos", "firstNanos", "earlyTurns");
+
+    private final Contest contest;
+
+    /** @param contest of the scene; its own bots do not matter */
+    public TranscriptCheck(Contest contest) {
+        this.contest = contest;
+    }
+
+    /**
+     * Plays a transcript.
+     *
+     * @param source names it in errors
+     * @param gzip   the transcript, compressed
+     * @throws DisprovedException if it is none of that game, or other states were computed where it was played
+     */
+    public ReplayCheck.Outcome check(String source, byte[] gzip, ReplayCheck.Expected expected)
+            throws DisprovedException {
+        return play(source, gzip, expected, null);
+    }
+
+    /**
+     * The replay of a game, as it would have been written where it was played.
+     *
+     * @throws DisprovedException as above
+     */
+    public byte[] replay(String source, byte[] gzip, ReplayCheck.Expected expected) throws DisprovedException {
+        ByteArrayOutputStream replay = new ByteArrayOutputStream();
+        play(source, gzip, expected, replay);
+        return replay.toByteArray();
+    }
+
+    private ReplayCheck.Outcome play(String source, byte[] gzip, ReplayCheck.Expected expected,
+                                     ByteArrayOutputStream replay) throws DisprovedException {
+        try {
+            return new Playing(source, GzipText.bytes(gzip), expected, replay).play();
+        } catch (ReplayException | SceneException problem) {
+            throw new DisprovedException(String.valueOf(problem.getMessage()));
+        } catch (JacksonException problem) {
+            throw new DisprovedException(source + ": found no JSON: " + JsonProblem.message(problem));
+        } catch (IOException | UncheckedIOException problem) {
+            throw new DisprovedException(source + ": cannot be unpacked: " + problem.getMessage());
+        }
+    }
+
+    /** A game while it is played again. */
+    private final class Playing {
+
+        private final String source;
+        private final byte[] text;
+        private final ReplayCheck.Expected expected;
+        private final int players = contest.players();
+        private final Resimulation again;
+        private final Game game;
+        private final String[] none = new String[players];
+        private final String[] faults = new String[players];
+        private final int[] asked = new int[players];
+        private final StateHash states = new StateHash();
+        private final MatchListener listener;
+        private final boolean recorded;
+        private final JsonLine last;
+        private JsonParser nanos;
+        private int from;
+        private int number = 1;
+
+        Playing(String source, byte[] text, ReplayCheck.Expected expected, ByteArrayOutputStream replay) {
+            this.source = source;
+            this.text = text;
+            this.expected = expected;
+            again = new Resimulation(contest.setup(), expected.seed());
+            game = again.game();
+            int end = text.length - 1;
+            int begin = end - 1;
+            while (begin >= 0 && text[begin] != '\n') {
+                begin--;
+            }
+            if (end < 0 || text[end] != '\n' || begin < 0) {
+                throw new ReplayException(source + ": found " + text.length + " bytes, expected a whole game");
+            }
+            last = new JsonLine(source + ", its end", Arrays.copyOfRange(text, begin + 1, end));
+            JsonLine head = new JsonLine(source + ":1", line());
+            only(head, HEAD);
+            String[] bots = head.texts("bots", players);
+            if (Arrays.asList(bots).contains(null)) {
+                throw new ReplayException(source + ":1: found no bots, expected " + players);
+            }
+            recorded = replay != null;
+            listener = !recorded ? NOBODY : new ReplayWriter(replay, new ReplayHeader(
+                contest.setup().scene().gameId(), contest.setup().scene().json(), expected.seed(), expected.names(),
+                List.of(bots), expected.protocols(), contest.timeFactor(), contest.setup().scene().angles(), null,
+                head.text("sandbox")));
+        }
+
+        /** The bytes up to the next end of a line. */
+        private byte[] line() {
+            int end = from;
+            while (text[end] != '\n') {
+                end++;
+            }
+            byte[] line = Arrays.copyOfRange(text, from, end);
+            from = end + 1;
+            return line;
+        }
+
+        private void only(JsonLine line, Set<String> names) {
+            for (String name : line.names()) {
+                if (!names.contains(name)) {
+                    throw new ReplayException(line.where() + ": found the field \"" + name
+                        + "\", expected no such field");
+                }
+            }
+        }
+
+        ReplayCheck.Outcome play() throws DisprovedException {
+            listener.start(game, again.codec());
+            states.add(game.hash());
+            byte[] times = last.array(TranscriptWriter.NANOS);
+            nanos = RecordedTurn.parser(times);
+            nanos.nextToken();
+            while (!game.isOver()) {
+                number++;
+                byte[] line = from < text.length ? line() : new byte[0];
+                if (from == text.length) {
+                    throw new DisprovedException(source + ": ends after turn " + game.turn()
+                        + ", expected the rest of the game");
+                }
+                turn(line);
+            }
+            if (from == text.length) {
+                throw new DisprovedException(source + ": found no end, expected one");
+            }
+            line();
+            if (from < text.length) {
+                throw new DisprovedException(source + ": goes on after turn " + game.turn()
+                    + ", expected the end of the game");
+            }
+            return end();
+        }
+
+        private void turn(byte[] line) throws DisprovedException {
+            String[] texts = none;
+            String[] messages = none;
+            String[] stderr = none;
+            byte[] commands = line;
+            if (line.length == 0 || line[0] != '[') {
+                JsonLine told = new JsonLine(source + ":" + number, line);
+                only(told, TURN);
+                texts = told.texts("faults", players);
+                messages = told.texts("messages", players);
+                stderr = told.texts("stderr", players);
+                commands = told.array("commands");
+            }
+            Turn turn = Turn.of(game.turn() + 1, players);
+            for (int player = 0; player < players; player++) {
+                if (game.isIn(player)) {
+                    asked[player]++;
+                    long time = recorded ? nanos() : 0;
+                    if (texts[player] == null) {
+                        turn.answer(player, messages[player], stderr[player], time);
+                    } else {
+                        turn.fail(player, texts[player], stderr[player], time);
+                        faults[player] = turn.fault(player);
+                    }
+                }
+            }
+            Difference wrong = again.prepare(new RecordedTurn(turn.number(), commands, texts, null, null, messages,
+                stderr, null, source + ":" + number));
+            if (wrong != null) {
+                throw new DisprovedException(source + ": cannot be played again: " + wrong);
+            }
+            listener.commands(turn);
+            game.play();
+            listener.played(turn);
+            states.add(game.hash());
+        }
+
+        private long nanos() {
+            JsonToken token = nanos.nextToken();
+            if (token != JsonToken.VALUE_NUMBER_INT || nanos.getLongValue() < 0) {
+                throw wrongTimes(TranscriptWriter.NANOS);
+            }
+            return nanos.getLongValue();
+        }
+
+        private ReplayException wrongTimes(String name) {
+            return new ReplayException(last.where() + ": " + name + ": found something else, expected whole numbers "
+                + "from 0, one for each answer or player");
+        }
+
+        private ReplayCheck.Outcome end() throws DisprovedException {
+            String found = last.text(TranscriptWriter.STATES);
+            if (!found.equals(StateHash.toHex(states.value()))) {
+                throw new DisprovedException(source + ": differs when it is played again: found states of the hash "
+                    + found + ", expected " + StateHash.toHex(states.value()));
+            }
+            List<long[]> times = new ArrayList<>();
+            TIMES.forEach(name -> times.add(numbers(name)));
+            List<ReplayCheck.Seat> seats = new ArrayList<>();
+            List<MatchResult.PlayerResult> results = new ArrayList<>();
+            for (int player = 0; player < players; player++) {
+                String kind = faults[player] == null ? null
+                    : new Failure(player, 0, faults[player], List.of(), List.of()).kind();
+                seats.add(new ReplayCheck.Seat(game.ranks()[player], game.scores()[player], kind, asked[player],
+                    times.get(0)[player], times.get(1)[player], times.get(2)[player]));
+                results.add(new MatchResult.PlayerResult(expected.names().get(player), game.ranks()[player],
+                    game.scores()[player], faults[player], game.eliminationReason(player), asked[player],
+                    times.get(0)[player], times.get(1)[player], times.get(2)[player], (int) times.get(3)[player],
+                    data("data" + player)));
+            }
+            listener.end(new MatchResult(game.turn(), game.ending(), results, data("data")));
+            return new ReplayCheck.Outcome(game.turn(), seats);
+        }
+
+        private long[] numbers(String name) {
+            byte[] array = last.array(name);
+            long[] numbers = new long[players];
+            try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), array, 0, array.length)) {
+                in.nextToken();
+                for (int player = 0; player < players; player++) {
+                    if (in.nextToken() != JsonToken.VALUE_NUMBER_INT || in.getLongValue() < 0) {
+                        throw wrongTimes(name);
+                    }
+                    numbers[player] = in.getLongValue();
+                }
+                if (in.nextToken() != JsonToken.END_ARRAY) {
+                    throw wrongTimes(name);
+                }
+            }
+            return numbers;
+        }
+
+        private Map<String, String> data(String name) {
+            Map<String, String> data = new HashMap<>();
+            if (last.has(name)) {
+                JsonLine told = new JsonLine(last.where() + ": " + name, last.object(name));
+                told.names().forEach(key -> data.put(key, told.text(key)));
+            }
+            return data;
+        }
+    }
+}

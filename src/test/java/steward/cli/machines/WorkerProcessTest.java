@@ -1,0 +1,230 @@
+package steward.cli.machines;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.File;
+import java.io.IOException;
+import java.io.RandomAccessFile;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import steward.cli.Cli;
+import steward.cli.Main;
+import steward.cli.ShellBots;
+import steward.cli.TextShellBots;
+import steward.league.LeagueFolder;
+import steward.league.Season;
+import steward.league.StoredGame;
+import steward.league.store.GameQueries;
+import steward.league.store.GameStore;
+
+/** How workers end, by themselves and by a signal, and what they say where they cannot play; as processes. */
+@Tag("process")
+@Tag("slow")
+@Timeout(300)
+class WorkerProcessTest {
+
+    private static final int INTERRUPTED = 130;
+
+    @TempDir
+    private Path folder;
+
+    private final List<Process> started = new ArrayList<>();
+    private int port;
+
+    @BeforeEach
+    void prepare() throws IOException {
+        assumeTrue(ShellBots.runnable(), "skipped: there is no /bin/sh");
+        Files.writeString(folder.resolve("short.json"), Files.readString(Path.of("config/scenes/duel.json"))
+            .replace("\"maximumTurns\": 200", "\"maximumTurns\": 5").replace("\"answerMs\": 75", "\"answerMs\": 60000")
+            .replace("\"firstAnswerMs\": 1000", "\"firstAnswerMs\": 60000"));
+        Files.writeString(folder.resolve("pause.sh"), "#!/bin/sh\nsleep 0.4; exec \"$@\"\n");
+        TextShellBots bots = new TextShellBots(folder);
+        done("init", folder.resolve("night").toString(), "--scene", folder.resolve("short.json").toString());
+        String paused = "sh '" + folder.resolve("pause.sh") + "' ";
+        done("add", folder.resolve("night").toString(), "fast=codingame:" + paused + bots.driver());
+        done("add", folder.resolve("night").toString(), "still=codingame:" + paused + bots.idler(0));
+        try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            port = free.getLocalPort();
+        }
+    }
+
+    @AfterEach
+    void end() throws InterruptedException {
+        for (Process process : started) {
+            process.destroyForcibly().waitFor();
+        }
+    }
+
+    private static String done(String... words) {
+        Cli cli = Cli.run(Stream.concat(Stream.of("league"), Stream.of(words)).toArray(String[]::new));
+        assertEquals(0, cli.status(), cli.err());
+        return cli.out() + cli.err();
+    }
+
+    private CompletableFuture<String> serve(int games) {
+        return CompletableFuture.supplyAsync(() -> done("run", folder.resolve("night").toString(), "--games",
+            Integer.toString(games), "--serve", "127.0.0.1:" + port));
+    }
+
+    /** A worker with a new token, after the words of {@code before}. */
+    private Process worker(String name, List<String> before, String... options) throws IOException {
+        done("worker", "add", folder.resolve("night").toString(), name, "--out", token(name).toString());
+        List<String> words = new ArrayList<>(before);
+        words.addAll(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+            "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-XX:-UsePerfData", "--enable-native-access=ALL-UNNAMED",
+            "-cp", Stream.of(System.getProperty("java.class.path").split(File.pathSeparator))
+                .map(part -> Path.of(part).toAbsolutePath().toString())
+                .reduce((one, other) -> one + File.pathSeparator + other).orElseThrow(), Main.class.getName(),
+            "worker", "--join", "127.0.0.1:" + port, "--token-file", token(name).toString(), "--bundles",
+            folder.resolve("bundles " + name).toString(), "--sandbox", "off"));
+        words.addAll(List.of(options));
+        Process process = new ProcessBuilder(words).directory(folder.toFile())
+            .redirectOutput(folder.resolve(name + ".out").toFile())
+            .redirectError(folder.resolve(name + ".err").toFile()).start();
+        started.add(process);
+        return process;
+    }
+
+    private Path token(String name) {
+        return folder.resolve(name + ".token");
+    }
+
+    private String read(String file) {
+        try {
+            return Files.readString(folder.resolve(file), StandardCharsets.UTF_8);
+        } catch (IOException problem) {
+            return problem.toString();
+        }
+    }
+
+    private static void await(BooleanSupplier condition) throws InterruptedException {
+        while (!condition.getAsBoolean()) {
+            TimeUnit.MILLISECONDS.sleep(50);
+        }
+    }
+
+    /** The games that a worker has played and that are stored. */
+    private int stored(String worker) {
+        List<StoredGame> games = new ArrayList<>();
+        try (GameStore store = GameStore.read(new LeagueFolder(folder.resolve("night")))) {
+            Season season = store.lastSeason().orElse(null);
+            if (season != null) {
+                new GameQueries(store, store.season(season).orElseThrow(), season).games(games::add);
+            }
+        }
+        assertEquals(games.size(), games.stream().map(game -> game.decision() + " " + List.of(game.seats().get(0)
+            .version())).distinct().count(), "each is stored once");
+        return (int) games.stream().filter(game -> game.machine().startsWith("worker " + worker + ": ")).count();
+    }
+
+    private int end(Process process, CompletableFuture<String> league) throws InterruptedException {
+        assertTrue(process.waitFor(100, TimeUnit.SECONDS), () -> "it does not end; the league "
+            + (league.isDone() ? "has ended" : "plays"));
+        return process.exitValue();
+    }
+
+    @Test
+    void endsAfterSoManyGamesOrSoMuchTime() throws Exception {
+        CompletableFuture<String> league = serve(24);
+        Process three = worker("three", List.of(), "--games", "3", "--threads", "2");
+        assertEquals(0, end(three, league), () -> read("three.err"));
+        assertEquals("3 games played\n", read("three.out"));
+        Process brief = worker("brief", List.of(), "--for", "3s");
+        long began = System.nanoTime();
+        assertEquals(0, end(brief, league), () -> read("brief.err"));
+        assertTrue(System.nanoTime() - began >= TimeUnit.SECONDS.toNanos(3));
+        String said = league.get(200, TimeUnit.SECONDS);
+        assertTrue(said.startsWith("24 games of duel\n"), said);
+        assertEquals(3, stored("three"), said);
+        assertEquals(stored("brief") + (stored("brief") == 1 ? " game" : " games") + " played\n", read("brief.out"));
+    }
+
+    @Test
+    void ctrlCFinishesTheGamesThatAreUnderWay() throws Exception {
+        CompletableFuture<String> league = serve(24);
+        Process worker = worker("ending", List.of(), "--threads", "2");
+        await(() -> stored("ending") >= 2 || league.isDone());
+        int before = stored("ending");
+        new ProcessBuilder("kill", "-s", "INT", Long.toString(worker.pid())).start().waitFor();
+        assertEquals(INTERRUPTED, end(worker, league), () -> read("ending.err"));
+        assertTrue(read("ending.err").contains("the games that are under way are finished, no others begun\n"),
+            read("ending.err"));
+        String said = league.get(200, TimeUnit.SECONDS);
+        assertTrue(said.startsWith("24 games of duel\n"), said);
+        int after = stored("ending");
+        assertTrue(after > before, "found " + after + " games, and " + before + " when it was told to end: one was "
+            + "under way, as each takes most of a second");
+        assertTrue(read("ending.err").endsWith("interrupted; " + after + " games played\n"), read("ending.err"));
+    }
+
+    /** The files of the worker may have 4 KiB each: beyond that the system refuses to write, as on a full disk. */
+    @Test
+    void aWorkerThatCannotStoreABotSaysSoAndOthersPlay() throws Exception {
+        Path weights = folder.resolve("weights.bin");
+        Files.write(weights, new byte[40_000]);
+        Path settings = folder.resolve("night/league.json");
+        Files.writeString(settings, Files.readString(settings).replaceFirst("\"name\": \"fast\"", "\"files\": [\""
+            + weights + "\", \"" + folder.resolve("pause.sh") + "\", \"" + folder.resolve("text pod.sh")
+            + "\"], $0"));
+        CompletableFuture<String> league = serve(8);
+        Process small = worker("small", List.of("sh", "-c", "ulimit -f 8; exec \"$0\" \"$@\""));
+        await(() -> read("small.err").contains("cannot be unpacked") || league.isDone());
+        Process other = worker("other", List.of());
+        String said = league.get(200, TimeUnit.SECONDS);
+        assertTrue(said.contains("8 games of duel\n"), said);
+        assertEquals(0, stored("small"));
+        assertTrue(read("small.err").matches("(?s).*steward: fast: \\S.*: the bundle cannot be unpacked: [^\n]*\n.*"),
+            read("small.err"));
+        assertTrue(said.contains("steward: worker small cannot play a bot: fast: "), said);
+        assertTrue(small.isAlive() && other.isAlive(), "it waits for games that it can play");
+        try (Stream<Path> left = Files.list(folder.resolve("bundles small"))) {
+            assertFalse(left.anyMatch(path -> path.getFileName().toString().startsWith("unpacking")));
+        }
+    }
+
+    @Test
+    void aTokenThatOthersCanReadIsWarnedOf() throws Exception {
+        done("worker", "add", folder.resolve("night").toString(), "open", "--out", token("open").toString());
+        Files.setPosixFilePermissions(token("open"), PosixFilePermissions.fromString("rw-r--r--"));
+        Cli cli = Cli.run("worker", "--join", "no-such-host.invalid:1", "--token-file", token("open").toString(),
+            "--sandbox", "off");
+        cli.assertRefused("expected a file of yours alone: chmod 600 " + token("open"));
+        assertTrue(cli.err().contains("no-such-host.invalid:1: found an unknown host"), cli.err());
+    }
+
+    @Test
+    void aBotThatIsTooLargeIsNamedBeforeAnyGame() throws Exception {
+        Path weights = folder.resolve("weights.bin");
+        try (RandomAccessFile file = new RandomAccessFile(weights.toFile(), "rw")) {
+            file.setLength((64 << 20) + 1);
+        }
+        Path settings = folder.resolve("night/league.json");
+        Files.writeString(settings, Files.readString(settings).replaceFirst("\"name\": \"fast\"", "\"files\": [\""
+            + weights + "\"], $0"));
+        Cli cli = Cli.run("league", "run", folder.resolve("night").toString(), "--games", "8", "--serve",
+            "127.0.0.1:" + port);
+        cli.assertRefused("bot 'fast': found 67109");
+        assertTrue(cli.err().contains(" bytes of files up to " + weights + ", expected at most 67108864 (64 MiB) for "
+            + "workers"), cli.err());
+        assertEquals(0, stored("any"));
+    }
+}
