@@ -153,7 +153,7 @@ class LeaguePageTest {
                     assertTrue(browser.is("document.documentElement.scrollWidth <= innerWidth"),
                         "nothing is wider than " + width);
                     browser.run("document.getElementById('workers-card').scrollIntoView()");
-                    browser.screenshot(Path.of("/tmp/outs/a22/workers-" + (dark ? "dark" : "light") + width + ".png"));
+                    browser.screenshot(folder.resolve("workers-" + (dark ? "dark" : "light") + width + ".png"));
                 }
             }
             assertEquals(List.of(), browser.complaints());
