@@ -39,8 +39,8 @@ final class House {
         "lab.oracle", "lab.trial", "lab.stability.pairs", "lab.stability.crowds", "lab.stability",
         "lab.timing", "lab.calibration", "lab.tradeoff", "lab.tradeoff.report",
         "bench", "bench.textbook", "bench.section",
-        "cli.shared", "cli.options", "cli.bench", "cli.lab", "cli.replay", "cli.play", "cli.sequential", "cli.league",
-        "cli.machines",
+        "cli.shared", "cli.options", "cli.bench", "cli.lab", "cli.replay", "cli.play", "cli.sequential",
+        "cli.league.view", "cli.league.run", "cli.league", "cli.machines",
         "cli.setup", "cli");
 
     /** The game for which there are commands and formats of its own. */

@@ -8,6 +8,8 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import steward.bot.command.BotCommand;
+import steward.cli.league.view.LeagueArgument;
+import steward.cli.league.view.LeagueOpening;
 import steward.cli.options.BuiltinBotWords;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Streams;

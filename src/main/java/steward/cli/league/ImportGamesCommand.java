@@ -12,6 +12,8 @@ import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
+import steward.cli.league.view.LeagueArgument;
+import steward.cli.league.view.LeagueOpening;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Streams;
 import steward.files.InputException;

@@ -11,6 +11,7 @@ import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
+import steward.cli.league.view.LeagueArgument;
 import steward.cli.options.CallCheck;
 import steward.cli.options.SceneOptions;
 import steward.cli.options.SeedOption;

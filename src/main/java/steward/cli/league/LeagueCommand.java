@@ -8,6 +8,10 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
+import steward.cli.league.view.GamesCommand;
+import steward.cli.league.view.LeagueSprtCommand;
+import steward.cli.league.view.PageCommand;
+import steward.cli.league.view.TableCommand;
 import steward.cli.shared.Streams;
 
 /** {@code steward league}: bots that play each other for as long as one likes, every game kept. */

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
+import steward.cli.league.view.LeagueArgument;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Streams;
 import steward.league.LeagueBot;

@@ -5,6 +5,8 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import steward.cli.league.view.LeagueArgument;
+import steward.cli.league.view.LeagueOpening;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Streams;
 import steward.league.LeagueBot;

@@ -2,7 +2,7 @@ package steward.cli.machines;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
-import steward.cli.league.RunCommand;
+import steward.cli.league.run.RunCommand;
 import steward.cli.shared.Streams;
 
 /** Those commands of a league that are about several machines. */

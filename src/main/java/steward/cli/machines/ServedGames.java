@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
-import steward.cli.league.Serving;
+import steward.cli.league.run.Serving;
 import steward.cli.shared.Games;
 import steward.contest.Contest;
 import steward.league.LeagueFolder;

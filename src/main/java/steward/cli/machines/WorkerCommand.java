@@ -9,7 +9,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.bot.isolation.Isolation;
-import steward.cli.league.RunCommand;
+import steward.cli.league.run.RunCommand;
 import steward.cli.options.CallCheck;
 import steward.cli.options.SandboxOptions;
 import steward.cli.options.ThreadsOption;

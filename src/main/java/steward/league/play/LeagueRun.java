@@ -1,21 +1,11 @@
 package steward.league.play;
 
-import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
-import java.nio.file.attribute.BasicFileAttributes;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.Future;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import steward.contest.Contest;
+import steward.contest.WorkerThreads;
 import steward.files.InputException;
 import steward.league.EarlierGames;
 import steward.league.LeagueFolder;
@@ -34,17 +24,13 @@ import steward.league.rating.Ratings;
 import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
 import steward.league.store.GameWriter;
-import steward.scene.json.SceneException;
-import steward.text.TextFormat;
 
 /**
- * A league while it is played. Between games league.json is read anew; an edit that cannot be used is told, and the
- * settings as they were stay in force.
+ * A league while it is played: threads that take games from the schedule, play them, and hand them over to be stored.
+ * Between games league.json is read anew ({@link RosterWatch}).
  */
 public final class LeagueRun {
 
-    /** How often files are looked at, in milliseconds. */
-    private static final long LOOK_MS = 200;
     /** How long a thread sleeps that has to wait for other games, in milliseconds. */
     static final long WAIT_MS = 100;
 
@@ -53,10 +39,9 @@ public final class LeagueRun {
     private final int season;
     private final GameWriter writer;
     private final GamePlay play;
-    private final RosterReader reader;
+    private final RosterWatch watch;
     private final Schedule schedule;
     private final Limits limits;
-    private final Consumer<String> teller;
     private final Consumer<StoredGame> listener;
     private final long end;
     private final GameQueries queries;
@@ -71,13 +56,7 @@ public final class LeagueRun {
     private StopRule rule = StopRule.NONE;
     private Roster roster;
     private Map<Integer, Member> members;
-    private String seen;
-    private long looked = System.nanoTime();
     private int underWay;
-    /** Whether the file of a bot is being changed or cannot be used: no game is begun then. */
-    private boolean paused;
-    private String unstable = "";
-    private String told = "";
     private boolean brokenOff;
     private boolean ended;
     private String stopped;
@@ -109,9 +88,7 @@ public final class LeagueRun {
         this.folder = folder;
         this.store = store;
         this.season = season;
-        this.reader = reader;
         this.limits = limits;
-        this.teller = teller;
         this.listener = listener;
         play = new GamePlay(key, contest, new KeptGames(folder), machine, System::currentTimeMillis);
         queries = new GameQueries(store, season, key);
@@ -121,24 +98,14 @@ public final class LeagueRun {
         if (roster.settings().adaptive() && key.players() > 1) {
             learn();
         }
-        seen = stamp();
+        watch = new RosterWatch(folder, reader, teller);
         use(roster);
         end = limits.nanos() == Long.MAX_VALUE ? Long.MAX_VALUE : System.nanoTime() + limits.nanos();
         writer = new GameWriter(store, season);
     }
 
-    private String stamp() {
-        Path file = folder.settings();
-        try {
-            return Files.size(file) + " " + Files.getLastModifiedTime(file).toInstant() + " "
-                + Files.readAttributes(file, BasicFileAttributes.class).fileKey();
-        } catch (IOException gone) {
-            return "none";
-        }
-    }
-
     private void use(Roster next) {
-        check(next, play.season().players());
+        next.check(play.season().players());
         roster = next;
         members = next.byVersion();
         LeagueSettings settings = next.settings();
@@ -187,20 +154,6 @@ public final class LeagueRun {
         }
     }
 
-    /** Refuses a roster that no game can be played with. */
-    private static void check(Roster roster, int players) {
-        LeagueSettings settings = roster.settings();
-        if (roster.members().size() < players) {
-            throw new InputException("found " + TextFormat.count(roster.members().size(), "bot") + " that "
-                + (roster.members().size() == 1 ? "plays" : "play") + ", expected at least " + players
-                + "; 'steward league add' adds one");
-        }
-        if (settings.gauntlet() != null && roster.versionOf(settings.gauntlet()).isEmpty()) {
-            throw new InputException("pairing: the bot '" + settings.gauntlet() + "' of the gauntlet is retired, "
-                + "expected one that plays");
-        }
-    }
-
     /** Lets other machines play, too; before {@link #play}. */
     public void with(Elsewhere machines) {
         elsewhere = machines;
@@ -208,29 +161,11 @@ public final class LeagueRun {
 
     /** Plays until an end is reached. Call once. */
     public void play() throws InterruptedException {
-        ExecutorService workers = Executors.newCachedThreadPool(LeagueRun::daemon);
+        int far = elsewhere == null ? 0 : 1;
         try {
-            List<Future<?>> working = new ArrayList<>();
-            for (int k = 0; k < limits.threads(); k++) {
-                working.add(workers.submit(() -> {
-                    boolean more = true;
-                    while (more) {
-                        more = playNext(play::play);
-                    }
-                    return null;
-                }));
-            }
-            if (elsewhere != null) {
-                working.add(workers.submit(() -> new FarGames(elsewhere, workers).play(this::isOver,
-                    () -> playNext(elsewhere::play))));
-            }
-            for (Future<?> one : working) {
-                one.get();
-            }
-        } catch (ExecutionException problem) {
-            throw new IllegalStateException("a game of the league", problem.getCause());
+            WorkerThreads.run("league", limits.threads() + far, thread -> thread < limits.threads() ? this::playHere
+                : () -> new FarGames(elsewhere).play(this::isOver, () -> playNext(elsewhere::play)));
         } finally {
-            workers.shutdownNow();
             writer.close();
         }
         if (writer.problem() != null) {
@@ -238,10 +173,12 @@ public final class LeagueRun {
         }
     }
 
-    private static Thread daemon(Runnable work) {
-        Thread thread = new Thread(work, "league");
-        thread.setDaemon(true);
-        return thread;
+    private Void playHere() throws InterruptedException {
+        boolean more = true;
+        while (more) {
+            more = playNext(play::play);
+        }
+        return null;
     }
 
     /** Who plays a game. */
@@ -279,14 +216,16 @@ public final class LeagueRun {
             if (problem != null) {
                 stop(problem);
             }
-            boolean changed = seats.stream().anyMatch(member -> !reader.stamp(member.bot()).equals(member.stamp()));
+            boolean changed = watch.isChanged(seats);
             boolean none = attempts == null || elsewhere != null
                 && attempts.stream().anyMatch(game -> !elsewhere.isTrusted(game.machine()));
             attempts = attempts == null ? List.of() : attempts;
             if (brokenOff || problem != null || changed || none) {
                 attempts.forEach(game -> KeptGames.remove(folder, game));
                 schedule.dropped(task);
-                looked = changed ? System.nanoTime() - TimeUnit.MILLISECONDS.toNanos(LOOK_MS) : looked;
+                if (changed) {
+                    watch.lookSoon();
+                }
                 notifyAll();
                 return !brokenOff && stopped == null;
             }
@@ -310,8 +249,8 @@ public final class LeagueRun {
                 || end != Long.MAX_VALUE && System.nanoTime() - end >= 0) {
                 return null;
             }
-            look();
-            if (paused) {
+            watch.look(roster, known != null, this::use);
+            if (watch.isPaused()) {
                 wait(WAIT_MS);
                 continue;
             }
@@ -341,71 +280,6 @@ public final class LeagueRun {
             store.outcome(play.name(task, seats, attempt)).ifPresent(found -> known.add(task.decision(), task.seed(),
                 task.lineup(), found.scores().get(0), found.ranks().stream().mapToInt(rank -> rank).toArray()));
         }
-    }
-
-    /** Looks whether league.json or the file of a bot has changed. */
-    private void look() {
-        if (System.nanoTime() - looked < TimeUnit.MILLISECONDS.toNanos(LOOK_MS)) {
-            return;
-        }
-        looked = System.nanoTime();
-        boolean changed = isChanged();
-        String now = stamp();
-        boolean edited = !Objects.equals(now, seen);
-        if (!edited && !changed) {
-            paused = false;
-            return;
-        }
-        if (changed && isUnstable()) {
-            paused = true;                             // perhaps it is just being written
-            return;
-        }
-        try {
-            LeagueSettings read = edited ? folder.read() : roster.settings();
-            String fixed = fixed(read);
-            if (fixed != null) {
-                throw new InputException(folder.settings() + ": " + fixed
-                    + " has changed, which is read when a run begins");
-            }
-            use(reader.read(read));
-            paused = false;
-            tell(edited ? "read " + folder.settings() + " anew: " + TextFormat.count(roster.members().size(), "bot")
-                : "");
-        } catch (SceneException | InputException problem) {
-            paused = changed;
-            tell(problem.getMessage() + (changed ? "; no game is begun until that is so"
-                : "; the league goes on as before"));
-        }
-        seen = now;
-    }
-
-    private boolean isChanged() {
-        return roster.members().stream().anyMatch(member -> !reader.stamp(member.bot()).equals(member.stamp()));
-    }
-
-    /** Whether the files of the bots have changed since they were last looked at. */
-    private boolean isUnstable() {
-        String now = String.join("\n", roster.members().stream().map(member -> reader.stamp(member.bot())).toList());
-        boolean same = now.equals(unstable);
-        unstable = now;
-        return !same;
-    }
-
-    /** Says something, once. */
-    private void tell(String what) {
-        if (!what.isEmpty() && !what.equals(told)) {
-            teller.accept(what);
-        }
-        told = what;
-    }
-
-    private String fixed(LeagueSettings read) {
-        LeagueSettings old = roster.settings();
-        return !read.scene().equals(old.scene()) ? "the scene"
-            : !read.limits().equals(old.limits()) ? "the time limit"
-            : !read.sandbox().equals(old.sandbox()) ? "the sandbox"
-            : read.adaptive() && !old.adaptive() && known == null ? "the pairing"
-            : read.seed() != old.seed() ? "the seed" : read.lag() != old.lag() ? "the lag" : null;
     }
 
     /**

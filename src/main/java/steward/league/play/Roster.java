@@ -5,9 +5,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import steward.contest.Contest.Entrant;
+import steward.files.InputException;
 import steward.league.LeagueBot;
 import steward.league.LeagueSettings;
 import steward.league.store.GameStore.Version;
+import steward.text.TextFormat;
 
 /**
  * The bots that play at the moment.
@@ -49,5 +51,23 @@ public record Roster(LeagueSettings settings, List<Member> members) {
     public Optional<Integer> versionOf(String name) {
         return members.stream().filter(member -> member.bot().name().equals(name))
             .map(member -> member.version().id()).findFirst();
+    }
+
+    /**
+     * Refuses bots that no game can be played with.
+     *
+     * @param players of a game
+     * @throws InputException if they are too few, or the one of the gauntlet is not among them
+     */
+    void check(int players) {
+        if (members.size() < players) {
+            throw new InputException("found " + TextFormat.count(members.size(), "bot") + " that "
+                + (members.size() == 1 ? "plays" : "play") + ", expected at least " + players
+                + "; 'steward league add' adds one");
+        }
+        if (settings.gauntlet() != null && versionOf(settings.gauntlet()).isEmpty()) {
+            throw new InputException("pairing: the bot '" + settings.gauntlet() + "' of the gauntlet is retired, "
+                + "expected one that plays");
+        }
     }
 }

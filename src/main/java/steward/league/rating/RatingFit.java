@@ -13,12 +13,8 @@ import java.util.List;
  * estimate the fit under uniform pairing. A pairing with n clusters, fewer than {@link #WHOLE},
  * has the n/8th part of a weight. In games of three and more the group is what is paired.
  *
- * <p><b>Covariance.</b> That of an M-estimate over clusters, the sandwich A^-1 B A^-1. In B a cluster counts
- * by its distance to its own pairing's mean, which is right also where the model is wrong, with the factor n/(n - 1);
- * where the pairing has fewer than {@link #WHOLE} clusters by its distance to the model with the correction 1/(1 - h),
- * h its leverage (CR2: R. M. Bell and D. F. McCaffrey, "Bias reduction in standard errors for linear regression with
- * multi-stage samples", Survey Methodology 28, 2002). Half a cluster of the model's variance is mixed in, so that a few
- * alike clusters do not seem certain. Degrees of freedom after Satterthwaite (Biometrics Bulletin 2, 1946).
+ * <p><b>Covariance.</b> That of an M-estimate over clusters, the sandwich A^-1 B A^-1; {@link ClusterSpread} is B.
+ * Degrees of freedom after Satterthwaite (Biometrics Bulletin 2, 1946).
  */
 public final class RatingFit {
 
@@ -35,13 +31,8 @@ public final class RatingFit {
     /** A longer step is shortened: far from the top the parabola is a poor guide. */
     private static final double LONGEST_STEP = 2;
     private static final double CLOSE = 1e-10;
-    /** In clusters: how much of the model's variance is mixed into that of a pairing. */
-    private static final double MIXED = 0.5;
-    private static final double MOST_LEVERAGE = 0.9;
     /** Degrees of freedom of a variance that is known. */
     private static final double CERTAIN = 1e9;
-    /** A pair of whom one has fewer points than this has at least the model's variance: there is too little to see. */
-    private static final double FEW_POINTS = 2;
 
     private final int bots;
     private final List<Stratum> strata;
@@ -51,8 +42,7 @@ public final class RatingFit {
     private boolean tied;
     private double logTies;
     private double[][] inverse;
-    private double[][] moments;
-    private double[] freedoms;
+    private ClusterSpread spread;
 
     private RatingFit(int bots, List<Stratum> strata, boolean pooled) {
         this.bots = bots;
@@ -76,7 +66,7 @@ public final class RatingFit {
     public static RatingFit of(int bots, List<Stratum> strata, boolean pooled, RatingFit near) {
         RatingFit fit = new RatingFit(bots, strata, pooled);
         fit.climb(near);
-        fit.spread();
+        fit.spread = new ClusterSpread(strata, fit.weights, fit.ratings, fit.tied, fit.ties(), fit.inverse);
         return fit;
     }
 
@@ -164,156 +154,6 @@ public final class RatingFit {
         return tied ? StrictMath.exp(logTies) : 0;
     }
 
-    // ---- the spread of clusters ------------------------------------------------------------------
-
-    /** For each stratum the covariance of what its clusters push: its bots' ratings, and the weight of ties. */
-    private void spread() {
-        moments = new double[strata.size()][];
-        freedoms = new double[strata.size()];
-        TieModel model = new TieModel();
-        for (int q = 0; q < moments.length; q++) {
-            if (strata.get(q).clusters > 0) {
-                spread(q, model);
-            }
-        }
-    }
-
-    private void spread(int q, TieModel model) {
-        Stratum stratum = strata.get(q);
-        int pairs = stratum.pairs();
-        int size = stratum.bots.length + 1;
-        double[] mean = new double[2 * pairs];
-        double[] variances = new double[3 * pairs];
-        boolean own = stratum.clusters >= WHOLE;
-        double leverage = model(q, model, mean, variances, own);
-        double[] found = observed(q, mean);
-        double freedom = own ? stratum.clusters - 1 : stratum.clusters * (1 - leverage);
-        double factor = (own ? stratum.clusters / freedom : 1 / (1 - leverage)) * freedom / (freedom + MIXED);
-        double[] extra = extremes(stratum, weights[q], mean, variances);
-        double[] moment = new double[size * size];
-        for (int k = 0; k < moment.length; k++) {
-            moment[k] = factor * found[k];
-        }
-        int pair = 0;
-        for (int i = 0; i + 1 < size; i++) {
-            for (int j = i + 1; j + 1 < size; j++) {
-                double mixed = MIXED / (freedom + MIXED);
-                addPair(moment, size, i, j, (mixed + extra[pair]) * variances[3 * pair],
-                    mixed * variances[3 * pair + 1], mixed * variances[3 * pair + 2]);
-                pair++;
-            }
-        }
-        moments[q] = moment;
-        freedoms[q] = freedom + MIXED;
-    }
-
-    private static void addPair(double[] moment, int size, int i, int j, double points, double covariance, double tie) {
-        int last = size - 1;
-        moment[i * size + i] += points;
-        moment[j * size + j] += points;
-        moment[i * size + j] -= points;
-        moment[j * size + i] -= points;
-        moment[i * size + last] += covariance;
-        moment[last * size + i] += covariance;
-        moment[j * size + last] -= covariance;
-        moment[last * size + j] -= covariance;
-        moment[last * size + last] += tie;
-    }
-
-    /**
-     * What the model says of a stratum.
-     *
-     * @param mean      to be filled: points and ties of a game, of the model or of the stratum itself
-     * @param variances to be filled: variance of the points, covariance, variance of ties of all weighted games
-     * @return the leverage of a cluster
-     */
-    private double model(int q, TieModel model, double[] mean, double[] variances, boolean own) {
-        Stratum stratum = strata.get(q);
-        double leverage = 0;
-        int pair = 0;
-        for (int i = 0; i < stratum.bots.length; i++) {
-            for (int j = i + 1; j < stratum.bots.length; j++) {
-                int one = stratum.bots[i];
-                int other = stratum.bots[j];
-                model.compute(ratings[one] - ratings[other], ties());
-                double games = stratum.sums[3 * pair];
-                mean[2 * pair] = own && games > 0 ? stratum.sums[3 * pair + 1] / games : model.points;
-                mean[2 * pair + 1] = own && games > 0 ? stratum.sums[3 * pair + 2] / games : model.tie;
-                double weight = weights[q][pair];
-                double square = weight * weight * stratum.weight * games;
-                variances[3 * pair] = square * model.pointsVariance;
-                variances[3 * pair + 1] = tied ? square * model.covariance : 0;
-                variances[3 * pair + 2] = tied ? square * model.tieVariance : 0;
-                if (!own) {
-                    double turn = inverse[one][one] + inverse[other][other] - 2 * inverse[one][other];
-                    double part = turn * model.pointsVariance;
-                    if (tied) {
-                        part += 2 * (inverse[one][bots] - inverse[other][bots]) * model.covariance
-                            + inverse[bots][bots] * model.tieVariance;
-                    }
-                    leverage += weight * games * part;
-                }
-                pair++;
-            }
-        }
-        return Math.min(MOST_LEVERAGE, leverage / stratum.clusters);
-    }
-
-    /** The sum over clusters of the squares of their distances to a mean. */
-    private double[] observed(int q, double... mean) {
-        Stratum stratum = strata.get(q);
-        int group = stratum.bots.length;
-        int size = group + 1;
-        double[] moment = new double[size * size];
-        double[] push = new double[size];
-        for (int p = 0; p < stratum.size; p++) {
-            if (stratum.counts[p] == 0) {
-                continue;
-            }
-            Arrays.fill(push, 0);
-            double[] numbers = stratum.patterns[p];
-            int pair = 0;
-            for (int i = 0; i < group; i++) {
-                for (int j = i + 1; j < group; j++) {
-                    double weight = weights[q][pair];
-                    double surplus = weight * (numbers[3 * pair + 1] - numbers[3 * pair] * mean[2 * pair]);
-                    push[i] += surplus;
-                    push[j] -= surplus;
-                    push[group] += tied
-                        ? weight * (numbers[3 * pair + 2] - numbers[3 * pair] * mean[2 * pair + 1]) : 0;
-                    pair++;
-                }
-            }
-            for (int i = 0; i < size; i++) {
-                double scaled = stratum.counts[p] * push[i];
-                for (int j = 0; j < size; j++) {
-                    moment[i * size + j] += scaled * push[j];
-                }
-            }
-        }
-        return moment;
-    }
-
-    /** By pair, which part of the model's variance is added: where one has hardly any points what is missing to it. */
-    private static double[] extremes(Stratum stratum, double[] weights, double[] mean, double... variances) {
-        double[] extra = new double[stratum.pairs()];
-        for (int pair = 0; pair < extra.length; pair++) {
-            double games = stratum.sums[3 * pair];
-            double points = stratum.sums[3 * pair + 1];
-            if (!(games > 0) || Math.min(points, games - points) >= FEW_POINTS) {
-                continue;
-            }
-            double found = 0;
-            for (int p = 0; p < stratum.size; p++) {
-                double[] numbers = stratum.patterns[p];
-                double surplus = weights[pair] * (numbers[3 * pair + 1] - numbers[3 * pair] * mean[2 * pair]);
-                found += stratum.counts[p] * surplus * surplus;
-            }
-            extra[pair] = Math.max(0, 1 - found / variances[3 * pair]);
-        }
-        return extra;
-    }
-
     // ---- what can be asked -----------------------------------------------------------------------
 
     /** How many bots there are. */
@@ -370,9 +210,9 @@ public final class RatingFit {
         double freedom = clusters[0] - 1;
         // As in the fit, a part of what the model says: clusters that are all alike are not certain.
         double alike = share * (1 - share) / 2 + expected * (1 - expected) / 2;
-        double variance = (squares[0] * clusters[0] / freedom + MIXED * sums[0] * alike / clusters[0])
+        double variance = (squares[0] * clusters[0] / freedom + ClusterSpread.MIXED * sums[0] * alike / clusters[0])
             / (sums[0] * sums[0]);
-        if (Math.min(sums[1], sums[0] - sums[1]) < FEW_POINTS) {
+        if (Math.min(sums[1], sums[0] - sums[1]) < ClusterSpread.FEW_POINTS) {
             variance = Math.max(variance, expected * (1 - expected) / sums[0]);
         }
         return new Residual(share, expected, clusters[0],
@@ -400,9 +240,9 @@ public final class RatingFit {
             along[k] = inverse[one][k] - inverse[other][k];
         }
         double variance = of(along, 0).variance();
-        for (int q = 0; q < moments.length; q++) {
-            if (moments[q] != null) {
-                taker.take(strata.get(q).bots, along(q, along) * strata.get(q).clusters / variance);
+        for (int q = 0; q < strata.size(); q++) {
+            if (spread.isAny(q)) {
+                taker.take(strata.get(q).bots, spread.along(q, along) * strata.get(q).clusters / variance);
             }
         }
     }
@@ -428,36 +268,14 @@ public final class RatingFit {
         }
         variance += tied ? TIES_PRIOR * along[bots] * along[bots] : 0;
         double squares = 0;
-        for (int q = 0; q < moments.length; q++) {
-            if (moments[q] != null) {
-                double part = along(q, along);
+        for (int q = 0; q < strata.size(); q++) {
+            if (spread.isAny(q)) {
+                double part = spread.along(q, along);
                 variance += part;
-                squares += part * part / freedoms[q];
+                squares += part * part / spread.freedom(q);
             }
         }
         return new Difference(value, variance,
             squares > 0 ? Math.min(CERTAIN, variance * variance / squares) : CERTAIN);
-    }
-
-    private double along(int q, double... along) {
-        int[] group = strata.get(q).bots;
-        int size = group.length + 1;
-        double[] moment = moments[q];
-        double last = tied ? along[bots] : 0;
-        if (group.length == 2) {
-            // What one is pushed up the other is pushed down: of the 9 moments 3 differ.
-            double apart = along[group[0]] - along[group[1]];
-            return moment[0] * apart * apart + 2 * moment[2] * apart * last + moment[8] * last * last;
-        }
-        double sum = 0;
-        for (int i = 0; i < size; i++) {
-            double own = i < group.length ? along[group[i]] : last;
-            double row = 0;
-            for (int j = 0; j < size; j++) {
-                row += moment[i * size + j] * (j < group.length ? along[group[j]] : last);
-            }
-            sum += own * row;
-        }
-        return sum;
     }
 }

@@ -1,22 +1,14 @@
 package steward.league.store;
 
 import java.nio.file.Path;
-import java.sql.PreparedStatement;
 import java.sql.ResultSet;
-import java.sql.SQLException;
-import java.sql.Types;
 import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
-import java.util.stream.Collectors;
 import steward.files.InputException;
 import steward.league.LeagueFolder;
 import steward.league.Season;
 import steward.league.StoredGame;
-import steward.league.StoredGame.StoredSeat;
 
 /**
  * The games of a league: seasons, versions of bots, games. Every method is one transaction; all may be called by any
@@ -25,8 +17,7 @@ import steward.league.StoredGame.StoredSeat;
 public final class GameStore implements AutoCloseable {
 
     private final Database database;
-    private final Map<String, Long> lineups = new HashMap<>();
-    private final Map<String, Long> machines = new HashMap<>();
+    private final GameRows gameRows;
 
     /**
      * A version of a bot.
@@ -48,6 +39,7 @@ public final class GameStore implements AutoCloseable {
 
     GameStore(Database database) {
         this.database = database;
+        gameRows = new GameRows(database);
     }
 
     /** For reading alone; other programs may write meanwhile. */
@@ -254,95 +246,21 @@ public final class GameStore implements AutoCloseable {
      * @return how many are new
      */
     public int add(int season, List<StoredGame> games) {
+        return add(season, games, () -> null);
+    }
+
+    /** The same, and something more in the same transaction. */
+    int add(int season, List<StoredGame> games, Database.Work<?> more) {
         try {
-            return database.inTransaction(() -> addWithin(season, games));
+            return database.inTransaction(() -> {
+                int added = gameRows.add(season, games);
+                more.run();
+                return added;
+            });
         } catch (InputException failed) {
-            lineups.clear();                           // what was rolled back may have been among them
-            machines.clear();
+            gameRows.forget();
             throw failed;
         }
-    }
-
-    /** The same within a transaction that has begun. */
-    int addWithin(int season, List<StoredGame> games) throws SQLException {
-        int added = 0;
-        for (StoredGame game : games) {
-            added += add(season, game) ? 1 : 0;
-        }
-        return added;
-    }
-
-    private boolean add(int season, StoredGame game) throws SQLException {
-        PreparedStatement row = database.statement("INSERT INTO game (name, season, decision, seed, lineup, ranks, "
-            + "attempt, counts, turns, problem, played, machine, replay) "
-            + "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (name) DO NOTHING");
-        row.setBytes(1, game.name());
-        row.setInt(2, season);
-        if (game.decision() < 0) {
-            row.setNull(3, Types.INTEGER);
-        } else {
-            row.setInt(3, game.decision());
-        }
-        row.setLong(4, game.seed());
-        row.setLong(5, lineup(game));
-        row.setString(6, game.ranks());
-        row.setInt(7, game.attempt());
-        row.setInt(8, game.counts() ? 1 : 0);
-        row.setInt(9, game.turns());
-        row.setString(10, game.problem());
-        row.setLong(11, game.played());
-        row.setLong(12, machine(game.machine()));
-        row.setString(13, game.replay());
-        if (row.executeUpdate() == 0) {
-            return false;
-        }
-        long id = ((Number) database.value("SELECT last_insert_rowid()")).longValue();
-        for (int seat = 0; seat < game.seats().size(); seat++) {
-            addSeat(season, id, seat, game.seats().get(seat));
-        }
-        return true;
-    }
-
-    private void addSeat(int season, long game, int place, StoredSeat seat) throws SQLException {
-        PreparedStatement row = database.statement("INSERT INTO seat (season, version, game, seat, rank, score, fault, "
-            + "answers, mean_nanos, worst_nanos, first_nanos) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
-        row.setInt(1, season);
-        row.setInt(2, seat.version());
-        row.setLong(3, game);
-        row.setInt(4, place);
-        row.setInt(5, seat.rank());
-        row.setDouble(6, seat.score());
-        row.setString(7, seat.fault());
-        row.setInt(8, seat.answers());
-        row.setLong(9, seat.meanNanos());
-        row.setLong(10, seat.worstNanos());
-        row.setLong(11, seat.firstNanos());
-        row.executeUpdate();
-    }
-
-    private long lineup(StoredGame game) throws SQLException {
-        String versions = Arrays.stream(game.lineup()).mapToObj(Integer::toString).collect(Collectors.joining(" "));
-        return number(lineups, "lineup", "versions", versions);
-    }
-
-    private long machine(String name) throws SQLException {
-        return number(machines, "machine", "name", name);
-    }
-
-    /** The number of a text in a table of texts; it is known from then on only if the transaction succeeds. */
-    private long number(Map<String, Long> known, String table, String column, String text) throws SQLException {
-        Long number = known.get(text);
-        if (number != null) {
-            return number;
-        }
-        String find = "SELECT id FROM " + table + " WHERE " + column + " = ?";
-        Object found = database.value(find, text);
-        if (found == null) {
-            database.update("INSERT INTO " + table + " (" + column + ") VALUES (?)", text);
-            return ((Number) database.value(find, text)).longValue();
-        }
-        known.put(text, ((Number) found).longValue());
-        return ((Number) found).longValue();
     }
 
     /**

@@ -7,6 +7,7 @@ import steward.league.GameName;
 import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
+import steward.league.rating.RatingFit;
 
 /** Games that were never played, to measure what a large league costs. */
 public final class MadeUpGames {
@@ -14,7 +15,6 @@ public final class MadeUpGames {
     /** Games in a transaction. */
     private static final int TOGETHER = 10_000;
     private static final int STEP_ELO = 30;
-    private static final double ELO = 173.7177927613007;
     private static final double DRAWS = 0.05;
     private static final int TURNS = 150;
     private static final int NANOS = 2_000_000;
@@ -65,7 +65,7 @@ public final class MadeUpGames {
             other = swapped;
         }
         int decision = number / 2;
-        double chance = 1 / (1 + StrictMath.exp((one - other) * STEP_ELO / ELO));
+        double chance = 1 / (1 + StrictMath.exp((one - other) * STEP_ELO / RatingFit.ELO));
         boolean draw = random.nextDouble() < DRAWS;
         boolean win = random.nextDouble() < chance;
         byte[] name = GameName.of(key, decision, List.of(versions.get(one).identity(),

@@ -153,8 +153,7 @@ public final class PartStore implements AutoCloseable {
      * @param replays one for each attempt, compressed by gzip
      */
     public void add(List<StoredGame> attempts, List<byte[]> replays) {
-        database.inTransaction(() -> {
-            games.addWithin(number, attempts);
+        games.add(number, attempts, () -> {
             for (int k = 0; k < attempts.size(); k++) {
                 database.update("INSERT OR IGNORE INTO recording (game, replay) "
                     + "SELECT id, ? FROM game WHERE name = ?", replays.get(k), attempts.get(k).name());

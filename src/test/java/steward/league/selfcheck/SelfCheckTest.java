@@ -7,10 +7,13 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.league.pairing.StopRule;
 import steward.league.sequential.Gsprt;
 
 /** A small form of {@code steward league --self-check}: fixed seeds, bounds of four standard deviations. */
+@Execution(ExecutionMode.CONCURRENT)
 class SelfCheckTest {
 
     private static final long LEAGUES = 1000;

@@ -90,6 +90,25 @@ class GameStoreTest {
         }
     }
 
+    /** What else belongs to a transaction may fail: then games that come later must not lean on rows that are gone. */
+    @Test
+    void gamesAfterATransactionThatFailedAreWhole() {
+        try (GameStore store = GameStore.write(folder)) {
+            int season = store.open(SEASON);
+            Version a = store.add("a", "./a", false, "1a", 1);
+            Version b = store.add("b", "./b", true, "1b", 2);
+            List<StoredGame> games = List.of(game(a, b, 7, -1, 1, false), game(a, b, 7, 1, 2, true));
+            assertThrows(InputException.class, () -> store.add(season, games, () -> {
+                throw new SQLException("no room for the replay");
+            }));
+            assertEquals(0, store.games(season));
+            assertEquals(2, store.add(season, games));
+            assertEquals(0L, store.database().with(() -> ((Number) store.database().value("SELECT count(*) FROM game "
+                + "WHERE lineup NOT IN (SELECT id FROM lineup) OR machine NOT IN (SELECT id FROM machine)"))
+                .longValue()));
+        }
+    }
+
     @Test
     void versionsSeasonsAndNamesAreKept() {
         try (GameStore store = GameStore.write(folder)) {

@@ -1,4 +1,4 @@
-package steward.cli.league;
+package steward.cli.league.view;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -22,8 +22,8 @@ import steward.cli.shared.Pages;
 import steward.cli.shared.Streams;
 import steward.files.InputException;
 import steward.files.OutputFiles;
-import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
+import steward.league.StoredGame;
 import steward.text.TextFormat;
 
 /** {@code steward league games}: lists games and opens their replays. */
@@ -31,7 +31,7 @@ import steward.text.TextFormat;
     footer = {"", "Examples:",
         "  steward league games night --bot mine --lost",
         "  steward league games night --bot mine --lost --open"})
-final class GamesCommand implements Callable<Integer> {
+public final class GamesCommand implements Callable<Integer> {
 
     private static final int MOST = 1_000_000;
 
@@ -57,7 +57,7 @@ final class GamesCommand implements Callable<Integer> {
     @Option(names = "--view", paramLabel = "HTML", description = "Writes the page of that replay to this file.")
     private String view;
 
-    GamesCommand(Streams streams) {
+    public GamesCommand(Streams streams) {
         this.streams = streams;
     }
 

@@ -1,4 +1,4 @@
-package steward.cli.league;
+package steward.cli.league.view;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -28,7 +28,7 @@ import steward.text.TextFormat;
         "The page has the table, who beats whom, the ratings over games, the last games,",
         "and of the kept replays the latest, each one click away.",
         "", "Example:", "  steward league page night --out night.html --open"})
-final class PageCommand implements Callable<Integer> {
+public final class PageCommand implements Callable<Integer> {
 
     /** Games that the page lists. */
     private static final int LISTED = 2000;
@@ -47,7 +47,7 @@ final class PageCommand implements Callable<Integer> {
     @Option(names = "--open", description = "Opens it in the browser.")
     private boolean open;
 
-    PageCommand(Streams streams) {
+    public PageCommand(Streams streams) {
         this.streams = streams;
     }
 
@@ -94,7 +94,7 @@ final class PageCommand implements Callable<Integer> {
     }
 
     /** The page's heading. */
-    static String title(Path folder) {
+    public static String title(Path folder) {
         Path name = folder.toAbsolutePath().normalize().getFileName();
         return "League " + (name == null ? "" : name);
     }

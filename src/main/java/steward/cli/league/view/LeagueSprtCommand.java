@@ -1,4 +1,4 @@
-package steward.cli.league;
+package steward.cli.league.view;
 
 import java.util.List;
 import java.util.concurrent.Callable;
@@ -28,7 +28,7 @@ import steward.match.Protocol;
         "As 'steward sprt', with the scene, the limits and the sandbox of the league. Its",
         "games are stored in it. The first bot is the new one, the second the old one.",
         "", "Example:", "  steward league sprt night mine old --elo1 10"})
-final class LeagueSprtCommand implements Callable<Integer> {
+public final class LeagueSprtCommand implements Callable<Integer> {
 
     private final Streams streams;
 
@@ -54,7 +54,7 @@ final class LeagueSprtCommand implements Callable<Integer> {
     @Option(names = "--json", description = "Prints one JSON object and nothing else.")
     private boolean json;
 
-    LeagueSprtCommand(Streams streams) {
+    public LeagueSprtCommand(Streams streams) {
         this.streams = streams;
     }
 

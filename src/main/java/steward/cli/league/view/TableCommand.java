@@ -1,4 +1,4 @@
-package steward.cli.league;
+package steward.cli.league.view;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -25,7 +25,7 @@ import steward.text.TextFormat;
 @Command(name = "table", description = "Prints the table of a league: ratings with their bars, and who beat whom.",
     footer = {"", "Examples:", "  steward league table night", "  steward league table night --csv > night.csv",
         "  steward league table night --plots plots"})
-final class TableCommand implements Callable<Integer> {
+public final class TableCommand implements Callable<Integer> {
 
     private static final double NANOS_PER_MS = 1e6;
 
@@ -48,7 +48,7 @@ final class TableCommand implements Callable<Integer> {
         + "over games into this folder, as PNG and SVG.")
     private String plots;
 
-    TableCommand(Streams streams) {
+    public TableCommand(Streams streams) {
         this.streams = streams;
     }
 

@@ -1,4 +1,4 @@
-package steward.cli.league;
+package steward.cli.league.view;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -7,12 +7,12 @@ import steward.cli.shared.Colour;
 import steward.league.Season;
 import steward.league.page.WorkerRow;
 import steward.league.rating.Difference;
-import steward.league.rating.LeagueTable;
 import steward.league.rating.LeagueTable.Row;
+import steward.league.rating.LeagueTable;
 import steward.text.TextFormat;
 
 /** The table of a league for people. */
-final class TableText {
+public final class TableText {
 
     private static final double NANOS_PER_MS = 1e6;
     private static final int LONGEST_NAME = 30;
@@ -26,7 +26,7 @@ final class TableText {
     }
 
     /** Everything: heading, table, crosstable, what the numbers mean. */
-    static List<String> whole(LeagueTable table, Season season, List<WorkerRow> workers, Colour colour) {
+    public static List<String> whole(LeagueTable table, Season season, List<WorkerRow> workers, Colour colour) {
         List<String> lines = new ArrayList<>();
         lines.add(colour.strong(TextFormat.plain(TextFormat.count(table.results().games(), "game") + " of "
             + season.sceneName())) + others(table, workers));
@@ -75,7 +75,7 @@ final class TableText {
     }
 
     /** One line a bot, and their heads. */
-    static List<String> rows(LeagueTable table, Colour colour) {
+    public static List<String> rows(LeagueTable table, Colour colour) {
         int width = table.rows().stream().mapToInt(row -> name(row).length()).max().orElse(3);
         List<String> lines = new ArrayList<>();
         lines.add("  # " + TextFormat.left("bot", width)
@@ -100,7 +100,7 @@ final class TableText {
     }
 
     /** A pair whose games say something else than the ratings. */
-    static String surprise(LeagueTable table, LeagueTable.Surprise each) {
+    public static String surprise(LeagueTable table, LeagueTable.Surprise each) {
         double share = HUNDRED * each.residual().share();
         double expected = HUNDRED * each.residual().expected();
         int digits = Math.round(share) == Math.round(expected) ? 1 : 0;

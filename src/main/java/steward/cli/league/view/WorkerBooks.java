@@ -1,4 +1,4 @@
-package steward.cli.league;
+package steward.cli.league.view;
 
 import java.util.HashMap;
 import java.util.List;
@@ -9,13 +9,13 @@ import steward.league.store.GameStore;
 import steward.machines.check.WorkerBook;
 
 /** Who played the games of a league, from what is stored. */
-final class WorkerBooks {
+public final class WorkerBooks {
 
     private WorkerBooks() {
     }
 
     /** Reads all games, if a worker has played any. */
-    static WorkerBook read(GameQueries games, GameStore store) {
+    public static WorkerBook read(GameQueries games, GameStore store) {
         Map<Integer, String> names = new HashMap<>();
         WorkerBook book = new WorkerBook(version -> names.computeIfAbsent(version, any -> store.versions().stream()
             .filter(each -> each.id() == version).map(GameStore.Version::display).findFirst().orElse("?")));

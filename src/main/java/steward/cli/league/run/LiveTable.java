@@ -1,4 +1,4 @@
-package steward.cli.league;
+package steward.cli.league.run;
 
 import java.io.PrintStream;
 import java.util.ArrayList;

@@ -1,11 +1,11 @@
-package steward.cli.league;
+package steward.cli.league.view;
 
 import java.util.List;
 import picocli.CommandLine.Option;
 import steward.cli.options.CallCheck;
 import steward.files.InputException;
-import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
+import steward.league.StoredGame;
 import steward.league.rating.LeagueTable;
 import steward.text.NearestName;
 

@@ -1,4 +1,4 @@
-package steward.cli.league;
+package steward.cli.league.view;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;

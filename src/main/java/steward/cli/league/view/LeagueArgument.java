@@ -1,4 +1,4 @@
-package steward.cli.league;
+package steward.cli.league.view;
 
 import java.nio.file.Path;
 import picocli.CommandLine.Parameters;

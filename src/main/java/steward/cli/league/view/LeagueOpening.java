@@ -1,4 +1,4 @@
-package steward.cli.league;
+package steward.cli.league.view;
 
 import java.nio.file.Files;
 import java.util.ArrayList;
@@ -71,7 +71,7 @@ public final class LeagueOpening {
     }
 
     /** A bot of the league by its name. */
-    static LeagueBot bot(LeagueSettings settings, String name) {
+    public static LeagueBot bot(LeagueSettings settings, String name) {
         List<String> names = settings.bots().stream().map(LeagueBot::name).toList();
         return settings.bot(name).orElseThrow(() -> new InputException("found no bot '" + name + "' in the league, "
             + "expected " + (names.isEmpty() ? "one that was added" : "one of " + String.join(", ", names)
@@ -99,7 +99,7 @@ public final class LeagueOpening {
     }
 
     /** All versions that can have a row of the table. */
-    static List<LeagueTable.Entry> entries(LeagueSettings settings, List<GameStore.Version> versions) {
+    public static List<LeagueTable.Entry> entries(LeagueSettings settings, List<GameStore.Version> versions) {
         List<LeagueTable.Entry> entries = new ArrayList<>();
         for (GameStore.Version version : versions) {
             boolean newest = versions.stream().noneMatch(other -> other.bot().equals(version.bot())
@@ -124,8 +124,8 @@ public final class LeagueOpening {
      * @param games    what can be read of them
      * @param entries  the versions of bots
      */
-    record Opened(LeagueFolder folder, LeagueSettings settings, GameStore store, Season season, GameQueries games,
-                  List<LeagueTable.Entry> entries) implements AutoCloseable {
+    public record Opened(LeagueFolder folder, LeagueSettings settings, GameStore store, Season season,
+                         GameQueries games, List<LeagueTable.Entry> entries) implements AutoCloseable {
 
         /** The workers that have played. */
         List<WorkerRow> workers() {
@@ -133,7 +133,7 @@ public final class LeagueOpening {
         }
 
         /** The table. */
-        LeagueTable table() {
+        public LeagueTable table() {
             Results results = games.results();
             return LeagueTable.of(results, entries);
         }
@@ -145,12 +145,12 @@ public final class LeagueOpening {
     }
 
     /** Opens a league that has been played, for reading. */
-    static Opened read(LeagueFolder folder) {
+    public static Opened read(LeagueFolder folder) {
         return opened(folder, folder.read(), Files.exists(folder.database()) ? GameStore.read(folder) : null);
     }
 
     /** The same for writing. */
-    static Opened write(LeagueFolder folder) {
+    public static Opened write(LeagueFolder folder) {
         return opened(folder, folder.read(), Files.exists(folder.database()) ? GameStore.write(folder) : null);
     }
 

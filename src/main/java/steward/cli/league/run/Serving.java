@@ -1,4 +1,4 @@
-package steward.cli.league;
+package steward.cli.league.run;
 
 import java.util.List;
 import java.util.function.Consumer;
@@ -7,9 +7,9 @@ import steward.contest.Contest;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.Season;
-import steward.league.play.Elsewhere;
 import steward.league.StoredGame;
 import steward.league.page.WorkerRow;
+import steward.league.play.Elsewhere;
 import steward.league.play.LeagueRun;
 import steward.machines.check.WorkerBook;
 

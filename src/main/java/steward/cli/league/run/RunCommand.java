@@ -1,4 +1,4 @@
-package steward.cli.league;
+package steward.cli.league.run;
 
 import java.lang.management.ManagementFactory;
 import java.util.List;
@@ -13,6 +13,10 @@ import java.util.regex.Pattern;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
+import steward.cli.league.view.LeagueArgument;
+import steward.cli.league.view.LeagueOpening;
+import steward.cli.league.view.TableText;
+import steward.cli.league.view.WorkerBooks;
 import steward.cli.options.CallCheck;
 import steward.cli.options.ThreadsOption;
 import steward.cli.shared.ExitStatus;

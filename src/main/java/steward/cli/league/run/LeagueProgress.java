@@ -1,9 +1,11 @@
-package steward.cli.league;
+package steward.cli.league.run;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
+import steward.cli.league.view.LeagueOpening;
+import steward.cli.league.view.TableText;
 import steward.cli.shared.Colour;
 import steward.league.LeagueSettings;
 import steward.league.StoredGame;

@@ -1,4 +1,4 @@
-package steward.cli.league;
+package steward.cli.league.run;
 
 import java.util.ArrayList;
 import java.util.HashMap;

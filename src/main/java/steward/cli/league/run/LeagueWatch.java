@@ -1,4 +1,4 @@
-package steward.cli.league;
+package steward.cli.league.run;
 
 import java.io.IOException;
 import java.net.UnknownHostException;
@@ -12,6 +12,7 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import steward.cli.league.view.PageCommand;
 import steward.cli.shared.Pages;
 import steward.cli.shared.Streams;
 import steward.files.InputException;

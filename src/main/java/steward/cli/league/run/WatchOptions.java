@@ -1,4 +1,4 @@
-package steward.cli.league;
+package steward.cli.league.run;
 
 import picocli.CommandLine.Option;
 import steward.cli.options.CallCheck;
