@@ -18,6 +18,7 @@ import steward.cli.bench.BenchLineBot;
 import steward.cli.options.CallCheck;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
+import steward.cli.shared.Interruption;
 import steward.cli.shared.Json;
 import steward.cli.shared.ProgressLine;
 import steward.cli.shared.RunProgress;
@@ -85,11 +86,14 @@ final class CapacityCommand implements Callable<Integer> {
             ProgressLine.announce(streams, TextFormat.about(progress.total()), "prints nothing");
         }
         Capacity capacity;
-        Path folder = null;
-        try {
-            folder = Files.createTempDirectory("steward-capacity");
+        Path folder = temporary();
+        try (Interruption interruption = new Interruption(streams, () -> {
+            delete(folder);
+            return "nothing is printed";
+        })) {
             capacity = measure(new MeasuredLeague(bots(), folder), new MeasuredLeague.Effort(PACE, warm, seconds,
                 SLOTS), progress);
+            interruption.over();
         } catch (IOException problem) {
             throw new UncheckedIOException(problem);
         } finally {
@@ -168,10 +172,15 @@ final class CapacityCommand implements Callable<Integer> {
         out.writeEndObject();
     }
 
-    private static void delete(Path folder) {
-        if (folder == null) {
-            return;
+    private static Path temporary() {
+        try {
+            return Files.createTempDirectory("steward-capacity");
+        } catch (IOException problem) {
+            throw new UncheckedIOException(problem);
         }
+    }
+
+    private static void delete(Path folder) {
         try (Stream<Path> files = Files.walk(folder)) {
             files.sorted(Comparator.reverseOrder()).forEach(file -> file.toFile().delete());
         } catch (IOException stays) {

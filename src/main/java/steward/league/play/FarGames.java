@@ -19,11 +19,16 @@ record FarGames(Elsewhere elsewhere) {
      * Plays until the run is over and all of these games are.
      *
      * @param game plays the next one
+     * @throws Exception what a game failed with
      */
-    void play(BooleanSupplier over, Callable<Boolean> game) throws InterruptedException, ExecutionException {
-        ExecutorService threads = Executors.newCachedThreadPool(FarGames::daemon);
+    Void play(BooleanSupplier over, Callable<Boolean> game) throws Exception {
+        ExecutorService threads = Executors.newCachedThreadPool(work -> {
+            Thread thread = new Thread(work, "league");
+            thread.setDaemon(true);
+            return thread;
+        });
+        Queue<Future<Boolean>> games = new ArrayDeque<>();
         try {
-            Queue<Future<Boolean>> games = new ArrayDeque<>();
             while (!over.getAsBoolean()) {
                 while (!games.isEmpty() && games.peek().isDone()) {
                     games.remove().get();              // throws what has ended it
@@ -41,14 +46,11 @@ record FarGames(Elsewhere elsewhere) {
             for (Future<Boolean> one : games) {
                 one.get();
             }
+            return null;
+        } catch (ExecutionException failed) {
+            throw failed.getCause() instanceof Exception problem ? problem : failed;
         } finally {
             threads.shutdownNow();
         }
-    }
-
-    private static Thread daemon(Runnable work) {
-        Thread thread = new Thread(work, "game elsewhere");
-        thread.setDaemon(true);
-        return thread;
     }
 }

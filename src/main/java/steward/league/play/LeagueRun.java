@@ -163,23 +163,22 @@ public final class LeagueRun {
     public void play() throws InterruptedException {
         int far = elsewhere == null ? 0 : 1;
         try {
-            WorkerThreads.run("league", limits.threads() + far, thread -> () -> {
-                if (thread == limits.threads()) {
-                    new FarGames(elsewhere).play(this::isOver, () -> playNext(elsewhere::play));
-                    return null;
-                }
-                boolean more = true;
-                while (more) {
-                    more = playNext(play::play);
-                }
-                return null;
-            });
+            WorkerThreads.run("league", limits.threads() + far, thread -> thread < limits.threads() ? this::playHere
+                : () -> new FarGames(elsewhere).play(this::isOver, () -> playNext(elsewhere::play)));
         } finally {
             writer.close();
         }
         if (writer.problem() != null) {
             stop(writer.problem().getMessage());
         }
+    }
+
+    private Void playHere() throws InterruptedException {
+        boolean more = true;
+        while (more) {
+            more = playNext(play::play);
+        }
+        return null;
     }
 
     /** Who plays a game. */

@@ -41,7 +41,8 @@ import steward.machines.wire.WireMessage;
 
 /**
  * The broker in a league's process. It keeps nothing on disk: the league's database is the truth, and what is not
- * stored there is offered again. Only TLS 1.3 is spoken, and the broker, not a message, says who sent it.
+ * stored there is offered again. Only TLS 1.3 is spoken, and the broker, not a message, says who sent it. Who sends or
+ * asks for more than can wait gets an error; nobody waits for room, which one worker could take for ever.
  */
 public final class LeagueBroker implements AutoCloseable {
 

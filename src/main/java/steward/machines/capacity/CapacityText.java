@@ -10,6 +10,8 @@ import steward.machines.capacity.SaturationTable.Row;
 public final class CapacityText {
 
     private static final double PERCENT = 100;
+    /** A share of a machine that nobody misses. */
+    private static final double LITTLE = 0.05;
     /** How the rows of the prices begin; their figures are read again from the documentation by a test. */
     static final List<String> PRICES = List.of("the broker and TLS: job out, lease, result in",
         "reading what workers say", "playing the game again", "asking its bots again", "schedule, pairing, offers",
@@ -59,6 +61,9 @@ public final class CapacityText {
         lines.add(share(capacity, "more: broker, TLS and checks, both sides", capacity.overhead()));
         lines.add(share(capacity, "of it the league's side", capacity.leagueOverhead()));
         lines.add("");
+        double league = capacity.ofOneProcessor(capacity.leagueOverhead());
+        lines.add("The league's side is under " + percent(LITTLE) + " of a machine that has " + number(Math.floor(league
+            / LITTLE) + 1) + " processors or more.");
         lines.add("What compiles and collects took " + number(capacity.alone().process() - alone) + " and "
             + number(capacity.served().process() - capacity.served().threads()) + " µs a game besides.");
         return lines;

@@ -1,6 +1,5 @@
 package steward.machines.capacity;
 
-import java.io.ByteArrayInputStream;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.util.ArrayList;
@@ -16,7 +15,6 @@ import steward.machines.check.TranscriptWriter;
 import steward.match.MatchResult;
 import steward.match.Protocol;
 import steward.replay.RecordedMatch;
-import steward.replay.ReplayReader;
 
 /**
  * What it costs to check a game, by itself on one thread.
@@ -54,8 +52,7 @@ public record CheckPrices(double check, double again, double turns, double bytes
         AnswerCheck answers = new AnswerCheck(contest.startedBy(bots.asked()), bots.types());
         double checked = micros(games, seconds, game -> check.check("a game", game.transcript(), game.expected()));
         double again = micros(games, seconds, game -> {
-            byte[] replay = check.replay("a game", game.transcript(), game.expected());
-            RecordedMatch match = RecordedMatch.read(new ReplayReader(new ByteArrayInputStream(replay), "a game"));
+            RecordedMatch match = check.match("a game", game.transcript(), game.expected());
             for (int seat = 0; seat < entrants.size(); seat++) {
                 answers.check(match, seat, entrants.get(seat));
             }

@@ -18,6 +18,7 @@ import steward.match.MatchResult;
 import steward.match.Turn;
 import steward.numerics.StateHash;
 import steward.replay.JsonLine;
+import steward.replay.RecordedMatch;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayException;
 import steward.replay.ReplayHeader;
@@ -39,6 +40,7 @@ import tools.jackson.core.ObjectReadContext;
 public final class TranscriptCheck {
 
     private static final MatchListener NOBODY = new MatchListener() { };
+    private static final byte[] NO_OUTCOME = {'{', '}'};
     private static final Set<String> HEAD = Set.of("bots", "sandbox");
     private static final Set<String> TURN = Set.of("commands", "faults", "messages", "stderr");
     private static final List<String> TIMES = List.of("averageNanos", "worstNanos", "firstNanos", "earlyTurns");
@@ -59,7 +61,7 @@ public final class TranscriptCheck {
      */
     public ReplayCheck.Outcome check(String source, byte[] gzip, ReplayCheck.Expected expected)
             throws DisprovedException {
-        return play(source, gzip, expected, null);
+        return playing(source, gzip, expected, null).outcome;
     }
 
     /**
@@ -69,14 +71,27 @@ public final class TranscriptCheck {
      */
     public byte[] replay(String source, byte[] gzip, ReplayCheck.Expected expected) throws DisprovedException {
         ByteArrayOutputStream replay = new ByteArrayOutputStream();
-        play(source, gzip, expected, replay);
+        playing(source, gzip, expected, replay);
         return replay.toByteArray();
     }
 
-    private ReplayCheck.Outcome play(String source, byte[] gzip, ReplayCheck.Expected expected,
+    /**
+     * The game in memory, to ask its bots again. Its turns have commands and no outcomes, which have been computed just
+     * now.
+     *
+     * @throws DisprovedException as above
+     */
+    public RecordedMatch match(String source, byte[] gzip, ReplayCheck.Expected expected) throws DisprovedException {
+        Playing playing = playing(source, gzip, expected, null);
+        return new RecordedMatch(source, playing.header, playing.turns, playing.game.ending(), null);
+    }
+
+    private Playing playing(String source, byte[] gzip, ReplayCheck.Expected expected,
                                      ByteArrayOutputStream replay) throws DisprovedException {
         try {
-            return new Playing(source, GzipText.bytes(gzip), expected, replay).play();
+            Playing playing = new Playing(source, GzipText.bytes(gzip), expected, replay);
+            playing.play();
+            return playing;
         } catch (ReplayException | SceneException problem) {
             throw new DisprovedException(String.valueOf(problem.getMessage()));
         } catch (JacksonException problem) {
@@ -101,7 +116,10 @@ public final class TranscriptCheck {
         private final StateHash states = new StateHash();
         private final MatchListener listener;
         private final boolean recorded;
+        private final ReplayHeader header;
+        private final List<RecordedTurn> turns = new ArrayList<>();
         private final JsonLine last;
+        private ReplayCheck.Outcome outcome;
         private JsonParser nanos;
         private int from;
         private int number = 1;
@@ -127,11 +145,11 @@ public final class TranscriptCheck {
             if (Arrays.asList(bots).contains(null)) {
                 throw new ReplayException(source + ":1: found no bots, expected " + players);
             }
+            header = new ReplayHeader(contest.setup().scene().gameId(), contest.setup().scene().json(),
+                expected.seed(), expected.names(), List.of(bots), expected.protocols(), contest.timeFactor(),
+                contest.setup().scene().angles(), null, head.text("sandbox"));
             recorded = replay != null;
-            listener = !recorded ? NOBODY : new ReplayWriter(replay, new ReplayHeader(
-                contest.setup().scene().gameId(), contest.setup().scene().json(), expected.seed(), expected.names(),
-                List.of(bots), expected.protocols(), contest.timeFactor(), contest.setup().scene().angles(), null,
-                head.text("sandbox")));
+            listener = recorded ? new ReplayWriter(replay, header) : NOBODY;
         }
 
         /** The bytes up to the next end of a line. */
@@ -154,7 +172,7 @@ public final class TranscriptCheck {
             }
         }
 
-        ReplayCheck.Outcome play() throws DisprovedException {
+        void play() throws DisprovedException {
             listener.start(game, again.codec());
             states.add(game.hash());
             byte[] times = last.array(TranscriptWriter.NANOS);
@@ -177,7 +195,7 @@ public final class TranscriptCheck {
                 throw new DisprovedException(source + ": goes on after turn " + game.turn()
                     + ", expected the end of the game");
             }
-            return end();
+            outcome = end();
         }
 
         private void turn(byte[] line) throws DisprovedException {
@@ -206,8 +224,10 @@ public final class TranscriptCheck {
                     }
                 }
             }
-            Difference wrong = again.prepare(new RecordedTurn(turn.number(), commands, texts, null, null, messages,
-                stderr, null, source + ":" + number));
+            RecordedTurn read = new RecordedTurn(turn.number(), commands, texts, null, NO_OUTCOME, messages, stderr,
+                null, source);
+            turns.add(read);
+            Difference wrong = again.prepare(read);
             if (wrong != null) {
                 throw new DisprovedException(source + ": cannot be played again: " + wrong);
             }

@@ -1,6 +1,5 @@
 package steward.machines.serve;
 
-import java.io.ByteArrayInputStream;
 import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
@@ -22,7 +21,6 @@ import steward.machines.check.DisprovedException;
 import steward.machines.check.ReplayCheck;
 import steward.machines.check.TranscriptCheck;
 import steward.replay.RecordedMatch;
-import steward.replay.ReplayReader;
 
 /** Makes of a worker's transcripts what is stored of a game, or disproves them. Thread-safe. */
 final class ReportedGames {
@@ -98,8 +96,7 @@ final class ReportedGames {
      */
     void askAgain(Schedule.Task task, List<Member> members, byte[] sent) throws DisprovedException {
         String source = "game of seed " + task.seed();
-        byte[] replay = transcripts.replay(source, sent, expected(task, members));
-        RecordedMatch match = RecordedMatch.read(new ReplayReader(new ByteArrayInputStream(replay), source));
+        RecordedMatch match = transcripts.match(source, sent, expected(task, members));
         for (int seat = 0; seat < members.size(); seat++) {
             Member member = members.get(seat);
             if (!member.bot().random() && !member.version().random()) {

@@ -45,10 +45,15 @@ public final class BrokerKey {
 
     /** Makes a key and a certificate, if they are not there. */
     public void make() {
-        if (Files.exists(store)) {
-            return;
-        }
-        PrivateFile.folder(store.getParent());
+        PrivateFile.alone(store.getParent(), () -> {
+            if (!Files.exists(store)) {
+                generate();
+            }
+            return store;
+        });
+    }
+
+    private void generate() {
         keytool(List.of("-genkeypair", "-alias", ALIAS, "-keyalg", "EC", "-groupname", "secp256r1", "-sigalg",
             "SHA256withECDSA", "-dname", "CN=steward league", "-validity", DAYS, "-keystore", store.toString(),
             "-storetype", "PKCS12"));

@@ -1,13 +1,17 @@
 package steward.machines.token;
 
 import java.io.IOException;
+import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.PosixFilePermission;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Set;
+import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.Supplier;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.scene.json.JsonLimits;
@@ -17,6 +21,9 @@ public final class PrivateFile {
 
     private static final Set<PosixFilePermission> OTHERS = PosixFilePermissions.fromString("---rwxrwx");
 
+    /** A process has one lock on a file; its threads wait here. */
+    private static final ReentrantLock ALONE = new ReentrantLock();
+
     private PrivateFile() {
     }
 
@@ -24,11 +31,33 @@ public final class PrivateFile {
     static void folder(Path folder) {
         try {
             Files.createDirectories(folder);
-            if (isPosix(folder)) {
-                Files.setPosixFilePermissions(folder, PosixFilePermissions.fromString("rwx------"));
+            Set<PosixFilePermission> mine = PosixFilePermissions.fromString("rwx------");
+            if (isPosix(folder) && !Files.getPosixFilePermissions(folder).equals(mine)) {
+                Files.setPosixFilePermissions(folder, mine);
             }
         } catch (IOException problem) {
             throw new InputException(folder + ": cannot be made: " + OutputFiles.reason(folder, problem));
+        }
+    }
+
+    /**
+     * Does something while no other thread or process does such a thing in this folder, which is made if it is not
+     * there. Within it, it can be done again.
+     */
+    static <T> T alone(Path folder, Supplier<T> work) {
+        if (ALONE.isHeldByCurrentThread()) {
+            return work.get();
+        }
+        folder(folder);
+        Path file = folder.resolve("lock");
+        ALONE.lock();
+        try (FileChannel channel = FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE)) {
+            channel.lock();                            // until it is closed
+            return work.get();
+        } catch (IOException problem) {
+            throw new InputException(file + ": cannot be written: " + OutputFiles.reason(file, problem));
+        } finally {
+            ALONE.unlock();
         }
     }
 

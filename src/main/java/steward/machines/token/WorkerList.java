@@ -91,7 +91,7 @@ public record WorkerList(List<Worker> workers) {
         }
     }
 
-    private void write(LeagueFolder folder) {
+    private WorkerList write(LeagueFolder folder) {
         PrivateFile.folder(folder(folder));
         StringBuilder text = new StringBuilder("{ \"workers\": [");
         for (Worker worker : workers) {
@@ -104,6 +104,7 @@ public record WorkerList(List<Worker> workers) {
             text.append(" }");
         }
         PrivateFile.write(file(folder), text + "\n] }\n", true);
+        return this;
     }
 
     /** The worker of a name. */
@@ -117,6 +118,10 @@ public record WorkerList(List<Worker> workers) {
      * @throws InputException if there is one of the name, or the token cannot be written
      */
     public static void add(LeagueFolder folder, String name, Path token) {
+        PrivateFile.alone(folder(folder), () -> added(folder, name, token));
+    }
+
+    private static WorkerList added(LeagueFolder folder, String name, Path token) {
         if (!NAME.matcher(name).matches()) {
             throw new InputException("found the name '" + name + "', expected 1 to 40 letters, digits, underscores and "
                 + "hyphens");
@@ -137,7 +142,7 @@ public record WorkerList(List<Worker> workers) {
         PrivateFile.write(token, new WorkerToken(name, secret, key.fingerprint()).text(), false);
         List<Worker> workers = new ArrayList<>(list.workers());
         workers.add(new Worker(name, hash(secret), null));
-        new WorkerList(workers).write(folder);
+        return new WorkerList(workers).write(folder);
     }
 
     /**
@@ -146,14 +151,19 @@ public record WorkerList(List<Worker> workers) {
      * @throws InputException if there is none of the name
      */
     public static void revoke(LeagueFolder folder, String name, String why) {
+        PrivateFile.alone(folder(folder), () -> revoked(folder, name, why));
+    }
+
+    private static WorkerList revoked(LeagueFolder folder, String name, String why) {
         WorkerList list = read(folder);
         if (list.of(name).isEmpty()) {
             throw new InputException("found no worker '" + name + "', expected " + (list.workers().isEmpty()
                 ? "one that was added" : "one of " + String.join(", ",
                     list.workers().stream().map(Worker::name).toList())));
         }
-        new WorkerList(list.workers().stream().map(worker -> worker.name().equals(name) && worker.revoked() == null
-            ? new Worker(name, worker.hash(), why) : worker).toList()).write(folder);
+        return new WorkerList(list.workers().stream().map(worker ->
+            worker.name().equals(name) && worker.revoked() == null ? new Worker(name, worker.hash(), why) : worker)
+            .toList()).write(folder);
     }
 
     private static String hash(String secret) {

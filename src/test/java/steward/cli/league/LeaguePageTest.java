@@ -117,4 +117,46 @@ class LeaguePageTest {
             assertEquals(List.of(), browser.complaints());
         }
     }
+
+    /** As {@link steward.league.page.WorkerRow} has them: one that plays, one that is caught, one that is doubtful. */
+    @Test
+    void workersAreShown() throws IOException {
+        String worker = """
+            {"name":"%s","state":"%s","games":%d,"aside":%d,"rate":%s,"faults":%d,"repeated":%d,"program":"0.1.0",\
+            "silentMs":%d,"doubts":[%s]}""";
+        String state = """
+            {"scene":"duel","games":9,"again":0,"without":0,"rate":2.5,"bots":[{"rank":1,"version":1,"name":"a",\
+            "active":true,"random":false,"rating":12.5,"bar":30,"games":9,"points":0.6,"faults":0,"score":1,\
+            "meanMs":1,"worstMs":2}],"cross":[[null]],"path":{"versions":[1],"points":[]},"list":[],"workers":["""
+            + worker.formatted("attic", "4 at a time", 12_345, 0, "3.25", 0, 2, 1999, "") + ","
+            + worker.formatted("<i>cellar</i>", "caught", 0, 17, "0", 3, 0, 61_000, "") + ","
+            + worker.formatted("a-rather-long-name-of-a-worker", "away", 40, 0, "0.5", 1, 0, -1,
+                "\"fast fails in 9 of its 40 games and in 2 of 300 others of the same lineup, by chance 0.0001%\"")
+            + "]}";
+        byte[] page = LeaguePage.live("League", StatusServer.FEED);
+        try (StatusServer server = StatusServer.start(null, 0, page, path -> null);
+             PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+            server.show(state);
+            browser.go(server.address().toString());
+            assertEquals(3, rows(browser, "#workers"));
+            assertEquals("attic", browser.text("#workers tbody tr:nth-child(1) td.name"));
+            assertEquals("<i>cellar</i>", browser.text("#workers tbody tr:nth-child(2) td.name"), "names are text");
+            assertEquals("caught", browser.text("#workers tbody tr:nth-child(2) td.faulty"));
+            assertEquals("attic 4 at a time 12 345 3.25 0 2 0 0.1.0 2 s ago",
+                browser.text("#workers tbody tr:nth-child(1)").replaceAll("[\\s\u00a0\u2009\u202f]+", " "));
+            assertTrue(browser.text("#doubts li").startsWith("a-rather-long-name-of-a-worker is doubtful: fast fails "
+                + "in 9 of its 40 games"), browser.text("#doubts li"));
+            for (boolean dark : new boolean[] {false, true}) {
+                browser.prefer(dark, false);
+                for (int width : new int[] {390, 1280}) {
+                    browser.size(width, 800);
+                    assertTrue(browser.is("document.documentElement.scrollWidth <= innerWidth"),
+                        "nothing is wider than " + width);
+                    browser.run("document.getElementById('workers-card').scrollIntoView()");
+                    browser.screenshot(folder.resolve("workers-" + (dark ? "dark" : "light") + width + ".png"));
+                }
+            }
+            assertEquals(List.of(), browser.complaints());
+        }
+    }
 }

@@ -10,6 +10,14 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -64,6 +72,28 @@ class TokenTest {
         assertEquals(fingerprint, key.fingerprint());
         assertNotEquals(before, key.certificate());
         assertTrue(fingerprint.matches("[0-9a-f]{64}"));
+    }
+
+    /** The first ones to need the broker's key may be several at once: a worker is added while the league begins. */
+    @Test
+    void whoAddsWorkersAtTheSameTimeLosesNoneAndMakesOneKey() throws Exception {
+        LeagueFolder league = new LeagueFolder(folder);
+        List<CompletableFuture<String>> adding = new ArrayList<>();
+        ExecutorService threads = Executors.newFixedThreadPool(4);
+        for (String name : List.of("a", "b", "c", "d")) {
+            adding.add(CompletableFuture.supplyAsync(() -> {
+                WorkerList.add(league, name, folder.resolve(name + ".token"));
+                return WorkerToken.read(folder.resolve(name + ".token")).broker();
+            }, threads));
+        }
+        Set<String> keys = new HashSet<>();
+        for (CompletableFuture<String> each : adding) {
+            keys.add(each.get(60, TimeUnit.SECONDS));
+        }
+        threads.shutdown();
+        assertEquals(Set.of(new BrokerKey(league).fingerprint()), keys);
+        assertEquals(List.of("a", "b", "c", "d"), WorkerList.read(league).workers().stream()
+            .map(WorkerList.Worker::name).sorted().toList());
     }
 
     @Test
