@@ -16,8 +16,9 @@ import steward.league.rating.Ratings;
  * away. Sums of these over all doubtful pairs, each as a share of its variance, are compared.
  *
  * <p>All pairs of bots that are in doubt count, not only those that stand beside each other now: which of them do is
- * chance, and where chance says who plays, those who were lucky stay so. Bars were then found to hold in 93.5%. For the
- * same reason variances are those of the model, not of the few clusters that a pairing has.
+ * chance, and where chance says who plays, those who were lucky play less and stay lucky, and bars hold too rarely. For
+ * the same reason variances are those of the model, not of the few clusters that a pairing has, and pairs that are
+ * settled go on counting: together the part {@link #SETTLED} of those that are not.
  *
  * <p>Before that every pair meets {@value #FIRST} times, and always each bot has at least the share {@link #LEAST} of
  * the games that it would have in a round robin. What is chosen follows from results of decisions that are {@code lag}
@@ -29,6 +30,8 @@ public final class AdaptivePairing implements Pairing {
     static final int FIRST = 4;
     /** Of the games of a round robin. */
     static final double LEAST = 0.2;
+    /** What all pairs that are settled count together, against those that are not. */
+    static final double SETTLED = 0.5;
     /** More groups than this are not listed. */
     private static final int MOST = 1_000_000;
 
@@ -116,24 +119,29 @@ public final class AdaptivePairing implements Pairing {
     /** What each group is worth, or {@code null} if nothing is in doubt. */
     private double[] worth(Ratings found) {
         List<int[]> open = new ArrayList<>();
+        List<int[]> settled = new ArrayList<>();
         for (int i = 0; i < versions.size(); i++) {
             for (int j = i + 1; j < versions.size(); j++) {
-                if (rule.order(found, versions.get(i), versions.get(j)) == StopRule.Order.OPEN) {
-                    open.add(new int[] {versions.get(i), versions.get(j)});
-                }
+                boolean doubt = rule.order(found, versions.get(i), versions.get(j)) == StopRule.Order.OPEN;
+                (doubt ? open : settled).add(new int[] {versions.get(i), versions.get(j)});
             }
         }
         if (open.isEmpty()) {
             return null;
         }
         double[] worth = new double[groups.size()];
-        found.parts(open).forEach((group, part) -> {
+        add(worth, 1, found.parts(open));
+        add(worth, SETTLED * open.size() / Math.max(1, settled.size()), found.parts(settled));
+        return worth;
+    }
+
+    private void add(double[] worth, double weight, Map<List<Integer>, Double> parts) {
+        parts.forEach((group, part) -> {
             Integer place = places.get(group);
             if (place != null) {
-                worth[place] += part;
+                worth[place] += weight * part;
             }
         });
-        return worth;
     }
 
     @Override
