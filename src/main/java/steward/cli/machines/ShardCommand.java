@@ -90,6 +90,7 @@ final class ShardCommand implements Callable<Integer> {
         LeagueSettings settings = folder.read();
         Contest contest = LeagueOpening.contest(folder, settings, streams);
         Season season = Season.of(contest.setup(), settings);
+        PartPlay.check(settings, season);
         Path file = OutputFiles.path(out);
         try (PartStore store = PartStore.write(file, new PartStore.Head(number, of, games, settings.seed(),
                 settings.pairing()), season)) {

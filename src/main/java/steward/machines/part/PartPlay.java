@@ -15,6 +15,7 @@ import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.Pairing;
 import steward.league.Schedule;
+import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.play.GamePlay;
 import steward.league.play.Roster;
@@ -47,6 +48,18 @@ public final class PartPlay {
     private int underWay;
 
     /**
+     * Refuses a schedule that cannot be played in parts, before anything is written.
+     *
+     * @throws InputException if it depends on results
+     */
+    public static void check(LeagueSettings settings, Season season) {
+        if (settings.adaptive() && season.players() > 1) {
+            throw new InputException("pairing: found 'adaptive', which decides by results, expected 'round-robin' or "
+                + "'gauntlet NAME': parts are played apart");
+        }
+    }
+
+    /**
      * A part that is to be played.
      *
      * @param part     with the versions of its bots, see {@link #prepare}
@@ -66,10 +79,6 @@ public final class PartPlay {
         play = new GamePlay(part.season(), contest, new Kept(), machine, System::currentTimeMillis);
         LeagueSettings settings = roster.settings();
         int players = part.season().players();
-        if (settings.adaptive() && players > 1) {
-            throw new InputException("pairing: found 'adaptive', which decides by results, expected 'round-robin' or "
-                + "'gauntlet NAME': parts are played apart");
-        }
         try (GameStore league = GameStore.unused(folder)) {
             Optional<Integer> season = league == null ? Optional.empty() : league.season(part.season());
             schedule = new Schedule(settings.seed(), players, settings.lag(), season.isEmpty() ? new EarlierGames()

@@ -196,13 +196,18 @@ public final class MachinesProof {
         return out.toString(StandardCharsets.UTF_8).replaceAll("(?m),[^,\n]*,[^,\n]*$", "");
     }
 
-    /** Waits until so many games are stored, and one of this worker among them, or the league has ended. */
     private int await(Process league, int stored, String worker) throws InterruptedException {
+        return await(league, stored, worker, 0);
+    }
+
+    /** Waits until so many games are stored, and a later one of this worker among them, or the league has ended. */
+    private int await(Process league, int stored, String worker, long since) throws InterruptedException {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_S);
         for (;;) {
             List<Row> rows = rows("many");
             int found = rows.size();
-            if (found >= stored && rows.stream().anyMatch(row -> row.machine().startsWith(worker))
+            if (found >= stored && rows.stream().anyMatch(row -> row.machine().startsWith(worker)
+                    && row.played() > since)
                 || !league.isAlive()) {
                 return found;
             }
@@ -248,8 +253,9 @@ public final class MachinesProof {
             check(league.isAlive(), "the league had ended before it was killed");
             league.destroyForcibly().waitFor();
             league = league(2);
+            long again = System.currentTimeMillis();
 
-            tell("connections cut after games", await(league, games / 2, "worker"));
+            tell("connections cut after games", await(league, games / 2, "worker three", again));
             int cut = proxy.cut(CLOSED_MS);
             tell("  within a message; none was taken for 3 s", cut);
             check(cut > 0, "no connection was cut within a message");

@@ -88,6 +88,7 @@ class PartTest {
         done("add", "TMP/adaptive", "still=codingame:" + bots.idler(0));
         league("shard", "TMP/adaptive", "--part", "1/3", "--games", "12", "--out", "TMP/part1.db")
             .assertRefused("pairing: found 'adaptive', which decides by results, expected 'round-robin'");
+        assertTrue(Files.notExists(folder.resolve("part1.db")), "a part of it would be in the way of the right one");
     }
 
     private void shard(String league, int part, int parts) {

@@ -39,6 +39,17 @@ class WireMessageTest {
         assertTrue(problem.getMessage().startsWith("m") && problem.getMessage().contains(what), problem.getMessage());
     }
 
+    /** A bundle that is too large, as a worker says it: bundles are never fetched then. */
+    @Test
+    void aJobWhoseBotIsTooLargeIsRefusedWithItsSizeAndTheLimit() {
+        byte[] job = WireMessage.bytes(new HeaderText().put("type", "job").put("job", "0".repeat(32)).put("seed", "1")
+            .put("seats", List.of(new HeaderText().put("name", "mine").put("bundle", "0".repeat(64))
+                .put("size", 67_108_865))));
+        String said = assertThrows(SceneException.class, () -> GameJob.read(job, "the league", 67_108_864))
+            .getMessage();
+        assertTrue(said.contains("found 67108865, expected") && said.contains("67108864"), said);
+    }
+
     @Test
     void whatIsNoMessageIsRefused() {
         refused(new byte[0], "expected a message");
