@@ -50,6 +50,30 @@ class DoubtTest {
     }
 
     @Test
+    void whatIsSettledGoesOnCountingHalf() {
+        // Bots 0 and 1 are in doubt, bot 2 is surely below both. A variance c/n falls by c/(n (n + 1)) with one more,
+        // so that n grows as the root of c: one of doubt and two of half of it, as shares of their variances.
+        Ratings found = ratings(3, met(0, 1, 100, 200, 101), met(0, 2, 20, 160, 220), met(1, 2, 21, 160, 219));
+        assertEquals(StopRule.Order.OPEN, RULE.order(found, 0, 1));
+        assertEquals(StopRule.Order.ORDERED, RULE.order(found, 0, 2));
+        assertEquals(StopRule.Order.ORDERED, RULE.order(found, 1, 2));
+        Map<List<Integer>, Double> doubt = found.parts(List.of(new int[] {0, 1}));
+        Map<List<Integer>, Double> rest = found.parts(List.of(new int[] {0, 2}, new int[] {1, 2}));
+        double roots = doubt.keySet().stream().mapToDouble(key -> Math.sqrt(doubt.get(key) + rest.get(key) / 4)).sum();
+        AdaptivePairing pairing = new AdaptivePairing(found.versions(), 2, 4, RULE, decision -> found);
+        Map<List<Integer>, Integer> games = new HashMap<>();
+        for (int decision = 0; decision < 3000; decision++) {
+            pairing.next(decision);
+            int[] group = pairing.choose();
+            pairing.made(1, group);
+            games.merge(List.of(group[0], group[1]), 1, Integer::sum);
+        }
+        doubt.forEach((key, part) -> assertEquals(Math.sqrt(part + rest.get(key) / 4) / roots * 3000, games.get(key),
+            10, games::toString));
+        assertTrue(games.get(List.of(0, 1)) > 1.2 * games.get(List.of(0, 2)), games::toString);
+    }
+
+    @Test
     void clustersThatHappenToBeAlikeDoNotSeemSure() {
         // All are equal. Bots 0 and 1 have shared all of their seeds, 0 and 2 none: to the order of 0 and 1 the games
         // of 0 and 2 tell as much as those of 1 and 2, which went as games go.
