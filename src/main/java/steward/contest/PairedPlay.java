@@ -2,14 +2,8 @@ package steward.contest;
 
 import java.io.UncheckedIOException;
 import java.util.ArrayDeque;
-import java.util.ArrayList;
 import java.util.Deque;
-import java.util.List;
 import java.util.TreeMap;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.Future;
 import java.util.function.Consumer;
 import steward.Internal;
 import steward.match.MatchResult;
@@ -121,35 +115,16 @@ public final class PairedPlay {
 
     /** Plays until the taker has enough, or somebody breaks it off. */
     public void play(int threads) throws InterruptedException {
-        ExecutorService workers = Executors.newFixedThreadPool(threads, PairedPlay::daemon);
         try {
-            List<Future<?>> working = new ArrayList<>();
-            for (int k = 0; k < threads; k++) {
-                working.add(workers.submit(() -> {
-                    for (Game game = next(); game != null; game = next()) {
-                        play(game);
-                    }
-                    return null;
-                }));
-            }
-            for (Future<?> one : working) {
-                one.get();
-            }
-        } catch (ExecutionException problem) {
-            breakOff();
-            if (problem.getCause() instanceof RuntimeException known) {
-                throw known;
-            }
-            throw new IllegalStateException("a game of a seed", problem.getCause());
+            WorkerThreads.run("seeds", threads, thread -> () -> {
+                for (Game game = next(); game != null; game = next()) {
+                    play(game);
+                }
+                return null;
+            });
         } finally {
-            workers.shutdownNow();
+            breakOff();
         }
-    }
-
-    private static Thread daemon(Runnable work) {
-        Thread thread = new Thread(work, "seeds");
-        thread.setDaemon(true);
-        return thread;
     }
 
     /** Ends it: games that are under way do not count. */

@@ -8,10 +8,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.Future;
 import java.util.function.Consumer;
 import steward.Internal;
 import steward.files.InputException;
@@ -93,34 +89,12 @@ public final class SeriesPlay {
     @Internal
     public void play(int threads, Consumer<Series.Played> each) throws InterruptedException {
         int used = Math.min(threads, series.games());
-        ExecutorService workers = Executors.newFixedThreadPool(used, SeriesPlay::daemon);
-        try {
-            List<Future<?>> working = new ArrayList<>();
-            for (int k = 0; k < used; k++) {
-                working.add(workers.submit(() -> {
-                    for (Series.Played game = playNext(); game != null; game = playNext()) {
-                        each.accept(game);
-                    }
-                    return null;
-                }));
+        WorkerThreads.run("series", used, thread -> () -> {
+            for (Series.Played game = playNext(); game != null; game = playNext()) {
+                each.accept(game);
             }
-            for (Future<?> one : working) {
-                one.get();
-            }
-        } catch (ExecutionException problem) {
-            if (problem.getCause() instanceof InputException refused) {
-                throw refused;
-            }
-            throw new IllegalStateException("a game of the series", problem.getCause());
-        } finally {
-            workers.shutdownNow();
-        }
-    }
-
-    private static Thread daemon(Runnable work) {
-        Thread thread = new Thread(work, "series");
-        thread.setDaemon(true);
-        return thread;
+            return null;
+        });
     }
 
     /** Plays a game; {@code null} if there is none any more, or it does not count. */

@@ -58,6 +58,15 @@ class BrokenInputTest {
         assertTrue(refused > 0, "nothing was refused");
     }
 
+    /** What is refused whatever is done to it shows nothing. */
+    @ParameterizedTest
+    @MethodSource("kinds")
+    void theOriginalIsSound(Kind kind) throws IOException {
+        BrokenInputs inputs = new BrokenInputs(folder, SEED);
+        inputs.prepare(kind);
+        assertFalse(inputs.check(kind, kind.original()), "the original is refused");
+    }
+
     /** Found by fuzzing: a null that stands in the file is named as what it is. */
     @Test
     void aNullWhereAWordIsExpected() throws IOException {

@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.stream.Stream;
 import steward.cli.options.SandboxOptions;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Streams;
@@ -33,6 +35,18 @@ public record Cli(int status, String out, String err) {
         int status = Main.run(new Streams(out, err, terminal, terminal), arguments);
         return new Cli(status, out.toString(StandardCharsets.UTF_8),
             withoutMachine(err.toString(StandardCharsets.UTF_8)));
+    }
+
+    /** Calls a command of leagues; {@code TMP} in its words is a folder. */
+    public static Cli league(Path folder, String... words) {
+        return run(Stream.concat(Stream.of("league"), Stream.of(words)
+            .map(word -> word.replace("TMP", folder.toString()))).toArray(String[]::new));
+    }
+
+    /** The same call, which has to be done. */
+    public Cli done() {
+        assertEquals(ExitStatus.DONE, status, err);
+        return this;
     }
 
     /** Without the warning that bots cannot be kept apart here, which depends on the machine alone. */

@@ -55,6 +55,14 @@ public final class ShellBots {
             + CommandLine.quote(List.of(file.toString()));
     }
 
+    /** Writes {@code short.json}, a duel of 8 turns in which nobody is late. */
+    public static void shortDuel(Path folder) throws IOException {
+        Files.writeString(folder.resolve("short.json"), Files.readString(Path.of("config/scenes/duel.json"))
+            .replace("\"maximumTurns\": 200", "\"maximumTurns\": 8")
+            .replace("\"answerMs\": 75", "\"answerMs\": 30000")
+            .replace("\"firstAnswerMs\": 1000", "\"firstAnswerMs\": 60000"));
+    }
+
     /** Whether the scripts can run here. */
     public static boolean runnable() {
         return Files.isExecutable(Path.of("/bin/sh"));

@@ -11,12 +11,15 @@ import java.util.List;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.replay.ReplayHeader;
 
 /**
  * README and manual agree with the program: every call that they show can be understood, every option, link and file
  * that they name exists. Nothing is run here; see {@link DocsCommandsTest}.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class DocsTest {
 
     private static final int README_LINES = 150;

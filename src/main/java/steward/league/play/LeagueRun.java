@@ -1,15 +1,11 @@
 package steward.league.play;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.Future;
 import java.util.function.Consumer;
 import steward.contest.Contest;
+import steward.contest.WorkerThreads;
 import steward.files.InputException;
 import steward.league.EarlierGames;
 import steward.league.LeagueFolder;
@@ -166,37 +162,21 @@ public final class LeagueRun {
     /** Plays until an end is reached. Call once. */
     public void play() throws InterruptedException {
         int far = elsewhere == null ? 0 : elsewhere.most();
-        ExecutorService workers = Executors.newFixedThreadPool(limits.threads() + far, LeagueRun::daemon);
         try {
-            List<Future<?>> working = new ArrayList<>();
-            for (int k = 0; k < limits.threads() + far; k++) {
-                boolean here = k < limits.threads();
-                working.add(workers.submit(() -> {
-                    boolean more = true;
-                    while (more) {
-                        more = here ? playNext(play::play) : playFar();
-                    }
-                    return null;
-                }));
-            }
-            for (Future<?> one : working) {
-                one.get();
-            }
-        } catch (ExecutionException problem) {
-            throw new IllegalStateException("a game of the league", problem.getCause());
+            WorkerThreads.run("league", limits.threads() + far, thread -> () -> {
+                boolean here = thread < limits.threads();
+                boolean more = true;
+                while (more) {
+                    more = here ? playNext(play::play) : playFar();
+                }
+                return null;
+            });
         } finally {
-            workers.shutdownNow();
             writer.close();
         }
         if (writer.problem() != null) {
             stop(writer.problem().getMessage());
         }
-    }
-
-    private static Thread daemon(Runnable work) {
-        Thread thread = new Thread(work, "league");
-        thread.setDaemon(true);
-        return thread;
     }
 
     /** Who plays a game. */

@@ -1,18 +1,14 @@
 package steward.machines.part;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.Future;
 import java.util.function.Consumer;
 import steward.contest.Contest;
+import steward.contest.WorkerThreads;
 import steward.files.InputException;
 import steward.league.EarlierGames;
 import steward.league.LeagueFolder;
@@ -119,32 +115,12 @@ public final class PartPlay {
 
     /** Plays until the part or the time is over. Call once. */
     public void play(int threads) throws InterruptedException {
-        ExecutorService workers = Executors.newFixedThreadPool(threads, work -> {
-            Thread thread = new Thread(work, "part");
-            thread.setDaemon(true);
-            return thread;
+        WorkerThreads.run("part", threads, thread -> () -> {
+            for (Schedule.Task task = next(); task != null; task = next()) {
+                play(task);
+            }
+            return null;
         });
-        try {
-            List<Future<?>> working = new ArrayList<>();
-            for (int k = 0; k < threads; k++) {
-                working.add(workers.submit(() -> {
-                    for (Schedule.Task task = next(); task != null; task = next()) {
-                        play(task);
-                    }
-                    return null;
-                }));
-            }
-            for (Future<?> one : working) {
-                one.get();
-            }
-        } catch (ExecutionException problem) {
-            if (problem.getCause() instanceof InputException refused) {
-                throw refused;
-            }
-            throw new IllegalStateException("a game of the part", problem.getCause());
-        } finally {
-            workers.shutdownNow();
-        }
     }
 
     private synchronized Schedule.Task next() throws InterruptedException {

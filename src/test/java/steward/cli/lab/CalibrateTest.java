@@ -18,6 +18,8 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -43,7 +45,8 @@ import steward.scene.SceneFiles;
 import steward.scene.SceneKey;
 
 /** {@code steward tradeoff --calibrate SCENE}, and scenes that state the error they tolerate. */
-@Timeout(60)
+@Timeout(600)
+@Execution(ExecutionMode.CONCURRENT)
 class CalibrateTest {
 
     /** Scenes whose truth is slow to compute. */

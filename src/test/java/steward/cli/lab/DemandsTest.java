@@ -13,6 +13,8 @@ import java.util.OptionalLong;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.cli.shared.Games;
 import steward.game.GameSetup;
 import steward.game.Pilot;
@@ -34,6 +36,7 @@ import steward.scene.SceneFiles;
  * of other seeds. The long form: {@code ./gradlew test --tests '*DemandsTest' -Psteward.states=20000}, so many states a
  * scene; scenes of many bodies, whose truth is slow, take a tenth of that.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class DemandsTest {
 
     private static final int DEMANDS = 200;

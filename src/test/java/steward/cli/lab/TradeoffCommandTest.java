@@ -14,6 +14,8 @@ import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import picocli.CommandLine;
 import steward.cli.Cli;
 import steward.cli.Main;
@@ -28,6 +30,7 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /** {@code steward tradeoff}: the table, its files, and what is refused. */
+@Execution(ExecutionMode.CONCURRENT)
 class TradeoffCommandTest {
 
     /** The number of the signal that {@code Process.destroy} sends; Ctrl-C is 2. */

@@ -25,18 +25,11 @@ class LeagueCommandTest {
     private Path folder;
 
     private Cli league(String... words) {
-        String[] call = new String[words.length + 1];
-        call[0] = "league";
-        for (int k = 0; k < words.length; k++) {
-            call[k + 1] = words[k].replace("TMP", folder.toString());
-        }
-        return Cli.run(call);
+        return Cli.league(folder, words);
     }
 
     private String done(String... words) {
-        Cli cli = league(words);
-        assertEquals(0, cli.status(), cli.err());
-        return cli.out();
+        return league(words).done().out();
     }
 
     private String refused(String... words) {

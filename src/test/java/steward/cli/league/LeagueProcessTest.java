@@ -20,6 +20,8 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.cli.Main;
 import steward.cli.ShellBots;
 import steward.cli.TextShellBots;
@@ -35,6 +37,7 @@ import steward.league.store.GameStore;
 @Tag("process")
 @Tag("slow")
 @Timeout(600)
+@Execution(ExecutionMode.CONCURRENT)
 class LeagueProcessTest {
 
     private static final int KILLS = Integer.getInteger("steward.turns", 3);
@@ -46,10 +49,7 @@ class LeagueProcessTest {
     @BeforeEach
     void prepare() throws IOException {
         assumeTrue(ShellBots.runnable(), "skipped: there is no /bin/sh");
-        String scene = Files.readString(Path.of("config/scenes/duel.json"))
-            .replace("\"maximumTurns\": 200", "\"maximumTurns\": 8").replace("\"answerMs\": 75", "\"answerMs\": 30000")
-            .replace("\"firstAnswerMs\": 1000", "\"firstAnswerMs\": 60000");
-        Files.writeString(folder.resolve("short.json"), scene);
+        ShellBots.shortDuel(folder);
         new TextShellBots(folder);
     }
 

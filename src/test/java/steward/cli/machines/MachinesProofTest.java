@@ -10,6 +10,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.bot.command.ProgramFinder;
 import steward.cli.ShellBots;
 
@@ -17,6 +19,7 @@ import steward.cli.ShellBots;
 @Tag("process")
 @Tag("slow")
 @Timeout(600)
+@Execution(ExecutionMode.CONCURRENT)
 class MachinesProofTest {
 
     @TempDir

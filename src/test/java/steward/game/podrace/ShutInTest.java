@@ -9,6 +9,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.match.TestScenes;
@@ -25,6 +27,7 @@ import steward.numerics.SplitMix64;
  *       |                    2
  * </pre>
  */
+@Execution(ExecutionMode.CONCURRENT)
 class ShutInTest {
 
     private static final String SCENE = """

@@ -14,8 +14,11 @@ import java.util.stream.Collectors;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** The fit against closed forms, an optimiser of its own kind and another program. */
+@Execution(ExecutionMode.CONCURRENT)
 class RatingFitTest {
 
     private static final double ELO = 400 / Math.log(10);

@@ -7,6 +7,8 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.league.pairing.StopRule;
 import steward.league.rating.RatingFit;
 import steward.league.rating.Ratings;
@@ -14,6 +16,7 @@ import steward.league.rating.Stratum;
 import steward.league.sequential.Gsprt;
 
 /** A small form of {@code steward league --self-check}: fixed seeds, bounds of four standard deviations. */
+@Execution(ExecutionMode.CONCURRENT)
 class SelfCheckTest {
 
     private static final long LEAGUES = 1000;

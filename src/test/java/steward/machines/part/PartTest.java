@@ -53,26 +53,16 @@ class PartTest {
     @BeforeEach
     void prepare() throws IOException {
         assumeTrue(ShellBots.runnable(), "skipped: there is no /bin/sh");
-        String scene = Files.readString(Path.of("config/scenes/duel.json"))
-            .replace("\"maximumTurns\": 200", "\"maximumTurns\": 8").replace("\"answerMs\": 75", "\"answerMs\": 30000")
-            .replace("\"firstAnswerMs\": 1000", "\"firstAnswerMs\": 60000");
-        Files.writeString(folder.resolve("short.json"), scene);
+        ShellBots.shortDuel(folder);
         bots = new TextShellBots(folder);
     }
 
     private Cli league(String... words) {
-        String[] call = new String[words.length + 1];
-        call[0] = "league";
-        for (int k = 0; k < words.length; k++) {
-            call[k + 1] = words[k].replace("TMP", folder.toString());
-        }
-        return Cli.run(call);
+        return Cli.league(folder, words);
     }
 
     private String done(String... words) {
-        Cli cli = league(words);
-        assertEquals(0, cli.status(), cli.err());
-        return cli.out();
+        return league(words).done().out();
     }
 
     private void make(String name, String seed) throws IOException {

@@ -31,6 +31,8 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.bot.isolation.Isolation;
 import steward.cli.Cli;
 import steward.cli.ShellBots;
@@ -59,6 +61,7 @@ import steward.scene.PhysicsFingerprint;
 @Tag("process")
 @Tag("slow")
 @Timeout(300)
+@Execution(ExecutionMode.CONCURRENT)
 class MessageSchemaTest {
 
     private static final Schema SCHEMA = schema();
@@ -131,7 +134,7 @@ class MessageSchemaTest {
             "60", "--quiet", "--serve", "127.0.0.1:" + port));
         byte[] welcome;
         byte[] job;
-        try (BrokerClient client = join(token)) {
+        try (BrokerClient client = WorkerTest.join(port, token)) {
             client.say(hello("0123456789abcdef"));
             assertEquals("refused", WireMessage.read(listen(client), "m").header().text("type"));
             client.say(hello(PhysicsFingerprint.text()));
@@ -150,19 +153,6 @@ class MessageSchemaTest {
         speak(token, welcome, job, bundles);
         assertEquals(Set.of("hello", "fetch", "result", "unfit", "differs", "bye", "welcome", "refused", "bundle",
             "job"), types);
-    }
-
-    private BrokerClient join(WorkerToken token) throws BrokenException, InterruptedException {
-        for (int tries = 0; ; tries++) {
-            try {
-                return new BrokerClient("127.0.0.1", port, token);
-            } catch (BrokenException notYet) {
-                if (notYet.isRefused() || tries == 300) {
-                    throw notYet;
-                }
-                TimeUnit.MILLISECONDS.sleep(100);
-            }
-        }
     }
 
     /** What a real worker says, in three joinings: to a bot that it cannot unpack, to a game, and to other rules. */

@@ -73,10 +73,7 @@ class WorkerTest {
     @BeforeEach
     void prepare() throws IOException {
         assumeTrue(ShellBots.runnable(), "skipped: there is no /bin/sh");
-        String scene = Files.readString(Path.of("config/scenes/duel.json"))
-            .replace("\"maximumTurns\": 200", "\"maximumTurns\": 8").replace("\"answerMs\": 75", "\"answerMs\": 30000")
-            .replace("\"firstAnswerMs\": 1000", "\"firstAnswerMs\": 60000");
-        Files.writeString(folder.resolve("short.json"), scene);
+        ShellBots.shortDuel(folder);
         bots = new TextShellBots(folder);
         try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             port = free.getLocalPort();
@@ -84,13 +81,7 @@ class WorkerTest {
     }
 
     private String done(String... words) {
-        String[] call = new String[words.length + 1];
-        call[0] = "league";
-        for (int k = 0; k < words.length; k++) {
-            call[k + 1] = words[k].replace("TMP", folder.toString());
-        }
-        Cli cli = Cli.run(call);
-        assertEquals(0, cli.status(), cli.err());
+        Cli cli = Cli.league(folder, words).done();
         return cli.out() + cli.err();
     }
 
@@ -135,6 +126,10 @@ class WorkerTest {
 
     /** A connection, as soon as the league listens. */
     private BrokerClient client(WorkerToken token) throws BrokenException, InterruptedException {
+        return join(port, token);
+    }
+
+    static BrokerClient join(int port, WorkerToken token) throws BrokenException, InterruptedException {
         for (int tries = 0; ; tries++) {
             try {
                 return new BrokerClient("127.0.0.1", port, token);

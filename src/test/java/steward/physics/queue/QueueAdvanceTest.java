@@ -39,7 +39,7 @@ import steward.physics.event.Scenes;
 /**
  * A crowd has the impacts that {@link EventAdvance} has, which looks at all pairs after each of them: the same pairs in
  * the same order, at the same times and with the same outcome but for rounding. Both begin each turn from the same
- * state, so that roundings have one turn (some impacts per body) to grow.
+ * state, so that roundings have one turn (some impacts per body) to grow. One long file: all cases share what compares.
  */
 @Execution(ExecutionMode.CONCURRENT)
 class QueueAdvanceTest {

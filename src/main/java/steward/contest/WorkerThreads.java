@@ -1,0 +1,52 @@
+package steward.contest;
+
+import java.util.concurrent.Callable;
+import java.util.concurrent.CompletionService;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorCompletionService;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.function.IntFunction;
+import steward.Internal;
+
+/** Daemon threads, each of which works until nothing is left to do. */
+@Internal
+public final class WorkerThreads {
+
+    private WorkerThreads() {
+    }
+
+    /**
+     * Works until all threads are done. As soon as one fails the others are interrupted.
+     *
+     * @param name of the threads
+     * @param work of each of them, by its number
+     * @throws RuntimeException what a thread failed with
+     */
+    public static void run(String name, int threads, IntFunction<Callable<Void>> work) throws InterruptedException {
+        ExecutorService pool = Executors.newFixedThreadPool(threads, task -> {
+            Thread thread = new Thread(task, name);
+            thread.setDaemon(true);
+            return thread;
+        });
+        try {
+            CompletionService<Void> working = new ExecutorCompletionService<>(pool);
+            for (int k = 0; k < threads; k++) {
+                working.submit(work.apply(k));
+            }
+            for (int k = 0; k < threads; k++) {
+                working.take().get();
+            }
+        } catch (ExecutionException failed) {
+            if (failed.getCause() instanceof RuntimeException problem) {
+                throw problem;
+            }
+            if (failed.getCause() instanceof Error problem) {
+                throw problem;
+            }
+            throw new IllegalStateException("the threads of the " + name, failed.getCause());
+        } finally {
+            pool.shutdownNow();
+        }
+    }
+}
