@@ -139,7 +139,7 @@ public final class SelfCheck {
             + "of differences with its bot stand apart.", "league", "pairing", "seeds",
             "clusters of the rarest pairing, mean", "scores 5..95%: least", "most", "other scores: least");
         pairings(MadeUpLeagues.trio(), new int[] {30, 100, 300, 1000}, 0);
-        pairings(MadeUpLeagues.mixed(), new int[] {150, 600, 1500}, 0, 3);
+        pairings(MadeUpLeagues.mixed(), new int[] {150, 600, 1500, 4000}, 0, 3);
         pairings(MadeUpLeagues.threes(), new int[] {100, 300, 1000}, 0);
         MadeUpLeague gauntlet = MadeUpLeagues.trio().gauntlet(0).comparedWith(MadeUpLeagues.trio().truth());
         pairing(gauntlet, "gauntlet, compared with round robin", false, 200);
