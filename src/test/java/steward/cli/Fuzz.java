@@ -5,8 +5,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.SplittableRandom;
 import java.util.concurrent.TimeUnit;
 import steward.cli.BrokenInputs.Kind;
+import steward.machines.check.BrokenTranscripts;
 import steward.machines.wire.IncomingBytes;
 import steward.match.Protocol;
 import steward.text.TextFormat;
@@ -72,7 +74,7 @@ public final class Fuzz {
         return place < 0 ? otherwise : Long.parseLong(options.get(place + 1));
     }
 
-    private List<Named> targets() throws IOException {
+    private List<Named> targets() throws IOException, InterruptedException {
         List<Named> targets = new ArrayList<>();
         BrokenInputs inputs = new BrokenInputs(folder, seed);
         for (Kind kind : BrokenInputs.kinds()) {
@@ -89,6 +91,9 @@ public final class Fuzz {
         targets.add(new Named("message of a league", incoming::league));
         targets.add(new Named("job for a worker", incoming::job));
         targets.add(new Named("bundle", incoming::bundle));
+        BrokenTranscripts transcripts = new BrokenTranscripts();
+        targets.add(new Named("game of a worker", number -> transcripts.check(
+            new Mutations(new SplittableRandom(seed * 1_000_003 + number)).of(transcripts.sent()), number % 10 == 0)));
         return targets;
     }
 
