@@ -21,6 +21,7 @@ final class GameRecordingFile {
 
     private static final String EXPECTED = "expected CodinGame's game result with an array \"frames\"";
     private static final int MOST_NAMES = 8;
+    private static final int LONGEST_NAME = 40;
     private static final int MOST_SHOWN = 40;
 
     private GameRecordingFile() {
@@ -96,6 +97,6 @@ final class GameRecordingFile {
             return "no frames: " + "the file is " + JsonProblem.kind(result.asToken());
         }
         return "no frames" + (result.isEmpty() ? "" : result.propertyNames().stream().limit(MOST_NAMES)
-            .collect(Collectors.joining(", ", ": the object has ", "")));
+            .map(name -> TextFormat.shorten(name, LONGEST_NAME)).collect(Collectors.joining(", ", ": the object has ", "")));
     }
 }

@@ -93,6 +93,13 @@ class BrokenInputTest {
         assertFalse(new BrokenInputs(folder, SEED).check(kind, broken.getBytes(StandardCharsets.UTF_8)));
     }
 
+    /** Found by fuzzing: what a file has in place of frames may have names of any length. */
+    @Test
+    void anImportWithoutFramesHasNamesOfAnyLength() throws IOException {
+        String broken = "{\"f" + "x".repeat(2000) + "rames\":[]}";
+        assertTrue(new BrokenInputs(folder, SEED).check(kind("import"), broken.getBytes(StandardCharsets.UTF_8)));
+    }
+
     private static Kind kind(String name) throws IOException {
         return BrokenInputs.kinds().stream().filter(each -> each.name().equals(name)).findFirst().orElseThrow();
     }
