@@ -97,6 +97,7 @@ final class GameRecordingFile {
             return "no frames: " + "the file is " + JsonProblem.kind(result.asToken());
         }
         return "no frames" + (result.isEmpty() ? "" : result.propertyNames().stream().limit(MOST_NAMES)
-            .map(name -> TextFormat.shorten(name, LONGEST_NAME)).collect(Collectors.joining(", ", ": the object has ", "")));
+            .map(name -> TextFormat.shorten(name, LONGEST_NAME))
+            .collect(Collectors.joining(", ", ": the object has ", "")));
     }
 }
