@@ -21,9 +21,12 @@ public final class FaultMessages {
     private static final String LATE = "no answer within ";
     private static final String UNREAD = "did not read its input within ";
 
-    /** What is in brackets behind a limit, and the parts of {@link TimeSpent#text}. */
+    /**
+     * What is in brackets behind a limit, and the parts of {@link TimeSpent#text}. There are no brackets within: so the
+     * time that it takes grows with the length of a text, which may be a stranger's, and not with its square.
+     */
     private static final Pattern MEASURED =
-        Pattern.compile(" \\((waited|used) [^)]*\\)|[:;] (computed \\d|this system does not show ).*");
+        Pattern.compile(" \\((waited|used) [^()]*\\)|[:;] (computed \\d|this system does not show ).*");
 
     private FaultMessages() {
     }

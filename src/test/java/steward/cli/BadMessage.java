@@ -2,6 +2,7 @@ package steward.cli;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /** What a line of the standard error must not have: what only those who program in Java understand. */
@@ -9,13 +10,14 @@ final class BadMessage {
 
     private static final Map<Pattern, String> BAD = new LinkedHashMap<>();
 
+    private static final Pattern CLASS = Pattern.compile("\\b[A-Z][A-Za-z]*(?:Exception|Error|Node|Token|Path)\\b");
     private static final Pattern TYPE = Pattern.compile("\\bint\\b|\\blong value\\b|\\bdouble value\\b");
 
     static {
         BAD.put(Pattern.compile("^\\s*at .*\\.java:"), "a line of a stack trace");
         BAD.put(Pattern.compile("this should not have happened"), "an error of the program");
         BAD.put(Pattern.compile("\\b(?:java|javax|jdk|sun|steward|tools|picocli)\\.[a-z]+[.A-Z]"), "a Java package");
-        BAD.put(Pattern.compile("\\b[A-Z][A-Za-z]*(?:Exception|Error|Node|Token|Path)\\b"), "a Java class");
+        BAD.put(CLASS, "a Java class");
         BAD.put(Pattern.compile("\\b(?:VALUE|START|END|NOT|PROPERTY)_[A-Z_]+"), "a token of the parser");
         BAD.put(TYPE, "a Java type");
         BAD.put(Pattern.compile(": null$|'null'|\\(null\\)"), "null");
@@ -40,7 +42,9 @@ final class BadMessage {
     /** The same for a message that may repeat words of an input. */
     static String problem(String line, String input) {
         for (Map.Entry<Pattern, String> bad : BAD.entrySet()) {
-            if (bad.getKey().matcher(line).find() && !(bad.getKey() == TYPE && TYPE.matcher(input).find())) {
+            Matcher found = bad.getKey().matcher(line);
+            boolean ofInput = bad.getKey() == TYPE || bad.getKey() == CLASS;
+            if (found.find() && !(ofInput && input.contains(found.group()))) {
                 return bad.getValue();
             }
         }

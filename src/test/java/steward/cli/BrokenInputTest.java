@@ -93,6 +93,17 @@ class BrokenInputTest {
         assertFalse(new BrokenInputs(folder, SEED).check(kind, broken.getBytes(StandardCharsets.UTF_8)));
     }
 
+    /** Found by fuzzing: the name of a field may look like a class. */
+    @Test
+    void aFieldThatLooksLikeAClassIsNamed() throws IOException {
+        Kind kind = kind("figures");
+        String broken = new String(kind.original(), StandardCharsets.UTF_8).replace("\"largestError\"",
+            "\"LargestError\"");
+        BrokenInputs inputs = new BrokenInputs(folder, SEED);
+        inputs.prepare(kind);
+        assertTrue(inputs.check(kind, broken.getBytes(StandardCharsets.UTF_8)));
+    }
+
     /** Found by fuzzing: what a file has in place of frames may have names of any length. */
     @Test
     void anImportWithoutFramesHasNamesOfAnyLength() throws IOException {

@@ -49,6 +49,8 @@ public final class AdaptivePairing implements Pairing {
     private final int[] ofPair;
     private long all;
     private int look = -1;
+    /** Whether the worth is that of an earlier look: it is computed only when a choice depends on it. */
+    private boolean due;
 
     /**
      * @param versions that play
@@ -112,7 +114,7 @@ public final class AdaptivePairing implements Pairing {
         int now = Looks.of(decision);
         if (now != look && decision >= lag) {
             look = now;
-            worth = worth(ratings.apply(now - lag + 1));
+            due = true;
         }
     }
 
@@ -149,6 +151,10 @@ public final class AdaptivePairing implements Pairing {
         int place = leastMet();
         if (place < 0) {
             place = neglected();
+        }
+        if (place < 0 && due) {
+            due = false;
+            worth = worth(ratings.apply(look - lag + 1));
         }
         if (place < 0 && worth != null) {
             double best = 0;

@@ -95,7 +95,7 @@ public final class KeptGames implements GamePlay.Recordings {
     }
 
     /** Removes the replay of a game that is not stored after all. */
-    static void remove(LeagueFolder folder, StoredGame game) {
+    public static void remove(LeagueFolder folder, StoredGame game) {
         if (game.replay() != null) {
             remove(folder.replays().resolve(game.replay()));
         }

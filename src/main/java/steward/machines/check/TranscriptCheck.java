@@ -35,7 +35,8 @@ import tools.jackson.core.ObjectReadContext;
 /**
  * Reads what a game came to from its transcript, see {@link TranscriptWriter}: it is played again, so that states,
  * events and result follow from the commands and cannot be anything else. The hash of all states says whether the other
- * machine computed the same. Only how long answers took is believed. Thread-safe.
+ * machine computed the same. How long answers took is believed, and what bots wrote besides: messages, standard error,
+ * data. Thread-safe.
  */
 public final class TranscriptCheck {
 
@@ -44,6 +45,9 @@ public final class TranscriptCheck {
     private static final Set<String> HEAD = Set.of("bots", "sandbox");
     private static final Set<String> TURN = Set.of("commands", "faults", "messages", "stderr");
     private static final List<String> TIMES = List.of("averageNanos", "worstNanos", "firstNanos", "earlyTurns");
+
+    /** How long a fault may be, in characters: several times the longest line of a bot. It is stored with the game. */
+    private static final int LONGEST_FAULT = 1 << 18;
 
     private final Contest contest;
 
@@ -218,6 +222,9 @@ public final class TranscriptCheck {
                     long time = recorded ? nanos() : 0;
                     if (texts[player] == null) {
                         turn.answer(player, messages[player], stderr[player], time);
+                    } else if (texts[player].length() > LONGEST_FAULT) {
+                        throw new DisprovedException(source + ":" + number + ": faults[" + player + "]: found "
+                            + texts[player].length() + " characters, expected at most " + LONGEST_FAULT);
                     } else {
                         turn.fail(player, texts[player], stderr[player], time);
                         faults[player] = turn.fault(player);

@@ -27,6 +27,7 @@ import steward.league.Schedule;
 import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.play.Elsewhere;
+import steward.league.play.KeptGames;
 import steward.league.play.Roster.Member;
 import steward.machines.broker.LeagueBroker;
 import steward.machines.bundle.Bundle;
@@ -234,12 +235,14 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             throws InterruptedException {
         String worker = played.worker();
         WorkerState state = state(worker);
+        List<StoredGame> attempts = List.of();
+        boolean believed = false;
         try {
             String machine;
             synchronized (this) {
                 machine = WorkerState.machine(worker) + state.machine;
             }
-            List<StoredGame> attempts = reported.attempts(task, now, members, played.replays(), played.starved(),
+            attempts = reported.attempts(task, now, members, played.replays(), played.starved(),
                 machine);
             boolean again;
             synchronized (this) {
@@ -255,10 +258,15 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
                 }
                 state.games++;
             }
+            believed = true;
             return attempts;
         } catch (DisprovedException wrong) {
             caught(state, wrong.getMessage());
             return null;
+        } finally {
+            if (!believed) {
+                attempts.forEach(game -> KeptGames.remove(folder, game));
+            }
         }
     }
 
@@ -270,10 +278,15 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             state.caught = true;
             state.slots = 0;
         }
+        boolean interrupted = Thread.interrupted();    // which would keep the list from being written
         try {
             WorkerList.revoke(folder, state.name, "caught: " + shown(why));
         } catch (InputException gone) {
             say(gone.getMessage());
+        } finally {
+            if (interrupted) {
+                Thread.currentThread().interrupt();
+            }
         }
         list = WorkerList.read(folder);
         broker.disconnect(state.name);

@@ -3,6 +3,7 @@ package steward.machines.serve;
 import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
+import java.util.concurrent.Semaphore;
 import steward.bot.FaultMessages;
 import steward.contest.Contest;
 import steward.contest.Hiccups;
@@ -18,6 +19,7 @@ import steward.league.play.KeptGames;
 import steward.league.play.Roster.Member;
 import steward.machines.check.AnswerCheck;
 import steward.machines.check.DisprovedException;
+import steward.machines.check.GzipText;
 import steward.machines.check.ReplayCheck;
 import steward.machines.check.TranscriptCheck;
 import steward.replay.RecordedMatch;
@@ -25,12 +27,20 @@ import steward.replay.RecordedMatch;
 /** Makes of a worker's transcripts what is stored of a game, or disproves them. Thread-safe. */
 final class ReportedGames {
 
+    /** Memory that one check may take, in bytes: the longest transcript, its last line, and what is read of it. */
+    private static final long MOST_MEMORY = 4L * GzipText.LONGEST;
+
+    private final LeagueFolder folder;
     private final Season season;
     private final TranscriptCheck transcripts;
     private final AnswerCheck answers;
     private final KeptGames keeper;
+    /** A worker may send hundreds of the longest transcripts at once: no more are unpacked than there is room for. */
+    private final Semaphore room = new Semaphore((int) Math.max(1, Math.min(Runtime.getRuntime().availableProcessors(),
+        Runtime.getRuntime().maxMemory() / (2 * MOST_MEMORY))));
 
     ReportedGames(LeagueFolder folder, Season season, Contest contest, GameTypes types) {
+        this.folder = folder;
         this.season = season;
         transcripts = new TranscriptCheck(contest);
         answers = new AnswerCheck(contest, types);
@@ -46,10 +56,18 @@ final class ReportedGames {
      * @throws DisprovedException if it was not so
      */
     List<StoredGame> attempts(Schedule.Task task, LeagueSettings now, List<Member> members, List<byte[]> sent,
-                              List<Boolean> starved, String machine) throws DisprovedException {
+                              List<Boolean> starved, String machine) throws DisprovedException, InterruptedException {
         List<StoredGame> attempts = new ArrayList<>();
-        for (int k = 0; k < sent.size(); k++) {
-            attempts.add(attempt(task, now, members, sent, starved, machine, k));
+        room.acquire();
+        try {
+            for (int k = 0; k < sent.size(); k++) {
+                attempts.add(attempt(task, now, members, sent, starved, machine, k));
+            }
+        } catch (DisprovedException wrong) {
+            attempts.forEach(game -> KeptGames.remove(folder, game));
+            throw wrong;
+        } finally {
+            room.release();
         }
         return attempts;
     }
@@ -94,9 +112,16 @@ final class ReportedGames {
      * @param sent the transcript of the last attempt, compressed
      * @throws DisprovedException if one answers otherwise
      */
-    void askAgain(Schedule.Task task, List<Member> members, byte[] sent) throws DisprovedException {
+    void askAgain(Schedule.Task task, List<Member> members, byte[] sent) throws DisprovedException,
+            InterruptedException {
         String source = "game of seed " + task.seed();
-        RecordedMatch match = transcripts.match(source, sent, expected(task, members));
+        RecordedMatch match;
+        room.acquire();
+        try {
+            match = transcripts.match(source, sent, expected(task, members));
+        } finally {
+            room.release();
+        }
         for (int seat = 0; seat < members.size(); seat++) {
             Member member = members.get(seat);
             if (!member.bot().random() && !member.version().random()) {

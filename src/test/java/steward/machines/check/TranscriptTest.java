@@ -117,6 +117,14 @@ class TranscriptTest {
         }
     }
 
+    /** The time that a fault takes once grew with the square of its length, and it is stored with the game. */
+    @Test
+    @Tag("process")
+    void aFaultWithoutEndIsDisproved() throws Exception {
+        assertTrue(talkative().disproof("\"faults\":[null,\"", "\"faults\":[null,\"" + " (waited ".repeat(40_000))
+            .contains("faults[1]: found 36"));
+    }
+
     /** A worker may send anything: it is refused with a message, or is a game in which all follows from commands. */
     @Test
     void brokenBytesAreRefusedWithAMessage() throws Exception {
