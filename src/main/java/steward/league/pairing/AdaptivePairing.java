@@ -20,9 +20,10 @@ import steward.league.rating.Ratings;
  * the same reason variances are those of the model, not of the few clusters that a pairing has, and pairs that are
  * settled go on counting: together the part {@link #SETTLED} of those that are not.
  *
- * <p>Before that every pair meets {@value #FIRST} times, and always each bot has at least the share {@link #LEAST} of
- * the games that it would have in a round robin. What is chosen follows from results of decisions that are {@code lag}
- * back, at the last of {@link Looks}, and from how often each group was decided on.
+ * <p>Before that every pair meets {@value #FIRST} times, and each group of at most {@value #FEW} plays once; always
+ * each bot has at least the share {@link #LEAST} of the games that it would have in a round robin. What is chosen
+ * follows from results of decisions that are {@code lag} back, at the last of {@link Looks}, and from how often each
+ * group was decided on.
  */
 public final class AdaptivePairing implements Pairing {
 
@@ -32,6 +33,8 @@ public final class AdaptivePairing implements Pairing {
     static final double LEAST = 0.2;
     /** What all pairs that are settled count together, against those that are not. */
     static final double SETTLED = 0.5;
+    /** If there are no more groups than this, each plays once before doubt decides: what never played has no weight. */
+    static final int FEW = 1000;
     /** More groups than this are not listed. */
     private static final int MOST = 1_000_000;
 
@@ -151,6 +154,9 @@ public final class AdaptivePairing implements Pairing {
         int place = leastMet();
         if (place < 0) {
             place = neglected();
+        }
+        if (place < 0 && groups.size() <= FEW && counts[least(-1)] == 0) {
+            place = least(-1);
         }
         if (place < 0 && due) {
             due = false;

@@ -49,6 +49,29 @@ class DoubtTest {
         games.values().forEach(each -> assertEquals(100, each, 5, games::toString));
     }
 
+    /** A group without games has no weight in the fit, and nothing that doubt could lose: it once never played. */
+    @Test
+    void everyGroupOfThreePlays() {
+        Map<List<Integer>, Integer> games = new HashMap<>();
+        AdaptivePairing pairing = new AdaptivePairing(IntStream.range(0, 10).boxed().toList(), 3, 4, RULE,
+            decision -> ratings(10, games.keySet().stream().map(DoubtTest::three).toArray(Stratum[]::new)));
+        for (int decision = 0; decision < 200; decision++) {
+            pairing.next(decision);
+            int[] group = pairing.choose();
+            pairing.made(1, group);
+            games.merge(List.of(group[0], group[1], group[2]), 1, Integer::sum);
+        }
+        assertEquals(120, games.size());
+    }
+
+    /** Three of which each has beaten the others as often. */
+    private static Stratum three(List<Integer> bots) {
+        Stratum stratum = new Stratum(2.0 / 3, bots.get(0), bots.get(1), bots.get(2));
+        stratum.add(stratum.pattern(1, 1, 0, 1, 1, 0, 1, 1, 0), 20);
+        stratum.add(stratum.pattern(1, 0, 0, 1, 0, 0, 1, 0, 0), 20);
+        return stratum;
+    }
+
     @Test
     void whatIsSettledGoesOnCountingHalf() {
         // Bots 0 and 1 are in doubt, bot 2 is surely below both. A variance c/n falls by c/(n (n + 1)) with one more,
