@@ -29,9 +29,19 @@ public final class LineScan {
 
     /** Starts a line of {@code length} bytes. */
     public void begin(byte[] line, int length) {
+        begin(line, 0, length);
+    }
+
+    /** Starts at a place of a line, which ends before another one. */
+    public void begin(byte[] line, int from, int to) {
         bytes = line;
-        at = 0;
-        end = length;
+        at = from;
+        end = to;
+    }
+
+    /** The place behind what was accepted last. */
+    public int at() {
+        return at;
     }
 
     private void skipBlanks() {

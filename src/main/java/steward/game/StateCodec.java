@@ -22,6 +22,17 @@ public interface StateCodec {
     String readCommand(JsonParser in, int player);
 
     /**
+     * A faster {@link #readCommand}, for commands that are written as {@link #writeCommand} usually writes them. What
+     * it accepts, it reads to the same bit; it may reject anything.
+     *
+     * @param json where the value begins at {@code from} and ends before {@code to}
+     * @return the place behind the value; or -1 if another reader has to be asked: then no command has changed
+     */
+    default int readPlainCommand(byte[] json, int from, int to, int player) {
+        return -1;
+    }
+
+    /**
      * Whether a faulty answer has given the player commands before its fault, which take effect all the same; {@link
      * #writeCommand} then writes them.
      */

@@ -12,10 +12,13 @@ import steward.numerics.StateHash;
 
 /**
  * What a program computes in a scene: a hash of all states of some short games, by pilots of all kinds. Two programs
- * whose rules of the game, physics or starts differ have another one, where these games show it.
+ * whose rules of the game, physics or starts differ have another one, where these games show it; and so have two that
+ * send games in another form.
  */
 public final class RulesFingerprint {
 
+    /** The form in which games are sent, see {@link TranscriptWriter}: each change of it gives it another number. */
+    private static final int FORM = 2;
     private static final int TURNS = 40;
     private static final int SEEDS = 3;
 
@@ -24,7 +27,7 @@ public final class RulesFingerprint {
 
     /** 16 hexadecimal digits. */
     public static String of(GameSetup setup) {
-        StateHash hash = new StateHash();
+        StateHash hash = new StateHash().add(FORM);
         for (Pilot.Aim aim : Pilot.Aim.values()) {
             Pilot pilot = setup.pilot(aim);
             for (int seed = 0; seed < SEEDS; seed++) {

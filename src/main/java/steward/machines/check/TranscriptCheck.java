@@ -16,7 +16,6 @@ import steward.game.JsonNumbers;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
 import steward.match.Turn;
-import steward.numerics.StateHash;
 import steward.replay.JsonLine;
 import steward.replay.RecordedMatch;
 import steward.replay.RecordedTurn;
@@ -34,13 +33,12 @@ import tools.jackson.core.ObjectReadContext;
 
 /**
  * Reads what a game came to from its transcript, see {@link TranscriptWriter}: it is played again, so that states,
- * events and result follow from the commands and cannot be anything else. The hash of all states says whether the other
+ * events and result follow from the commands and cannot be anything else. The hash of states says whether the other
  * machine computed the same. How long answers took is believed, and what bots wrote besides: messages, standard error,
  * data. Thread-safe.
  */
 public final class TranscriptCheck {
 
-    private static final MatchListener NOBODY = new MatchListener() { };
     private static final byte[] NO_OUTCOME = {'{', '}'};
     private static final Set<String> HEAD = Set.of("bots", "sandbox");
     private static final Set<String> TURN = Set.of("commands", "faults", "messages", "stderr");
@@ -65,7 +63,7 @@ public final class TranscriptCheck {
      */
     public ReplayCheck.Outcome check(String source, byte[] gzip, ReplayCheck.Expected expected)
             throws DisprovedException {
-        return playing(source, gzip, expected, null).outcome;
+        return playing(source, gzip, expected, null, null).outcome;
     }
 
     /**
@@ -75,7 +73,7 @@ public final class TranscriptCheck {
      */
     public byte[] replay(String source, byte[] gzip, ReplayCheck.Expected expected) throws DisprovedException {
         ByteArrayOutputStream replay = new ByteArrayOutputStream();
-        playing(source, gzip, expected, replay);
+        playing(source, gzip, expected, replay, null);
         return replay.toByteArray();
     }
 
@@ -86,14 +84,15 @@ public final class TranscriptCheck {
      * @throws DisprovedException as above
      */
     public RecordedMatch match(String source, byte[] gzip, ReplayCheck.Expected expected) throws DisprovedException {
-        Playing playing = playing(source, gzip, expected, null);
-        return new RecordedMatch(source, playing.header, playing.turns, playing.game.ending(), null);
+        List<RecordedTurn> turns = new ArrayList<>();
+        Playing playing = playing(source, gzip, expected, null, turns);
+        return new RecordedMatch(source, playing.header, turns, playing.game.ending(), null);
     }
 
-    private Playing playing(String source, byte[] gzip, ReplayCheck.Expected expected,
-                                     ByteArrayOutputStream replay) throws DisprovedException {
+    private Playing playing(String source, byte[] gzip, ReplayCheck.Expected expected, ByteArrayOutputStream replay,
+                            List<RecordedTurn> turns) throws DisprovedException {
         try {
-            Playing playing = new Playing(source, GzipText.bytes(gzip), expected, replay);
+            Playing playing = new Playing(source, GzipText.bytes(gzip), expected, replay, turns);
             playing.play();
             return playing;
         } catch (ReplayException | SceneException problem) {
@@ -117,23 +116,26 @@ public final class TranscriptCheck {
         private final String[] none = new String[players];
         private final String[] faults = new String[players];
         private final int[] asked = new int[players];
-        private final StateHash states = new StateHash();
+        private final StatesHash states;
         private final MatchListener listener;
-        private final boolean recorded;
         private final ReplayHeader header;
-        private final List<RecordedTurn> turns = new ArrayList<>();
+        private final List<RecordedTurn> turns;
         private final JsonLine last;
         private ReplayCheck.Outcome outcome;
         private JsonParser nanos;
         private int from;
         private int number = 1;
 
-        Playing(String source, byte[] text, ReplayCheck.Expected expected, ByteArrayOutputStream replay) {
+        /** @param replay and {@code turns} are filled, unless {@code null} */
+        Playing(String source, byte[] text, ReplayCheck.Expected expected, ByteArrayOutputStream replay,
+                List<RecordedTurn> turns) {
             this.source = source;
             this.text = text;
             this.expected = expected;
             again = new Resimulation(contest.setup(), expected.seed());
             game = again.game();
+            states = new StatesHash(game);
+            this.turns = turns;
             int end = text.length - 1;
             int begin = end - 1;
             while (begin >= 0 && text[begin] != '\n') {
@@ -152,8 +154,7 @@ public final class TranscriptCheck {
             header = new ReplayHeader(contest.setup().scene().gameId(), contest.setup().scene().json(),
                 expected.seed(), expected.names(), List.of(bots), expected.protocols(), contest.timeFactor(),
                 contest.setup().scene().angles(), null, head.text("sandbox"));
-            recorded = replay != null;
-            listener = recorded ? new ReplayWriter(replay, header) : NOBODY;
+            listener = replay == null ? null : new ReplayWriter(replay, header);
         }
 
         /** The bytes up to the next end of a line. */
@@ -177,13 +178,19 @@ public final class TranscriptCheck {
         }
 
         void play() throws DisprovedException {
-            listener.start(game, again.codec());
-            states.add(game.hash());
             byte[] times = last.array(TranscriptWriter.NANOS);
-            nanos = RecordedTurn.parser(times);
-            nanos.nextToken();
+            if (listener != null) {
+                listener.start(game, again.codec());
+                nanos = RecordedTurn.parser(times);
+                nanos.nextToken();
+            }
             while (!game.isOver()) {
                 number++;
+                int behind = again.preparePlain(text, from, text.length);
+                if (behind >= 0 && text[behind] == '\n') {
+                    plainTurn(behind);
+                    continue;
+                }
                 byte[] line = from < text.length ? line() : new byte[0];
                 if (from == text.length) {
                     throw new DisprovedException(source + ": ends after turn " + game.turn()
@@ -200,6 +207,36 @@ public final class TranscriptCheck {
                     + ", expected the end of the game");
             }
             outcome = end();
+        }
+
+        /** A turn of nothing but commands, which have been read. The last line is an object and never such a turn. */
+        private void plainTurn(int behind) {
+            Turn turn = listener == null ? null : Turn.of(game.turn() + 1, players);
+            for (int player = 0; player < players; player++) {
+                if (game.isIn(player)) {
+                    asked[player]++;
+                    if (turn != null) {
+                        turn.answer(player, null, null, nanos());
+                    }
+                }
+            }
+            if (turns != null) {
+                turns.add(new RecordedTurn(game.turn() + 1, Arrays.copyOfRange(text, from, behind), none, null,
+                    NO_OUTCOME, none, none, null, source));
+            }
+            from = behind + 1;
+            play(turn);
+        }
+
+        private void play(Turn turn) {
+            if (listener != null) {
+                listener.commands(turn);
+            }
+            game.play();
+            if (listener != null) {
+                listener.played(turn);
+            }
+            states.played();
         }
 
         private void turn(byte[] line) throws DisprovedException {
@@ -219,7 +256,7 @@ public final class TranscriptCheck {
             for (int player = 0; player < players; player++) {
                 if (game.isIn(player)) {
                     asked[player]++;
-                    long time = recorded ? nanos() : 0;
+                    long time = listener == null ? 0 : nanos();
                     if (texts[player] == null) {
                         turn.answer(player, messages[player], stderr[player], time);
                     } else if (texts[player].length() > LONGEST_FAULT) {
@@ -233,15 +270,14 @@ public final class TranscriptCheck {
             }
             RecordedTurn read = new RecordedTurn(turn.number(), commands, texts, null, NO_OUTCOME, messages, stderr,
                 null, source);
-            turns.add(read);
+            if (turns != null) {
+                turns.add(read);
+            }
             Difference wrong = again.prepare(read);
             if (wrong != null) {
                 throw new DisprovedException(source + ": cannot be played again: " + wrong);
             }
-            listener.commands(turn);
-            game.play();
-            listener.played(turn);
-            states.add(game.hash());
+            play(turn);
         }
 
         private long nanos() {
@@ -259,9 +295,9 @@ public final class TranscriptCheck {
 
         private ReplayCheck.Outcome end() throws DisprovedException {
             String found = last.text(TranscriptWriter.STATES);
-            if (!found.equals(StateHash.toHex(states.value()))) {
+            if (!found.equals(states.hex())) {
                 throw new DisprovedException(source + ": differs when it is played again: found states of the hash "
-                    + found + ", expected " + StateHash.toHex(states.value()));
+                    + found + ", expected " + states.hex());
             }
             List<long[]> times = new ArrayList<>();
             TIMES.forEach(name -> times.add(numbers(name)));
@@ -277,7 +313,10 @@ public final class TranscriptCheck {
                     times.get(0)[player], times.get(1)[player], times.get(2)[player], (int) times.get(3)[player],
                     data("data" + player)));
             }
-            listener.end(new MatchResult(game.turn(), game.ending(), results, data("data")));
+            MatchResult result = new MatchResult(game.turn(), game.ending(), results, data("data"));
+            if (listener != null) {
+                listener.end(result);
+            }
             return new ReplayCheck.Outcome(game.turn(), seats);
         }
 

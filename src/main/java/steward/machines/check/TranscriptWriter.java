@@ -12,7 +12,6 @@ import steward.game.JsonNumbers;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
 import steward.match.Turn;
-import steward.numerics.StateHash;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.ObjectWriteContext;
 
@@ -22,7 +21,7 @@ import tools.jackson.core.ObjectWriteContext;
  *
  * <p>It has a line of JSON for the beginning, one for each turn, and one for the end. A turn in which nobody failed,
  * said or wrote anything is the array of its commands; others are objects. The last line has what was measured, and a
- * hash of all states.
+ * hash of states, see {@link StatesHash}.
  */
 public final class TranscriptWriter implements MatchListener {
 
@@ -36,8 +35,7 @@ public final class TranscriptWriter implements MatchListener {
     private final LineBuffer nanos = new LineBuffer();
     private final JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), text);
     private final JsonGenerator times = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), nanos);
-    private final StateHash states = new StateHash();
-    private Game game;
+    private StatesHash states;
     private FrameCodec codec;
 
     /**
@@ -58,9 +56,8 @@ public final class TranscriptWriter implements MatchListener {
 
     @Override
     public void start(Game startedGame, FrameCodec startedCodec) {
-        game = startedGame;
         codec = startedCodec;
-        states.add(game.hash());
+        states = new StatesHash(startedGame);
         out.writeStartObject();
         out.writeArrayPropertyStart("bots");
         bots.forEach(out::writeString);
@@ -121,13 +118,13 @@ public final class TranscriptWriter implements MatchListener {
 
     @Override
     public void played(Turn turn) {
-        states.add(game.hash());
+        states.played();
     }
 
     @Override
     public void end(MatchResult result) {
         out.writeStartObject();
-        out.writeStringProperty(STATES, StateHash.toHex(states.value()));
+        out.writeStringProperty(STATES, states.hex());
         write("averageNanos", result, MatchResult.PlayerResult::averageNanos);
         write("worstNanos", result, MatchResult.PlayerResult::worstNanos);
         write("firstNanos", result, MatchResult.PlayerResult::firstNanos);

@@ -92,15 +92,26 @@ public final class PodAnswer {
     private boolean isPlain(byte[] line, int length) {
         message = null;
         scan.begin(line, length);
-        if (!scan.accept('{') || !scan.acceptName(PODS) || !scan.accept('[')) {
-            return false;
-        }
+        return scan.accept('{') && scan.acceptName(PODS) && arePlainPods() && scan.accept('}') && scan.isAtEnd();
+    }
+
+    private boolean arePlainPods() {
         for (int pod = 0; pod < x.length; pod++) {
-            if (pod > 0 && !scan.accept(',') || !isPlainPod(pod)) {
+            if (!scan.accept(pod == 0 ? '[' : ',') || !isPlainPod(pod)) {
                 return false;
             }
         }
-        return scan.accept(']') && scan.accept('}') && scan.isAtEnd();
+        return scan.accept(']');
+    }
+
+    /**
+     * The fast path for the array of pods that begins at a place. The last message is kept.
+     *
+     * @return the place behind it, or -1 if {@link #readPods} has to be asked
+     */
+    int readPlainPods(byte[] json, int from, int to) {
+        scan.begin(json, from, to);
+        return arePlainPods() ? scan.at() : -1;
     }
 
     private boolean isPlainPod(int pod) {

@@ -63,6 +63,15 @@ final class PodRaceState implements StateCodec {
     }
 
     @Override
+    public int readPlainCommand(byte[] json, int from, int to, int player) {
+        int behind = answer.readPlainPods(json, from, to);
+        if (behind >= 0) {
+            answer.command(race, player, race.settings().podsPerPlayer());
+        }
+        return behind;
+    }
+
+    @Override
     public void writeState(JsonGenerator out) {
         out.writeName(Name.BODIES);
         out.writeStartArray();

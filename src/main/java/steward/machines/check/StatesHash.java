@@ -1,0 +1,35 @@
+package steward.machines.check;
+
+import steward.game.Game;
+import steward.numerics.StateHash;
+
+/**
+ * A hash of states by which two machines see that they have computed the same game: of the start, of every 16th turn
+ * and of the last one. A state that differs in between changes those after it, so that it is seen at the next of these
+ * turns; unless the rules let the difference vanish before, as they do where they round.
+ */
+final class StatesHash {
+
+    private static final int EVERY = 16;
+
+    private final Game game;
+    private final StateHash hash = new StateHash();
+
+    /** @param game not played yet */
+    StatesHash(Game game) {
+        this.game = game;
+        played();
+    }
+
+    /** Call after each turn. */
+    void played() {
+        if (game.turn() % EVERY == 0 || game.isOver()) {
+            hash.add(game.hash());
+        }
+    }
+
+    /** 16 hexadecimal digits. */
+    String hex() {
+        return StateHash.toHex(hash.value());
+    }
+}
