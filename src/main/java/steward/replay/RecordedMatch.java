@@ -39,12 +39,12 @@ public record RecordedMatch(String source, ReplayHeader header, List<RecordedTur
 
     /** The last turn that a player was asked in, counted from 1; 0 if it never was. */
     public int lastAsked(int player) {
-        int last = 0;
-        for (RecordedTurn turn : turns) {
+        for (int k = turns.size() - 1; k >= 0; k--) {
+            RecordedTurn turn = turns.get(k);
             if (turn.faults()[player] != null || turn.hasCommand(player)) {
-                last = turn.number();
+                return turn.number();
             }
         }
-        return last;
+        return 0;
     }
 }

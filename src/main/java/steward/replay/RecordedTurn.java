@@ -1,5 +1,6 @@
 package steward.replay;
 
+import java.util.Arrays;
 import steward.game.JsonNumbers;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
@@ -41,6 +42,45 @@ public record RecordedTurn(int number, byte[] commands, String[] faults, String 
             }
             return token != JsonToken.END_ARRAY && token != JsonToken.VALUE_NULL;
         }
+    }
+
+    /**
+     * Whether the command of the player was recorded in these very bytes. It is not found in another spelling.
+     *
+     * @param json   a command as JSON, whole
+     * @param length how many bytes of it count
+     */
+    public boolean hasCommand(int player, byte[] json, int length) {
+        int from = element(player);
+        int to = from + length;
+        return from > 0 && to < commands.length && (commands[to] == ',' || commands[to] == ']')
+            && Arrays.equals(commands, from, to, json, 0, length);
+    }
+
+    /** Where an entry of the array of commands begins, or -1 if there are fewer. */
+    private int element(int number) {
+        int passed = 0;
+        int depth = 0;
+        boolean quoted = false;
+        for (int at = 1; at < commands.length; at++) {
+            if (passed == number) {
+                return at;
+            }
+            byte one = commands[at];
+            if (quoted) {
+                at += one == '\\' ? 1 : 0;
+                quoted = one != '"';
+            } else if (one == '"') {
+                quoted = true;
+            } else if (one == '[' || one == '{') {
+                depth++;
+            } else if (one == ']' || one == '}') {
+                depth--;
+            } else if (one == ',' && depth == 0) {
+                passed++;
+            }
+        }
+        return -1;
     }
 
     /** How long the player took, in nanoseconds; 0 if that was not recorded. */

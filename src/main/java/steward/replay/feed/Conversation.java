@@ -1,6 +1,5 @@
 package steward.replay.feed;
 
-import java.io.ByteArrayOutputStream;
 import java.util.Arrays;
 import java.util.List;
 import steward.bot.Answer;
@@ -29,13 +28,14 @@ import tools.jackson.core.ObjectWriteContext;
  */
 final class Conversation {
 
-    private static final byte[] NONE = {};
-
     private final Resimulation again;
     private final Dialogue dialogue;
     private final int player;
     private final Player bot;
     private final Answer answer = new Answer();
+    private final LineBuffer command = new LineBuffer();
+    /** Stays open across commands; opening one for each would cost time. */
+    private final JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), command);
     private boolean started;
 
     /** @throws IllegalArgumentException if the game does not speak the protocol */
@@ -84,16 +84,29 @@ final class Conversation {
             answer);
         boolean gone = ending != Player.Ending.ANSWERED;
         boolean none = recorded.faults()[player] != null || replaced && !recorded.hasCommand(player);
-        byte[] then = none ? NONE : recordedCommand(recorded);
         again.codec().state().clearCommand(player);
         String fault = gone ? answer.fault() : read();
-        List<Difference> differences = List.of();
-        if (fault == null && then.length > 0) {
-            byte[] now = command();
-            differences = Arrays.equals(then, now) ? List.of()
-                : Difference.all(recorded.number(), "command", then, now);
-        }
+        List<Difference> differences = none || fault == null && isRecorded(recorded) ? List.of()
+            : differences(recorded, fault, gone);
         return new FedTurn(recorded.number(), replaced, fault, recorded.faults()[player], differences, gone);
+    }
+
+    /** Whether the command of the answer is recorded as this program writes it. */
+    private boolean isRecorded(RecordedTurn recorded) {
+        writeCommand();
+        return recorded.hasCommand(player, command.bytes(), command.size());
+    }
+
+    /** Reads also the recorded command, and then the answer once more, whose command counts. */
+    private List<Difference> differences(RecordedTurn recorded, String fault, boolean gone) {
+        byte[] now = fault == null ? command() : null;
+        byte[] then = recordedCommand(recorded);
+        again.codec().state().clearCommand(player);
+        if (!gone) {
+            read();
+        }
+        return fault != null || Arrays.equals(then, now) ? List.of()
+            : Difference.all(recorded.number(), "command", then, now);
     }
 
     private String read() {
@@ -123,11 +136,14 @@ final class Conversation {
 
     /** The player's command as it stands. */
     private byte[] command() {
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), bytes)) {
-            again.codec().state().writeCommand(out, player);
-        }
-        return bytes.toByteArray();
+        writeCommand();
+        return Arrays.copyOf(command.bytes(), command.size());
+    }
+
+    private void writeCommand() {
+        command.reset();
+        again.codec().state().writeCommand(out, player);
+        out.flush();
     }
 
     /** Sends the last lines, if the bot was sent any lines. */
