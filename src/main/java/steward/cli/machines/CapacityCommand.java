@@ -1,7 +1,6 @@
 package steward.cli.machines;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.LocalDate;
@@ -17,12 +16,14 @@ import steward.cli.bench.BenchDirectBot;
 import steward.cli.bench.BenchLineBot;
 import steward.cli.options.CallCheck;
 import steward.cli.shared.ExitStatus;
+import steward.cli.shared.FailedException;
 import steward.cli.shared.Games;
 import steward.cli.shared.Interruption;
 import steward.cli.shared.Json;
 import steward.cli.shared.ProgressLine;
 import steward.cli.shared.RunProgress;
 import steward.cli.shared.Streams;
+import steward.files.OutputFiles;
 import steward.lab.timing.Machine;
 import steward.machines.capacity.Capacity;
 import steward.machines.capacity.CapacityText;
@@ -95,7 +96,7 @@ final class CapacityCommand implements Callable<Integer> {
                 SLOTS), progress);
             interruption.over();
         } catch (IOException problem) {
-            throw new UncheckedIOException(problem);
+            throw unusable(folder, problem);
         } finally {
             delete(folder);
         }
@@ -176,8 +177,13 @@ final class CapacityCommand implements Callable<Integer> {
         try {
             return Files.createTempDirectory("steward-capacity");
         } catch (IOException problem) {
-            throw new UncheckedIOException(problem);
+            throw unusable(Path.of(System.getProperty("java.io.tmpdir")), problem);
         }
+    }
+
+    private static FailedException unusable(Path folder, IOException problem) {
+        return new FailedException(folder + ": " + OutputFiles.reason(folder, problem)
+            + ", expected a folder for temporary files that can be written");
     }
 
     private static void delete(Path folder) {

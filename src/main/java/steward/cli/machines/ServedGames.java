@@ -11,12 +11,10 @@ import steward.cli.shared.Games;
 import steward.contest.Contest;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
-import steward.league.Schedule;
 import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.page.WorkerRow;
 import steward.league.play.LeagueRun;
-import steward.league.play.Roster.Member;
 import steward.machines.check.WorkerBook;
 import steward.machines.serve.RemoteGames;
 import steward.machines.serve.WorkerSeen;
@@ -49,11 +47,8 @@ final class ServedGames implements Serving.Service {
 
     @Override
     public void stored(StoredGame game) {
-        List<WorkerBook.Line> before = book.lines();
-        book.add(game);
-        book.lines().stream().filter(line -> before.stream().noneMatch(old -> old.name().equals(line.name())
-            && old.doubts().equals(line.doubts()))).forEach(line -> line.doubts().forEach(doubt ->
-                teller.accept("worker " + line.name() + " is doubtful: " + doubt)));
+        book.add(game).forEach(doubt ->
+            teller.accept("worker " + WorkerBook.worker(game.machine()) + " is doubtful: " + doubt));
     }
 
     @Override
@@ -71,7 +66,7 @@ final class ServedGames implements Serving.Service {
     }
 
     @Override
-    public boolean takePlace(long waitMs) throws InterruptedException {
+    public int takePlace(long waitMs) throws InterruptedException {
         return games.takePlace(waitMs);
     }
 
@@ -81,9 +76,8 @@ final class ServedGames implements Serving.Service {
     }
 
     @Override
-    public List<StoredGame> play(Schedule.Task task, LeagueSettings settings, List<Member> members)
-            throws InterruptedException {
-        return games.play(task, settings, members);
+    public List<List<StoredGame>> play(List<Game> together) throws InterruptedException {
+        return games.play(together);
     }
 
     @Override

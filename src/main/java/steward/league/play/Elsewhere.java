@@ -10,23 +10,32 @@ import steward.league.play.Roster.Member;
 public interface Elsewhere {
 
     /**
-     * Waits for a place for one more game, which then is taken.
+     * A game that is to be played.
      *
-     * @return whether there is one; {@code false} after so many milliseconds
+     * @param task     what the schedule has decided
+     * @param settings of the league as it began
+     * @param members  by seat
      */
-    boolean takePlace(long waitMs) throws InterruptedException;
+    record Game(Schedule.Task task, LeagueSettings settings, List<Member> members) {
+    }
+
+    /**
+     * Waits for a place for more games, which then is taken.
+     *
+     * @return how many games are to go together there; 0 if there is no place after so many milliseconds
+     */
+    int takePlace(long waitMs) throws InterruptedException;
 
     /** Gives a place back. */
     void leavePlace();
 
     /**
-     * Plays a game there.
+     * Plays games there that go together.
      *
-     * @param members by seat
-     * @return the attempts, of which the last one counts; {@code null} if it has to be played once more, anywhere
+     * @return of each game the attempts, of which the last one counts; {@code null} for one that has to be played once
+     *         more, anywhere
      */
-    List<StoredGame> play(Schedule.Task task, LeagueSettings settings, List<Member> members)
-        throws InterruptedException;
+    List<List<StoredGame>> play(List<Game> games) throws InterruptedException;
 
     /** Whether games are to be believed that were played on this machine; asked just before they are stored. */
     boolean isTrusted(String machine);

@@ -1,6 +1,8 @@
 package steward.league.play;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
@@ -164,7 +166,7 @@ public final class LeagueRun {
         int far = elsewhere == null ? 0 : 1;
         try {
             WorkerThreads.run("league", limits.threads() + far, thread -> thread < limits.threads() ? this::playHere
-                : () -> new FarGames(elsewhere).play(this::isOver, () -> playNext(elsewhere::play)));
+                : () -> new FarGames(elsewhere).play(this::isOver, most -> playNext(most, elsewhere::play)));
         } finally {
             writer.close();
         }
@@ -176,106 +178,139 @@ public final class LeagueRun {
     private Void playHere() throws InterruptedException {
         boolean more = true;
         while (more) {
-            more = playNext(play::play);
+            more = playNext(1, games -> List.of(play.play(games.get(0).task(),
+                games.get(0).settings(), games.get(0).members())));
         }
         return null;
     }
 
-    /** Who plays a game. */
+    /** Who plays games. */
     private interface Player {
-        List<StoredGame> play(Schedule.Task task, LeagueSettings settings, List<Member> members)
-            throws InterruptedException;
+        /** As {@link Elsewhere#play}. */
+        List<List<StoredGame>> play(List<Elsewhere.Game> games) throws InterruptedException;
     }
 
     private synchronized boolean isOver() {
         return ended || brokenOff || stopped != null;
     }
 
-    private boolean playNext(Player player) throws InterruptedException {
-        Schedule.Task task;
-        List<Member> seats;
-        LeagueSettings settings;
+    /** Plays the next games, at most so many; whether there may be more. */
+    private boolean playNext(int most, Player player) throws InterruptedException {
+        List<Elsewhere.Game> games;
         synchronized (this) {
-            task = take();
-            if (task == null) {
+            games = take(most);
+            if (games.isEmpty()) {
                 ended = true;
                 return false;
             }
-            seats = Arrays.stream(task.lineup()).mapToObj(members::get).toList();
-            settings = roster.settings();
         }
-        List<StoredGame> attempts = List.of();
+        List<List<StoredGame>> played = Collections.nCopies(games.size(), null);
         String problem = null;
         try {
-            attempts = player.play(task, settings, seats);
+            played = player.play(games);
         } catch (InputException failed) {
             problem = failed.getMessage();
         }
+        List<StoredGame> over = new ArrayList<>();
+        boolean more;
         synchronized (this) {
-            underWay--;
             if (problem != null) {
                 stop(problem);
             }
-            boolean changed = watch.isChanged(seats);
-            boolean none = attempts == null || elsewhere != null
-                && attempts.stream().anyMatch(game -> !elsewhere.isTrusted(game.machine()));
-            attempts = attempts == null ? List.of() : attempts;
-            if (brokenOff || problem != null || changed || none) {
-                attempts.forEach(game -> KeptGames.remove(folder, game));
-                schedule.dropped(task);
-                if (changed) {
-                    watch.lookSoon();
-                }
-                notifyAll();
-                return !brokenOff && stopped == null;
+            for (int k = 0; k < games.size(); k++) {
+                over.addAll(handOver(games.get(k), played.get(k)));
             }
-            know(attempts);
-            schedule.over(task);
             notifyAll();
-            handed += attempts.size();
-            if (!writer.add(attempts)) {
-                stop(writer.problem().getMessage());
-                return false;
-            }
+            more = !brokenOff && stopped == null;
         }
-        attempts.forEach(listener);
-        return true;
+        over.forEach(listener);
+        return more;
+    }
+
+    /**
+     * Hands a game over to be stored, or back to the schedule if it cannot count.
+     *
+     * @param attempts {@code null} if it has to be played once more
+     * @return those that will be stored
+     */
+    private List<StoredGame> handOver(Elsewhere.Game game, List<StoredGame> attempts) throws InterruptedException {
+        underWay--;
+        boolean changed = watch.isChanged(game.members());
+        boolean none = attempts == null || elsewhere != null
+            && attempts.stream().anyMatch(attempt -> !elsewhere.isTrusted(attempt.machine()));
+        if (brokenOff || changed || none) {
+            if (attempts != null) {
+                attempts.forEach(attempt -> KeptGames.remove(folder, attempt));
+            }
+            schedule.dropped(game.task());
+            if (changed) {
+                watch.lookSoon();
+            }
+            return List.of();
+        }
+        know(attempts);
+        schedule.over(game.task());
+        handed += attempts.size();
+        if (!writer.add(attempts)) {
+            stop(writer.problem().getMessage());
+            return List.of();
+        }
+        return attempts;
+    }
+
+    /** The next games, one if there is any, and more as long as none has to be waited for; none at the end. */
+    private List<Elsewhere.Game> take(int most) throws InterruptedException {
+        List<Elsewhere.Game> games = new ArrayList<>();
+        for (Schedule.Task task = take(); task != null; task = games.size() < most ? takeNow() : null) {
+            underWay++;
+            games.add(new Elsewhere.Game(task, roster.settings(), members(task)));
+        }
+        return games;
+    }
+
+    private List<Member> members(Schedule.Task task) {
+        return Arrays.stream(task.lineup()).mapToObj(members::get).toList();
     }
 
     /** The next game, or {@code null} at the end. */
     private Schedule.Task take() throws InterruptedException {
         for (;;) {
-            if (brokenOff || stopped != null || writer.problem() != null
-                || end != Long.MAX_VALUE && System.nanoTime() - end >= 0) {
+            if (isAtEnd()) {
                 return null;
             }
-            watch.look(roster, known != null, this::use);
-            if (watch.isPaused()) {
-                wait(WAIT_MS);
-                continue;
-            }
-            Schedule.Task task = schedule.next(limits.games());
-            if (task != null) {
-                byte[] name = play.name(task, Arrays.stream(task.lineup()).mapToObj(members::get).toList(), 1);
-                if (!store.has(name)) {
-                    underWay++;
-                    return task;
-                }
-                store.adopt(name, task.decision());
-                knowStored(task);
-                schedule.over(task);
-                continue;
-            }
-            if (underWay == 0) {
-                return null;
+            Schedule.Task task = takeNow();
+            if (task != null || underWay == 0 && !watch.isPaused()) {
+                return task;
             }
             wait(WAIT_MS);
         }
     }
 
+    private boolean isAtEnd() {
+        return brokenOff || stopped != null || writer.problem() != null
+            || end != Long.MAX_VALUE && System.nanoTime() - end >= 0;
+    }
+
+    /** The next game, or {@code null} if there is none before others are over. */
+    private Schedule.Task takeNow() {
+        watch.look(roster, known != null, this::use);
+        Schedule.Task task = watch.isPaused() || isAtEnd() ? null : schedule.next(limits.games());
+        while (task != null) {
+            byte[] name = play.name(task, members(task), 1);
+            if (!store.has(name)) {
+                return task;
+            }
+            store.adopt(name, task.decision());
+            knowStored(task);
+            schedule.over(task);
+            task = schedule.next(limits.games());
+        }
+        return null;
+    }
+
     /** The same of a game that was stored before it was decided on. */
     private void knowStored(Schedule.Task task) {
-        List<Member> seats = Arrays.stream(task.lineup()).mapToObj(members::get).toList();
+        List<Member> seats = members(task);
         for (int attempt = 1; attempt <= 2 && known != null; attempt++) {
             store.outcome(play.name(task, seats, attempt)).ifPresent(found -> known.add(task.decision(), task.seed(),
                 task.lineup(), found.scores().get(0), found.ranks().stream().mapToInt(rank -> rank).toArray()));

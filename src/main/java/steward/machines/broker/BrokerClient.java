@@ -73,7 +73,8 @@ public final class BrokerClient implements AutoCloseable {
             NettyConnectorFactory.class.getName(), options));
         locator.setReconnectAttempts(0).setInitialConnectAttempts(1).setConsumerWindowSize(0)
             .setConnectionTTL(LeagueBroker.TTL_MS).setClientFailureCheckPeriod(LeagueBroker.TTL_MS)
-            .setMinLargeMessageSize(Integer.MAX_VALUE).setCallTimeout(CALL_MS).setBlockOnNonDurableSend(true)
+            .setMinLargeMessageSize(Integer.MAX_VALUE).setCallTimeout(CALL_MS).setBlockOnNonDurableSend(false)
+            .setProducerWindowSize(-1)
             .setUseGlobalPools(false);
         ClientSessionFactory made;
         try {
@@ -84,7 +85,7 @@ public final class BrokerClient implements AutoCloseable {
         }
         try {
             factory = made;
-            session = session(true);
+            session = session(false);
             producer = session.createProducer(Queues.REPORTS);
             listening = session(true);
             told = listening.createConsumer(Queues.TO + token.worker());
@@ -150,6 +151,7 @@ public final class BrokerClient implements AutoCloseable {
             ClientMessage message = session.createMessage(false);
             message.getBodyBuffer().writeBytes(bytes);
             producer.send(message);
+            session.commit();
         } catch (ActiveMQException problem) {
             throw broken(problem);
         }

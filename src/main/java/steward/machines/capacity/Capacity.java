@@ -18,9 +18,10 @@ public record Capacity(double rate, Sample alone, Sample served, CheckPrices pri
 
     /** The costs of a game, in whole microseconds: what is simulated is what is printed. */
     public static LeagueCosts costs(Sample served, CheckPrices prices) {
-        double rest = served.kinds().get(Kind.GAMES) - prices.check() - MeasuredLeague.SHARE * prices.again();
-        return new LeagueCosts(whole(served.kinds().get(Kind.BROKER)), whole(served.kinds().get(Kind.MESSAGES)),
-            whole(prices.check()), whole(prices.again()), MeasuredLeague.SHARE, whole(rest),
+        double offers = served.kinds().get(Kind.GAMES) - prices.check() - MeasuredLeague.SHARE * prices.again();
+        return new LeagueCosts(whole(served.kinds().get(Kind.BROKER) + Math.max(0, offers)),
+            whole(served.kinds().get(Kind.MESSAGES)), whole(prices.check()), whole(prices.again()),
+            MeasuredLeague.SHARE, whole(served.kinds().get(Kind.SCHEDULE)),
             whole(served.kinds().get(Kind.STORE)));
     }
 

@@ -16,6 +16,8 @@ import java.util.SplittableRandom;
 public final class CapacitySimulation {
 
     private static final double NANOS_PER_US = 1e3;
+    /** Games for each place before counting begins. */
+    private static final int WARM = 10;
     /** Games that may wait to be stored, as {@link steward.league.store.GameWriter} has it. */
     private static final int MOST_WAITING = 4096;
 
@@ -99,7 +101,8 @@ public final class CapacitySimulation {
     /**
      * Simulates.
      *
-     * @param games after which it ends; before, a quarter as many are played that do not count
+     * @param games after which it ends; before, a quarter as many are played that do not count, or some for each place:
+     *              what was half done before would pass for more than there is time for
      */
     public static Load of(LeagueCosts costs, Setting setting, int games, long seed) {
         return new CapacitySimulation(costs, setting, seed).run(games);
@@ -110,7 +113,7 @@ public final class CapacitySimulation {
         for (int place = 0; place < places; place++) {
             decide();
         }
-        runUntil(games / 4);
+        runUntil(Math.max(games / 4, WARM * places));
         began = now;
         stored = 0;
         busyNanos = 0;

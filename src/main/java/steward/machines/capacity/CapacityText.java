@@ -13,8 +13,8 @@ public final class CapacityText {
     /** A share of a machine that nobody misses. */
     private static final double LITTLE = 0.05;
     /** How the rows of the prices begin; their figures are read again from the documentation by a test. */
-    static final List<String> PRICES = List.of("the broker and TLS: job out, lease, result in",
-        "reading what workers say", "playing the game again", "asking its bots again", "schedule, pairing, offers",
+    static final List<String> PRICES = List.of("the broker and TLS: jobs out, leases, results in",
+        "reading what workers say", "playing the game again", "asking its bots again", "schedule, pairing",
         "storing");
 
     private CapacityText() {
@@ -38,8 +38,9 @@ public final class CapacityText {
         List<String> lines = new ArrayList<>(List.of(
             "What a game of a worker costs the league's process, in CPU time. A game has "
                 + number(capacity.prices().turns()) + " turns and",
-            number(capacity.prices().bytes()) + " bytes on its way; its bots are inside the process and take next to "
-                + "no time.", "", "| part | µs a game |", "|---|---:|"));
+            number(capacity.prices().bytes()) + " bytes on its way, and " + number(capacity.served().perJob())
+                + " go together; its bots are inside the process and take next to no", "time.", "",
+            "| part | µs a game |", "|---|---:|"));
         double[] micros = {costs.broker(), costs.messages(), costs.check(), costs.again(), costs.schedule(),
             costs.store()};
         for (int k = 0; k < micros.length; k++) {

@@ -3,12 +3,12 @@ package steward.machines.capacity;
 /**
  * What a game of a worker costs the league's process: microseconds of CPU time in each part of it.
  *
- * @param broker   the broker and TLS: the job out, the lease, the result in
+ * @param broker   the broker and TLS: jobs out, leases, results in
  * @param messages the one thread that reads what workers say
  * @param check    playing the game again
  * @param again    asking the bots of one game again
  * @param share    of the games in which they are asked, 0..1
- * @param schedule what is left of the threads that wait for games: the schedule, pairing, offers
+ * @param schedule the schedule and pairing, under a lock
  * @param store    the one thread that stores
  */
 public record LeagueCosts(double broker, double messages, double check, double again, double share, double schedule,

@@ -62,8 +62,10 @@ public final class MeasuredLeague {
         BROKER,
         /** The one that reads what workers say. */
         MESSAGES,
-        /** Those that play games, or wait for games of workers and check them. */
+        /** Those that play games, or offer games to workers, wait for them and check them. */
         GAMES,
+        /** The same threads, where workers play, in what a league does without them, too: schedule, pairing. */
+        SCHEDULE,
         /** The one that stores. */
         STORE,
         /** The worker's connection. */
@@ -93,9 +95,10 @@ public final class MeasuredLeague {
      *
      * @param perSecond games stored in a second
      * @param process   CPU time of the whole process, in microseconds a game, what compiles and collects included
+     * @param perJob    games that a worker is given together, on average
      * @param kinds     the same of each kind of thread
      */
-    public record Sample(double perSecond, double process, Map<Kind, Double> kinds) {
+    public record Sample(double perSecond, double process, double perJob, Map<Kind, Double> kinds) {
 
         /** The same of all threads together. */
         public double threads() {
@@ -179,16 +182,17 @@ public final class MeasuredLeague {
             LeagueRun run = new LeagueRun(league, store, number, season, contest, reader, reader.read(settings),
                 new LeagueRun.Limits(far == null ? effort.slots() : 0, Long.MAX_VALUE, Long.MAX_VALUE), "measured",
                 told::add, game -> { });
+            MeteredGames metered = far == null ? null : new MeteredGames(far);
             if (far != null) {
-                run.with(far);
+                run.with(metered);
                 far.onCaught(run::setAside);
             }
             Thread playing = start("run of the measurement", run::play, told::add);
             try {
                 TimeUnit.NANOSECONDS.sleep((long) (effort.warmSeconds() * NANOS));
-                Reading before = read(run);
+                Reading before = read(run, metered);
                 TimeUnit.NANOSECONDS.sleep((long) (effort.seconds() * NANOS));
-                return sample(before, read(run), told);
+                return sample(before, read(run, metered), far == null ? 1 : far.perJob(), told);
             } finally {
                 run.breakOff();
                 playing.join();
@@ -216,7 +220,7 @@ public final class MeasuredLeague {
         return thread;
     }
 
-    private Reading read(LeagueRun run) {
+    private Reading read(LeagueRun run, MeteredGames metered) {
         Map<Kind, Long> kinds = new EnumMap<>(Kind.class);
         for (long id : threads.getAllThreadIds()) {
             ThreadInfo info = threads.getThreadInfo(id);
@@ -225,10 +229,15 @@ public final class MeasuredLeague {
                 kinds.merge(Kind.of(info.getThreadName()), cpu, Long::sum);
             }
         }
+        if (metered != null) {
+            long checks = metered.nanos();
+            kinds.merge(Kind.SCHEDULE, kinds.getOrDefault(Kind.GAMES, 0L) - checks, Long::sum);
+            kinds.put(Kind.GAMES, checks);
+        }
         return new Reading(System.nanoTime(), system.getProcessCpuTime(), run.stored(), kinds);
     }
 
-    private static Sample sample(Reading before, Reading after, List<String> told) {
+    private static Sample sample(Reading before, Reading after, double perJob, List<String> told) {
         long games = after.games() - before.games();
         if (games == 0) {
             throw new IllegalStateException("no game was stored: " + told);
@@ -239,7 +248,7 @@ public final class MeasuredLeague {
             kinds.put(kind, Math.max(0, nanos / NANOS_PER_US / games));
         }
         return new Sample(games * NANOS / (after.nanos() - before.nanos()),
-            (after.process() - before.process()) / NANOS_PER_US / games, kinds);
+            (after.process() - before.process()) / NANOS_PER_US / games, perJob, kinds);
     }
 
     /** Lets so many bots begin in a second, and not more when some were late. */

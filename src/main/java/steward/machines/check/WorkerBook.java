@@ -136,8 +136,12 @@ public final class WorkerBook {
         return machine.startsWith(WORKER) && end > 0 ? machine.substring(WORKER.length(), end) : null;
     }
 
-    /** A game that is stored. */
-    public synchronized void add(StoredGame game) {
+    /**
+     * A game that is stored.
+     *
+     * @return what has become doubtful of its worker, a sentence each
+     */
+    public synchronized List<String> add(StoredGame game) {
         String name = worker(game.machine());
         Entry entry = name == null ? null
             : workers.computeIfAbsent(name, any -> new Entry(workers.size() + 1));
@@ -147,7 +151,7 @@ public final class WorkerBook {
                 entry.aside += aside ? 1 : 0;
                 entry.repeated += game.problem() == null ? 1 : 0;
             }
-            return;
+            return List.of();
         }
         for (int seat = 0; seat < game.seats().size(); seat++) {
             StoredSeat what = game.seats().get(seat);
@@ -162,9 +166,12 @@ public final class WorkerBook {
             entry.games++;
             if (entry.games == (long) FIRST << entry.looks) {
                 entry.looks++;
+                List<String> before = entry.doubts;
                 look(entry);
+                return before.equals(entry.doubts) ? List.of() : entry.doubts;
             }
         }
+        return List.of();
     }
 
     /** Compares a worker with all others. */

@@ -6,24 +6,18 @@ import java.security.SecureRandom;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
-import java.util.TreeSet;
-import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
 import steward.contest.Contest;
 import steward.files.InputException;
 import steward.game.GameTypes;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
-import steward.league.Schedule;
 import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.play.Elsewhere;
@@ -36,6 +30,7 @@ import steward.machines.check.RulesFingerprint;
 import steward.machines.check.WorkerBook;
 import steward.machines.token.BrokerKey;
 import steward.machines.token.WorkerList;
+import steward.machines.wire.GameJob;
 import steward.machines.wire.HeaderText;
 import steward.machines.wire.WireMessage;
 import steward.machines.wire.WorkerWord;
@@ -44,22 +39,18 @@ import steward.scene.json.SceneException;
 
 /**
  * Games of a league that workers play. A result counts only for a job that the broker handed to the worker that sends
- * it. What a game came to is read from its replay, which is played again; in a worker's first games, and in a share of
- * the others, the bots are asked again. A worker that is caught is revoked and its games are set aside.
+ * it. What a game came to follows from its commands, which are played again; in a worker's first games, and in a share
+ * of the others, the bots are asked again. A worker that is caught is revoked and its games are set aside.
  *
- * <p>Longer than others: a game is followed here from the offer to the answer, and each word of a worker.
+ * <p>Over 400 lines: each word of a worker is answered here, and each game believed or not.
  */
 public final class RemoteGames implements Elsewhere, AutoCloseable {
 
     /** All of a new worker's first games are asked again. */
     static final int FIRST = 20;
-    /** More games than this are never under way on workers: as many as there can be connections, and some that wait. */
+    /** More jobs than this are never under way on workers: as many as there can be connections, and some that wait. */
     public static final int MOST = 2500;
     private static final long POLL_MS = 200;
-    /** How often it is looked whether a game under way has to go to others, in milliseconds. */
-    private static final long LOOK_MS = 1000;
-    /** How long an offered game waits for a worker when none is connected, in nanoseconds. */
-    private static final long ALONE_NANOS = TimeUnit.SECONDS.toNanos(5);
     private static final int LONGEST_TEXT = 200;
 
     private final LeagueFolder folder;
@@ -68,12 +59,11 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     private final LeagueBroker broker;
     private final ReportedGames reported;
     private final double share;
-    private final long leaseNanos;
     private final String version;
     private final String rules;
     private final Consumer<String> teller;
     private final SecureRandom random = new SecureRandom();
-    private final Map<String, Offer> offers = new ConcurrentHashMap<>();
+    private final OfferedJobs offered;
     private final Map<String, Bundle> bundles = new ConcurrentHashMap<>();
     private final Map<String, Bundle> byStamp = new ConcurrentHashMap<>();
     private final Thread listening = new Thread(this::listen, "what workers say");
@@ -92,14 +82,6 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     public interface SettingAside {
         /** See {@link steward.league.play.LeagueRun#setAside}. */
         int setAside(String machine, String why) throws InterruptedException;
-    }
-
-    /** A job that is offered, and what comes of it: {@code null} if somebody else has to play it. */
-    private record Offer(CompletableFuture<Played> played) {
-    }
-
-    /** What a worker says of a job. */
-    private record Played(String worker, List<byte[]> replays, List<Boolean> starved) {
     }
 
     /**
@@ -127,7 +109,6 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         this.settings = settings;
         this.teller = teller;
         share = service.share();
-        leaseNanos = service.leaseNanos();
         version = service.version();
         rules = RulesFingerprint.of(contest.setup());
         reported = new ReportedGames(folder, season, contest, types);
@@ -138,6 +119,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         key.make();
         broker = new LeagueBroker(service.address(), key, list.workers().stream().map(WorkerList.Worker::name).toList(),
             (name, secret) -> list.admits(name, secret));
+        offered = new OfferedJobs(broker, service.leaseNanos(), () -> anyConnected, teller);
         listening.setDaemon(true);
         listening.start();
     }
@@ -150,18 +132,19 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     // ---- games -----------------------------------------------------------------------------------
 
     @Override
-    public synchronized boolean takePlace(long waitMs) throws InterruptedException {
+    public synchronized int takePlace(long waitMs) throws InterruptedException {
         if (taken >= places()) {
             wait(waitMs);
         }
         if (taken >= places()) {
-            return false;
+            return 0;
         }
         taken++;
-        return true;
+        int places = Math.max(1, places());
+        return offered.together(settings.lag() * contest.players() / places);     // some are left for each place
     }
 
-    /** As many games as workers play at the same time, and some that wait, so that nobody has to. */
+    /** As many jobs as workers do at the same time, and some that wait, so that nobody has to. */
     private int places() {
         int slots = workers.values().stream().mapToInt(worker -> worker.slots).sum();
         return Math.min(MOST, slots + (slots + 3) / 4);
@@ -173,32 +156,27 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         notifyAll();
     }
 
+    /** How many games have gone together, on average. */
+    public double perJob() {
+        return offered.perJob();
+    }
+
     @Override
-    public List<StoredGame> play(Schedule.Task task, LeagueSettings now, List<Member> members)
-            throws InterruptedException {
-        HeaderText header = new HeaderText();
-        byte[] id = new byte[16];
-        random.nextBytes(id);
-        String job = HexFormat.of().formatHex(id);
-        Set<String> needs = new TreeSet<>();
-        List<HeaderText> seats = new ArrayList<>();
-        for (Member member : members) {
-            Bundle bundle = bundle(member);
-            needs.add(bundle.hash());
-            seats.add(new HeaderText().put("name", member.entrant().name()).put("bundle", bundle.hash())
-                .put("size", bundle.bytes().length));
+    public List<List<StoredGame>> play(List<Game> games) throws InterruptedException {
+        OfferedJobs.Told told = offered.play(games.stream().map(game -> new GameJob.Game(game.task().seed(),
+            game.members().stream().map(this::seat).toList())).toList());
+        List<List<StoredGame>> played = new ArrayList<>();
+        for (int k = 0; k < games.size(); k++) {
+            played.add(told == null || k >= told.games().size() ? null
+                : believed(games.get(k), told.worker(), told.games().get(k)));
         }
-        header.put("type", "job").put("job", job).put("seed", Long.toString(task.seed())).put("seats", seats);
-        Offer offer = new Offer(new CompletableFuture<>());
-        offers.put(job, offer);
-        try {
-            broker.offer(job, needs, WireMessage.bytes(header));
-            Played played = await(job, offer);
-            return played == null ? null : believed(task, now, members, played);
-        } finally {
-            offers.remove(job);
-            broker.forget(job);
-        }
+        return played;
+    }
+
+    /** A bot as jobs name it. */
+    private GameJob.Seat seat(Member member) {
+        Bundle bundle = bundle(member);
+        return new GameJob.Seat(member.entrant().name(), bundle.hash(), bundle.bytes().length);
     }
 
     private Bundle bundle(Member member) {
@@ -208,49 +186,31 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         return bundle;
     }
 
-    private Played await(String job, Offer offer) throws InterruptedException {
-        long alone = 0;
-        while (!closed) {
-            try {
-                return offer.played().get(LOOK_MS, TimeUnit.MILLISECONDS);
-            } catch (TimeoutException none) {
-                alone = anyConnected ? 0 : alone == 0 ? System.nanoTime() : alone;
-                if (alone != 0 && System.nanoTime() - alone > ALONE_NANOS) {
-                    return null;
-                }
-                if (broker.heldNanos(job) > leaseNanos) {
-                    say("worker " + broker.holder(job) + " has not finished a game within "
-                        + TimeUnit.NANOSECONDS.toSeconds(leaseNanos) + " s; it goes to others");
-                    return null;
-                }
-            } catch (ExecutionException impossible) {
-                throw new IllegalStateException(impossible);
-            }
-        }
-        return null;
-    }
-
-    /** The game as its replays tell it; {@code null} if they are disproved, which has consequences for the worker. */
-    private List<StoredGame> believed(Schedule.Task task, LeagueSettings now, List<Member> members, Played played)
-            throws InterruptedException {
-        String worker = played.worker();
+    /** The game as its transcripts tell it; {@code null} if they are disproved, with consequences for the worker. */
+    private List<StoredGame> believed(Game game, String worker, WorkerWord.Played played) throws InterruptedException {
         WorkerState state = state(worker);
+        if (played.problem() != null || played.transcripts().isEmpty()) {
+            say("worker " + worker + " could not play a game: " + shown(played.problem()));
+            return null;
+        }
         List<StoredGame> attempts = List.of();
         boolean believed = false;
         try {
             String machine;
             synchronized (this) {
+                if (state.caught) {
+                    return null;
+                }
                 machine = WorkerState.machine(worker) + state.machine;
             }
-            attempts = reported.attempts(task, now, members, played.replays(), played.starved(),
-                machine);
+            attempts = reported.attempts(game, played, machine);
             boolean again;
             synchronized (this) {
                 again = share > 0 && (state.checked < FIRST || random.nextDouble() < share);
                 state.checked += again ? 1 : 0;
             }
             if (again) {
-                reported.askAgain(task, members, played.replays().get(attempts.size() - 1));
+                reported.askAgain(game, played.transcripts().get(attempts.size() - 1));
             }
             synchronized (this) {
                 if (state.caught) {
@@ -265,7 +225,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             return null;
         } finally {
             if (!believed) {
-                attempts.forEach(game -> KeptGames.remove(folder, game));
+                attempts.forEach(attempt -> KeptGames.remove(folder, attempt));
             }
         }
     }
@@ -368,7 +328,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             } else if (word instanceof WorkerWord.Fetch fetch) {
                 fetch(state, fetch);
             } else if (word instanceof WorkerWord.Result result) {
-                result(state, result);
+                offered.told(state.name, result);
             } else if (word instanceof WorkerWord.Unfit unfit) {
                 say("worker " + state.name + " cannot play a bot: " + shown(unfit.reason()));
             } else if (word instanceof WorkerWord.Differs differs) {
@@ -437,19 +397,6 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         notifyAll();
     }
 
-    private void result(WorkerState state, WorkerWord.Result result) {
-        Offer offer = offers.get(result.job());
-        if (offer == null || !state.name.equals(broker.holder(result.job()))) {
-            return;                                    // too late, or never its own: somebody else plays it
-        }
-        if (result.problem() != null || result.replays().isEmpty()) {
-            say("worker " + state.name + " could not play a game: " + shown(result.problem()));
-            offer.played().complete(null);
-            return;
-        }
-        offer.played().complete(new Played(state.name, result.replays(), result.starved()));
-    }
-
     private synchronized WorkerState state(String name) {
         return workers.computeIfAbsent(name, WorkerState::new);
     }
@@ -475,7 +422,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     @Override
     public void close() {
         closed = true;
-        offers.values().forEach(offer -> offer.played().complete(null));
+        offered.close();
         listening.interrupt();
         broker.close();
     }

@@ -10,11 +10,11 @@ import steward.contest.Hiccups;
 import steward.game.GameTypes;
 import steward.league.GameName;
 import steward.league.LeagueFolder;
-import steward.league.LeagueSettings;
 import steward.league.Schedule;
 import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
+import steward.league.play.Elsewhere;
 import steward.league.play.KeptGames;
 import steward.league.play.Roster.Member;
 import steward.machines.check.AnswerCheck;
@@ -22,6 +22,7 @@ import steward.machines.check.DisprovedException;
 import steward.machines.check.GzipText;
 import steward.machines.check.ReplayCheck;
 import steward.machines.check.TranscriptCheck;
+import steward.machines.wire.WorkerWord;
 import steward.replay.RecordedMatch;
 
 /** Makes of a worker's transcripts what is stored of a game, or disproves them. Thread-safe. */
@@ -50,21 +51,19 @@ final class ReportedGames {
     /**
      * The attempts at a game as their transcripts tell them.
      *
-     * @param sent    the transcripts, compressed
-     * @param starved of each attempt, whether it is said that the machine was starved
      * @param machine where they were played
      * @throws DisprovedException if it was not so
      */
-    List<StoredGame> attempts(Schedule.Task task, LeagueSettings now, List<Member> members, List<byte[]> sent,
-                              List<Boolean> starved, String machine) throws DisprovedException, InterruptedException {
+    List<StoredGame> attempts(Elsewhere.Game game, WorkerWord.Played played, String machine) throws DisprovedException,
+            InterruptedException {
         List<StoredGame> attempts = new ArrayList<>();
         room.acquire();
         try {
-            for (int k = 0; k < sent.size(); k++) {
-                attempts.add(attempt(task, now, members, sent, starved, machine, k));
+            for (int k = 0; k < played.transcripts().size(); k++) {
+                attempts.add(attempt(game, played, machine, k));
             }
         } catch (DisprovedException wrong) {
-            attempts.forEach(game -> KeptGames.remove(folder, game));
+            attempts.forEach(attempt -> KeptGames.remove(folder, attempt));
             throw wrong;
         } finally {
             room.release();
@@ -72,18 +71,21 @@ final class ReportedGames {
         return attempts;
     }
 
-    private StoredGame attempt(Schedule.Task task, LeagueSettings now, List<Member> members, List<byte[]> sent,
-                               List<Boolean> starved, String machine, int k)
+    private StoredGame attempt(Elsewhere.Game game, WorkerWord.Played played, String machine, int k)
             throws DisprovedException {
+        Schedule.Task task = game.task();
+        List<Member> members = game.members();
+        byte[] sent = played.transcripts().get(k);
         byte[] name = GameName.of(season, task.seed(),
             members.stream().map(member -> member.version().identity()).toList(), k + 1);
         String source = "game " + HexFormat.of().formatHex(name);
-        ReplayCheck.Outcome outcome = transcripts.check(source, sent.get(k), expected(task, members));
-        boolean last = k == sent.size() - 1;
+        ReplayCheck.Outcome outcome = transcripts.check(source, sent, expected(game));
+        boolean last = k == played.transcripts().size() - 1;
+        boolean starved = played.starved().get(k);
         boolean late = outcome.seats().stream().anyMatch(seat -> seat.fault() != null
             && FaultMessages.isTime(seat.fault()));
-        if (last ? starved.get(k) : !late || !starved.get(k) || now.hiccups() != Hiccups.REPLAY) {
-            throw new DisprovedException(source + ": found attempt " + (k + 1) + " of " + sent.size()
+        if (last ? starved : !late || !starved || game.settings().hiccups() != Hiccups.REPLAY) {
+            throw new DisprovedException(source + ": found attempt " + (k + 1) + " of " + played.transcripts().size()
                 + (late ? "" : ", in which nobody was late") + ", expected another only for one lost on time");
         }
         List<StoredSeat> seats = new ArrayList<>();
@@ -94,16 +96,17 @@ final class ReportedGames {
         }
         String file = null;
         List<String> names = members.stream().map(member -> member.bot().name()).toList();
-        if (KeptGames.keeps(now, true, seats, names)) {
-            file = keeper.take(name, transcripts.replay(source, sent.get(k), expected(task, members)), true);
+        if (KeptGames.keeps(game.settings(), true, seats, names)) {
+            file = keeper.take(name, transcripts.replay(source, sent, expected(game)), true);
         }
         return new StoredGame(0, name, task.decision(), task.seed(), k + 1, last, outcome.turns(), null,
             System.currentTimeMillis(), machine, file, seats);
     }
 
-    private static ReplayCheck.Expected expected(Schedule.Task task, List<Member> members) {
-        return new ReplayCheck.Expected(task.seed(), members.stream().map(member -> member.entrant().name()).toList(),
-            members.stream().map(member -> member.entrant().protocol()).toList());
+    private static ReplayCheck.Expected expected(Elsewhere.Game game) {
+        return new ReplayCheck.Expected(game.task().seed(),
+            game.members().stream().map(member -> member.entrant().name()).toList(),
+            game.members().stream().map(member -> member.entrant().protocol()).toList());
     }
 
     /**
@@ -112,18 +115,17 @@ final class ReportedGames {
      * @param sent the transcript of the last attempt, compressed
      * @throws DisprovedException if one answers otherwise
      */
-    void askAgain(Schedule.Task task, List<Member> members, byte[] sent) throws DisprovedException,
-            InterruptedException {
-        String source = "game of seed " + task.seed();
+    void askAgain(Elsewhere.Game game, byte[] sent) throws DisprovedException, InterruptedException {
+        String source = "game of seed " + game.task().seed();
         RecordedMatch match;
         room.acquire();
         try {
-            match = transcripts.match(source, sent, expected(task, members));
+            match = transcripts.match(source, sent, expected(game));
         } finally {
             room.release();
         }
-        for (int seat = 0; seat < members.size(); seat++) {
-            Member member = members.get(seat);
+        for (int seat = 0; seat < game.members().size(); seat++) {
+            Member member = game.members().get(seat);
             if (!member.bot().random() && !member.version().random()) {
                 answers.check(match, seat, member.entrant());
             }

@@ -1,23 +1,42 @@
 package steward.machines.wire;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import steward.scene.json.Block;
 
 /**
- * A game that a worker is to play.
+ * Games that a worker is to play, one after the other. Short ones go in one message: a message costs as much as a short
+ * game.
  *
  * @param id    of the job
- * @param seed  of the game
- * @param seats the players in order
+ * @param games in order, at least one
  */
-public record GameJob(String id, long seed, List<Seat> seats) {
+public record GameJob(String id, List<Game> games) {
 
+    /** How many games a job may have. */
+    public static final int MOST_GAMES = 32;
     private static final int MOST_SEATS = 16;
+    private static final int MOST_BOTS = MOST_GAMES * MOST_SEATS;
 
     /** Copies the list. */
     public GameJob {
-        seats = List.copyOf(seats);
+        games = List.copyOf(games);
+    }
+
+    /**
+     * One of them.
+     *
+     * @param seed  of the game
+     * @param seats the players in order
+     */
+    public record Game(long seed, List<Seat> seats) {
+
+        /** Copies the list. */
+        public Game {
+            seats = List.copyOf(seats);
+        }
     }
 
     /**
@@ -28,6 +47,23 @@ public record GameJob(String id, long seed, List<Seat> seats) {
      * @param size   of those, in bytes
      */
     public record Seat(String name, String bundle, int size) {
+    }
+
+    /** The message that says it; each bot stands there once. */
+    public byte[] bytes() {
+        Map<Seat, Integer> numbers = new LinkedHashMap<>();
+        List<HeaderText> texts = new ArrayList<>();
+        for (Game game : games) {
+            List<HeaderText> seats = new ArrayList<>();
+            for (Seat seat : game.seats()) {
+                seats.add(new HeaderText().put("bot", numbers.computeIfAbsent(seat, any -> numbers.size())));
+            }
+            texts.add(new HeaderText().put("seed", Long.toString(game.seed())).put("seats", seats));
+        }
+        List<HeaderText> bots = numbers.keySet().stream().map(bot -> new HeaderText().put("name", bot.name())
+            .put("bundle", bot.bundle()).put("size", bot.size())).toList();
+        return WireMessage.bytes(new HeaderText().put("type", "job").put("job", id).put("bots", bots)
+            .put("games", texts));
     }
 
     /**
@@ -43,22 +79,46 @@ public record GameJob(String id, long seed, List<Seat> seats) {
             throw header.error("type", header.shown("type"), "job");
         }
         String id = header.text("job");
-        long seed;
-        try {
-            seed = Long.parseLong(header.text("seed"));
-        } catch (NumberFormatException problem) {
-            throw header.error("seed", header.shown("seed"), "a whole number of 64 bits as a text");
-        }
-        List<Seat> seats = new ArrayList<>();
-        for (Block seat : header.blocks("seats")) {
-            String bundle = seat.text("bundle");
-            if (seats.size() == MOST_SEATS || !bundle.matches("[0-9a-f]{64}")) {
-                throw seat.error("bundle", seat.shown("bundle"), "a hash, and at most " + MOST_SEATS + " seats");
+        List<Seat> bots = new ArrayList<>();
+        for (Block bot : header.blocks("bots")) {
+            String bundle = bot.text("bundle");
+            if (bots.size() == MOST_BOTS || !bundle.matches("[0-9a-f]{64}")) {
+                throw bot.error("bundle", bot.shown("bundle"), "a hash, and at most " + MOST_BOTS + " bots");
             }
-            seats.add(new Seat(seat.text("name"), bundle, seat.integer("size", 1, most)));
-            seat.done();
+            bots.add(new Seat(bot.text("name"), bundle, bot.integer("size", 1, most)));
+            bot.done();
+        }
+        List<Game> games = new ArrayList<>();
+        for (Block game : header.blocks("games")) {
+            if (games.size() == MOST_GAMES) {
+                throw game.error("another game", "at most " + MOST_GAMES);
+            }
+            games.add(game(game, bots));
+        }
+        if (games.isEmpty()) {
+            throw header.error("games", "none", "at least one");
         }
         header.done();
-        return new GameJob(id, seed, seats);
+        return new GameJob(id, games);
+    }
+
+    private static Game game(Block game, List<Seat> bots) {
+        long seed;
+        try {
+            seed = Long.parseLong(game.text("seed"));
+        } catch (NumberFormatException problem) {
+            throw game.error("seed", game.shown("seed"), "a whole number of 64 bits as a text");
+        }
+        List<Seat> seats = new ArrayList<>();
+        for (Block seat : game.blocks("seats")) {
+            int bot = seat.integer("bot", 0, bots.size() - 1);
+            if (seats.size() == MOST_SEATS) {
+                throw seat.error("another seat", "at most " + MOST_SEATS);
+            }
+            seats.add(bots.get(bot));
+            seat.done();
+        }
+        game.done();
+        return new Game(seed, seats);
     }
 }

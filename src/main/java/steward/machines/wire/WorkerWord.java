@@ -36,16 +36,46 @@ public interface WorkerWord {
     /**
      * What came of a job.
      *
-     * @param job     its id
-     * @param replays compressed, of each attempt
-     * @param starved of each, whether the machine is said to have been starved
-     * @param problem why there is no result, or {@code null}
+     * @param job   its id
+     * @param games of the job's in their order; those that are missing at the end were not begun
      */
-    record Result(String job, List<byte[]> replays, List<Boolean> starved, String problem) implements WorkerWord {
+    record Result(String job, List<Played> games) implements WorkerWord {
+
+        /** Copies the list. */
+        public Result {
+            games = List.copyOf(games);
+        }
+
+        /** The message that says it. */
+        public byte[] bytes() {
+            List<HeaderText> texts = new ArrayList<>();
+            List<byte[]> payloads = new ArrayList<>();
+            for (Played game : games) {
+                List<HeaderText> attempts = new ArrayList<>();
+                for (int k = 0; k < game.transcripts().size(); k++) {
+                    attempts.add(new HeaderText().put("size", game.transcripts().get(k).length)
+                        .put("starved", game.starved().get(k)));
+                }
+                texts.add(new HeaderText().put("attempts", attempts).put("problem", game.problem()));
+                payloads.addAll(game.transcripts());
+            }
+            return WireMessage.bytes(new HeaderText().put("type", "result").put("job", job).put("games", texts),
+                payloads.toArray(byte[][]::new));
+        }
+    }
+
+    /**
+     * What came of a game.
+     *
+     * @param transcripts compressed, of each attempt
+     * @param starved     of each, whether the machine is said to have been starved
+     * @param problem     why there is no result, or {@code null}
+     */
+    record Played(List<byte[]> transcripts, List<Boolean> starved, String problem) {
 
         /** Copies the lists. */
-        public Result {
-            replays = List.copyOf(replays);
+        public Played {
+            transcripts = List.copyOf(transcripts);
             starved = List.copyOf(starved);
         }
     }
@@ -89,20 +119,28 @@ public interface WorkerWord {
     }
 
     private static Result result(Block header, byte[] payload) {
-        List<byte[]> replays = new ArrayList<>();
-        List<Boolean> starved = new ArrayList<>();
+        List<Played> games = new ArrayList<>();
         int at = 0;
-        for (Block attempt : header.blocks("attempts")) {
-            if (replays.size() == MOST_ATTEMPTS || at == payload.length) {
-                throw attempt.error("size", attempt.shown("size"), "no more attempts: at most " + MOST_ATTEMPTS
-                    + ", and the bytes of each");
+        for (Block game : header.blocks("games")) {
+            if (games.size() == GameJob.MOST_GAMES) {
+                throw game.error("another game", "at most " + GameJob.MOST_GAMES);
             }
-            int size = attempt.integer("size", 1, payload.length - at);
-            starved.add(attempt.flag("starved", false));
-            attempt.done();
-            replays.add(Arrays.copyOfRange(payload, at, at + size));
-            at += size;
+            List<byte[]> transcripts = new ArrayList<>();
+            List<Boolean> starved = new ArrayList<>();
+            for (Block attempt : game.blocks("attempts")) {
+                if (transcripts.size() == MOST_ATTEMPTS || at == payload.length) {
+                    throw attempt.error("size", attempt.shown("size"), "no more attempts: at most " + MOST_ATTEMPTS
+                        + ", and the bytes of each");
+                }
+                int size = attempt.integer("size", 1, payload.length - at);
+                starved.add(attempt.flag("starved", false));
+                attempt.done();
+                transcripts.add(Arrays.copyOfRange(payload, at, at + size));
+                at += size;
+            }
+            games.add(new Played(transcripts, starved, game.has("problem") ? game.text("problem") : null));
+            game.done();
         }
-        return new Result(header.text("job"), replays, starved, header.has("problem") ? header.text("problem") : null);
+        return new Result(header.text("job"), games);
     }
 }

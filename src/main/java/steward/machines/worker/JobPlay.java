@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import steward.bot.command.BotCommand;
 import steward.bot.isolation.Isolation;
@@ -22,15 +23,18 @@ import steward.machines.bundle.UnpackedBundle;
 import steward.machines.check.RulesFingerprint;
 import steward.machines.check.TranscriptWriter;
 import steward.machines.wire.GameJob;
-import steward.machines.wire.HeaderText;
 import steward.machines.wire.LeagueWord;
-import steward.machines.wire.WireMessage;
+import steward.machines.wire.WorkerWord;
 import steward.match.MatchResult;
 import steward.match.Protocol;
 import steward.match.TeeListener;
 
 /** Plays jobs of a league: its scene and limits, and the bots that have been fetched. Thread-safe. */
 final class JobPlay {
+
+    /** What a report has when no more games are added to it, in bytes. */
+    private static final long LARGE = 1 << 20;
+    private static final int LONGEST_TEXT = 500;
 
     private final Contest contest;
     private final Hiccups hiccups;
@@ -105,42 +109,59 @@ final class JobPlay {
     /**
      * Plays a job.
      *
-     * @return the report for the league
-     * @throws UnfitException if a bot does not run here
+     * @param begins asked before each game whether it may begin
+     * @return what came of the games that were begun
+     * @throws UnfitException if a bot does not run here; no game has been begun then
      */
-    byte[] play(GameJob job, Fetcher fetcher) throws Exception {
-        List<Entrant> entrants = new ArrayList<>();
-        for (GameJob.Seat seat : job.seats()) {
-            entrants.add(entrant(seat, fetcher).named(seat.name()));
+    WorkerWord.Result play(GameJob job, Fetcher fetcher, BooleanSupplier begins) throws Exception {
+        List<Contest> matches = new ArrayList<>();
+        for (GameJob.Game game : job.games()) {
+            List<Entrant> entrants = new ArrayList<>();
+            for (GameJob.Seat seat : game.seats()) {
+                entrants.add(entrant(seat, fetcher).named(seat.name()));
+            }
+            if (entrants.size() != contest.players()) {
+                throw new InputException("found a game of " + entrants.size() + " seats, expected "
+                    + contest.players());
+            }
+            matches.add(contest.between(entrants));
         }
-        if (entrants.size() != contest.players()) {
-            throw new InputException("found a job of " + entrants.size() + " seats, expected " + contest.players());
+        List<WorkerWord.Played> games = new ArrayList<>();
+        long bytes = 0;
+        while (games.size() < matches.size() && bytes < LARGE && begins.getAsBoolean()) {
+            WorkerWord.Played played = play(matches.get(games.size()), job.games().get(games.size()).seed());
+            bytes += played.transcripts().stream().mapToLong(each -> each.length).sum();
+            games.add(played);
         }
-        List<HeaderText> sizes = new ArrayList<>();
+        return new WorkerWord.Result(job.id(), games);
+    }
+
+    private WorkerWord.Played play(Contest match, long seed) throws InterruptedException {
         List<byte[]> transcripts = new ArrayList<>();
+        List<Boolean> starved = new ArrayList<>();
         String problem = null;
-        for (int attempt = 1; attempt <= 2 && problem == null; attempt++) {
-            Contest match = contest.between(entrants);
+        boolean again = true;
+        for (int attempt = 1; attempt <= WorkerWord.MOST_ATTEMPTS && again && problem == null; attempt++) {
             GameLog log = new GameLog(match, 0);
-            TranscriptWriter transcript = new TranscriptWriter(entrants.stream().map(Entrant::bot).toList(),
+            TranscriptWriter transcript = new TranscriptWriter(match.entrants().stream().map(Entrant::bot).toList(),
                 contest.sandbox());
             MatchResult result = null;
             try {
-                result = match.play(job.seed(), 0, null, new TeeListener(transcript, log));
+                result = match.play(seed, 0, null, new TeeListener(transcript, log));
             } catch (UncheckedIOException failed) {
-                problem = String.valueOf(failed.getMessage());
+                problem = shortened(String.valueOf(failed.getMessage()));
             }
-            boolean again = attempt == 1 && result != null && hiccups == Hiccups.REPLAY
+            again = attempt == 1 && result != null && hiccups == Hiccups.REPLAY
                 && log.failures().stream().anyMatch(Failure::starved);
-            byte[] sent = transcript.compressed();
-            sizes.add(new HeaderText().put("size", sent.length).put("starved", again));
-            transcripts.add(sent);
-            if (!again) {
-                break;
-            }
+            transcripts.add(transcript.compressed());
+            starved.add(again);
         }
-        return WireMessage.bytes(new HeaderText().put("type", "result").put("job", job.id()).put("attempts", sizes)
-            .put("problem", problem), transcripts.toArray(byte[][]::new));
+        return new WorkerWord.Played(transcripts, starved, problem);
+    }
+
+    /** A text as it fits into a header. */
+    static String shortened(String text) {
+        return text.length() > LONGEST_TEXT ? text.substring(0, LONGEST_TEXT) : text;
     }
 
     private synchronized Entrant entrant(GameJob.Seat seat, Fetcher fetcher) throws Exception {

@@ -23,6 +23,7 @@ import steward.machines.wire.GameJob;
 import steward.machines.wire.HeaderText;
 import steward.machines.wire.LeagueWord;
 import steward.machines.wire.WireMessage;
+import steward.machines.wire.WorkerWord;
 import steward.scene.PhysicsFingerprint;
 import steward.scene.json.SceneException;
 
@@ -208,27 +209,29 @@ public final class Worker {
                     if (bytes == null) {
                         continue;
                     }
-                    if (begun.incrementAndGet() > options.games()) {
-                        return;                        // the last game is another place's
-                    }
                     GameJob job = GameJob.read(bytes, "the league", Bundle.LARGEST);
                     try {
-                        taker.finish(jobs.play(job, (hash, size) -> fetch(client, hash, size)));
-                        played.incrementAndGet();
+                        WorkerWord.Result result = jobs.play(job, (hash, size) -> fetch(client, hash, size),
+                            this::begins);
+                        if (result.games().isEmpty()) {
+                            return;                    // the last games are other places'
+                        }
+                        taker.finish(result.bytes());
+                        played.addAndGet(result.games().size());
                     } catch (JobPlay.UnfitException problem) {
-                        begun.decrementAndGet();
                         unfit.add(problem.bundle());
                         teller.accept(problem.getMessage());
                         client.say(WireMessage.bytes(new HeaderText().put("type", "unfit")
-                            .put("bundle", problem.bundle()).put("reason", shortened(problem.getMessage()))));
+                            .put("bundle", problem.bundle()).put("reason", JobPlay.shortened(problem.getMessage()))));
                     }
                 }
             }
         }
     }
 
-    private static String shortened(String text) {
-        return text.length() > 500 ? text.substring(0, 500) : text;
+    /** Whether one more game may begin, which then has. */
+    private boolean begins() {
+        return !isOver() && begun.incrementAndGet() <= options.games();
     }
 
     /** The bytes of a bundle, piece by piece; one bundle at a time. */

@@ -70,6 +70,17 @@ class CapacitySimulationTest {
         assertEquals(5000, costs.most(Part.STORE, 32), 1e-9);
     }
 
+    /** What was half done before counting begins must not make more games than there is time for. */
+    @Test
+    void whatIsSimulatedStaysWithinItsBound() {
+        LeagueCosts costs = new LeagueCosts(1100, 70, 650, 0, 0, 420, 280);
+        for (int workers : new int[] {50, 200, 1000}) {
+            SaturationTable.Row row = SaturationTable.Row.of(costs, 2, workers, 20, 2500);
+            double most = costs.most(Part.PROCESSORS, 2);
+            assertEquals(most, row.load().perSecond(), 0.002 * most, () -> workers + " workers");
+        }
+    }
+
     /** No more games are played than workers have time for, nor than may be under way. */
     @Test
     void workersAndPlacesAreBoundsToo() {

@@ -20,6 +20,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -142,7 +143,8 @@ class MessageSchemaTest {
             try (BrokerClient.Taker taker = client.taker(List.of())) {
                 job = taker.take(60_000);
                 checked(job);
-                for (GameJob.Seat seat : GameJob.read(job, "m", Bundle.LARGEST).seats()) {
+                GameJob.Game game = GameJob.read(job, "m", Bundle.LARGEST).games().get(0);
+                for (GameJob.Seat seat : game.seats()) {
                     client.say(WireMessage.bytes(new HeaderText().put("type", "fetch").put("bundle", seat.bundle())
                         .put("from", 0)));
                     bundles.put(seat.bundle(), listen(client));
@@ -166,7 +168,7 @@ class MessageSchemaTest {
                 List.of("pen"), list::admits)) {
             for (byte[] greeting : List.of(welcome, others)) {
                 List<String> told = new ArrayList<>();
-                Worker worker = new Worker(new Worker.Options("127.0.0.1", port, token, 1, 1, Long.MAX_VALUE,
+                Worker worker = new Worker(new Worker.Options("127.0.0.1", port, token, 1, 3, Long.MAX_VALUE,
                     () -> Isolation.OFF, folder.resolve("bundles"), "2", "a machine"), Games.types(), told::add);
                 CompletableFuture<String> playing = CompletableFuture.supplyAsync(() -> played(worker));
                 answer(broker, greeting, job, bundles, playing);
@@ -175,7 +177,7 @@ class MessageSchemaTest {
                     assertTrue(end.startsWith("found Steward development (results 0123456789abcdef) in the league and "
                         + "Steward 2 (results ") && end.endsWith("here, expected versions that compute the same"), end);
                 } else {
-                    assertEquals("1", end, told::toString);
+                    assertEquals("3", end, told::toString);
                 }
             }
         }
@@ -207,15 +209,19 @@ class MessageSchemaTest {
             WorkerWord word = WorkerWord.read(report.bytes(), "m", Bundle.LARGEST);
             if (word instanceof WorkerWord.Hello) {
                 broker.tell("pen", welcome);
-                broker.offer("none", Set.of(none), WireMessage.bytes(new HeaderText().put("type", "job")
-                    .put("job", none.substring(32)).put("seed", "1").put("seats", List.of(new HeaderText()
-                        .put("name", "n").put("bundle", none).put("size", 1)))));
+                broker.offer("none", Set.of(none), new GameJob(none.substring(32), List.of(new GameJob.Game(1,
+                    List.of(new GameJob.Seat("n", none, 1))))).bytes());
             } else if (word instanceof WorkerWord.Fetch fetch) {
                 byte[] known = bundles.get(fetch.bundle());
                 broker.tell("pen", known != null ? known : WireMessage.bytes(new HeaderText().put("type", "bundle")
                     .put("bundle", none).put("from", 0).put("known", true), new byte[1]));
             } else if (word instanceof WorkerWord.Unfit) {
-                broker.offer("a job", Set.of(), job);
+                GameJob one = GameJob.read(job, "m", Bundle.LARGEST);
+                byte[] five = new GameJob(one.id(), Collections.nCopies(5, one.games().get(0))).bytes();
+                checked(five);
+                broker.offer("a job", Set.of(), five);
+            } else if (word instanceof WorkerWord.Result result) {
+                assertEquals(3, result.games().size(), "it was to play three games, and five were offered");
             }
         }
     }

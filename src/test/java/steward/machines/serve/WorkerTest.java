@@ -49,11 +49,14 @@ import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
 import steward.machines.broker.BrokerClient;
 import steward.machines.broker.BrokerClient.BrokenException;
+import steward.machines.bundle.Bundle;
 import steward.machines.check.TranscriptWriter;
 import steward.machines.token.BrokerKey;
 import steward.machines.token.WorkerToken;
+import steward.machines.wire.GameJob;
 import steward.machines.wire.HeaderText;
 import steward.machines.wire.WireMessage;
+import steward.machines.wire.WorkerWord;
 import steward.machines.worker.Worker;
 import steward.match.Protocol;
 import steward.scene.PhysicsFingerprint;
@@ -194,21 +197,65 @@ class WorkerTest {
                 if (bytes == null) {
                     continue;
                 }
-                boolean honest = games++ < 3;
-                WireMessage job = WireMessage.read(bytes, "a job");
-                List<String> names = job.header().blocks("seats").stream().map(seat -> seat.text("name")).toList();
-                List<String> commands = names.stream().map(name -> name + "=codingame:"
-                    + (name.equals("fast") != honest ? bots.idler(honest && name.equals("wrong") ? 3 : 0)
-                        : bots.driver())).toList();
-                Contest contest = Contest.of(Games.open(folder.resolve("short.json").toString()), commands,
-                    Protocol.JSON, 1).isolatedBy(() -> Isolation.OFF);
-                TranscriptWriter transcript = new TranscriptWriter(commands, "off");
-                contest.play(Long.parseLong(job.header().text("seed")), 0, null, transcript);
-                byte[] sent = transcript.compressed();
-                taker.finish(WireMessage.bytes(new HeaderText().put("type", "result")
-                    .put("job", job.header().text("job")).put("attempts",
-                        List.of(new HeaderText().put("size", sent.length).put("starved", false))), sent));
+                GameJob job = GameJob.read(bytes, "a job", Bundle.LARGEST);
+                List<WorkerWord.Played> played = new ArrayList<>();
+                for (GameJob.Game game : job.games()) {
+                    played.add(played(game, games++ < 3));
+                }
+                taker.finish(new WorkerWord.Result(job.id(), played).bytes());
             }
+        }
+    }
+
+    private WorkerWord.Played played(GameJob.Game game, boolean honest) throws InterruptedException {
+        List<String> commands = game.seats().stream().map(GameJob.Seat::name).map(name -> name + "=codingame:"
+            + (name.equals("fast") != honest ? bots.idler(honest && name.equals("wrong") ? 3 : 0)
+                : bots.driver())).toList();
+        Contest contest = Contest.of(Games.open(folder.resolve("short.json").toString()), commands,
+            Protocol.JSON, 1).isolatedBy(() -> Isolation.OFF);
+        TranscriptWriter transcript = new TranscriptWriter(commands, "off");
+        contest.play(game.seed(), 0, null, transcript);
+        return new WorkerWord.Played(List.of(transcript.compressed()), List.of(false), null);
+    }
+
+    /** Of each second job it leaves out the last game; how many it has left out. */
+    private int leaveOut(BrokerClient client, CompletableFuture<String> run) throws BrokenException,
+            InterruptedException {
+        int left = 0;
+        client.say(WireMessage.bytes(new HeaderText().put("type", "hello").put("version", "1")
+            .put("bits", PhysicsFingerprint.text()).put("machine", "lazy").put("slots", 1)));
+        try (BrokerClient.Taker taker = client.taker(List.of())) {
+            for (int jobs = 0; !run.isDone();) {
+                byte[] bytes = taker.take(500);
+                if (bytes == null) {
+                    continue;
+                }
+                GameJob job = GameJob.read(bytes, "a job", Bundle.LARGEST);
+                int games = job.games().size() - jobs++ % 2;
+                left += job.games().size() - games;
+                List<WorkerWord.Played> played = new ArrayList<>();
+                for (GameJob.Game game : job.games().subList(0, games)) {
+                    played.add(played(game, true));
+                }
+                taker.finish(new WorkerWord.Result(job.id(), played).bytes());
+            }
+        } catch (BrokenException closed) {
+            run.join();                                // which has ended, then
+        }
+        return left;
+    }
+
+    @Test
+    void gamesOfAJobThatWereNotBegunArePlayedLater() throws Exception {
+        make("alone");
+        done("run", "TMP/alone", "--games", "60", "--quiet");
+        make("many");
+        WorkerToken token = token("many", "lazy");
+        CompletableFuture<String> run = serve("many", 60, "--quiet");
+        try (BrokerClient client = client(token)) {
+            int left = leaveOut(client, run);
+            assertEquals(counting("alone"), counting("many"), () -> left + " left out");
+            assertTrue(left > 0);
         }
     }
 

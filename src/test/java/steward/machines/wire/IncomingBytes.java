@@ -30,15 +30,15 @@ public final class IncomingBytes {
         WireMessage.bytes(new HeaderText().put("type", "hello").put("version", "1").put("bits", "0123456789abcdef")
             .put("machine", "a machine").put("slots", 2)),
         WireMessage.bytes(new HeaderText().put("type", "fetch").put("bundle", HASH).put("from", 262_144)),
-        WireMessage.bytes(new HeaderText().put("type", "result").put("job", HASH.substring(32)).put("attempts", List.of(
-            new HeaderText().put("size", 3).put("starved", true), new HeaderText().put("size", 2)
-                .put("starved", false))), new byte[] {1, 2, 3, 4, 5}),
+        new WorkerWord.Result(HASH.substring(32), List.of(new WorkerWord.Played(List.of(new byte[] {1, 2, 3},
+            new byte[] {4, 5}), List.of(true, false), null), new WorkerWord.Played(List.of(new byte[] {6}),
+                List.of(false), "no"))).bytes(),
         WireMessage.bytes(new HeaderText().put("type", "unfit").put("bundle", HASH).put("reason", "no python3")),
         WireMessage.bytes(new HeaderText().put("type", "differs").put("rules", "0123456789abcdef")));
-    private static final byte[] JOB = WireMessage.bytes(new HeaderText().put("type", "job")
-        .put("job", HASH.substring(32)).put("seed", "-7").put("seats", List.of(new HeaderText().put("name", "a")
-            .put("bundle", HASH).put("size", 99), new HeaderText().put("name", "b").put("bundle", HASH)
-            .put("size", 1))));
+    private static final GameJob.Seat ONE = new GameJob.Seat("a", HASH, 99);
+    private static final GameJob.Seat OTHER = new GameJob.Seat("b", HASH, 1);
+    private static final byte[] JOB = new GameJob(HASH.substring(32), List.of(new GameJob.Game(-7, List.of(ONE, OTHER)),
+        new GameJob.Game(8, List.of(OTHER, ONE)))).bytes();
 
     private static final List<byte[]> LEAGUE_WORDS = List.of(
         WireMessage.bytes(new HeaderText().put("type", "welcome").put("version", "1").put("rules", "0123456789abcdef")

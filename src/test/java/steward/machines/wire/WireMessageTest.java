@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
+import java.util.Collections;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
@@ -20,15 +21,16 @@ class WireMessageTest {
     private static final long SEED = Long.getLong("steward.seed", 22);
 
     private static byte[] message() {
-        return WireMessage.bytes(new HeaderText().put("type", "result").put("job", "12").put("attempts",
-            List.of(new HeaderText().put("size", 3).put("starved", false))), new byte[] {1, 2, 3});
+        return new WorkerWord.Result("12", List.of(new WorkerWord.Played(List.of(new byte[] {1, 2, 3}), List.of(false),
+            null))).bytes();
     }
 
     @Test
     void comesOutAsItWentIn() {
         WireMessage message = WireMessage.read(message(), "m");
         assertEquals("result", message.header().text("type"));
-        assertEquals(3, message.header().blocks("attempts").get(0).integer("size", 1, 9));
+        assertEquals(3, message.header().blocks("games").get(0).blocks("attempts").get(0)
+            .integer("size", 1, 9));
         assertArrayEquals(new byte[] {1, 2, 3}, message.payload());
         assertEquals("m: job: found \"12\", expected x", message.header().error("job", "\"12\"", "x").getMessage()
             .replaceFirst(":\\d+:\\d+", ""));
@@ -42,12 +44,53 @@ class WireMessageTest {
     /** A bundle that is too large, as a worker says it: bundles are never fetched then. */
     @Test
     void aJobWhoseBotIsTooLargeIsRefusedWithItsSizeAndTheLimit() {
-        byte[] job = WireMessage.bytes(new HeaderText().put("type", "job").put("job", "0".repeat(32)).put("seed", "1")
-            .put("seats", List.of(new HeaderText().put("name", "mine").put("bundle", "0".repeat(64))
-                .put("size", 67_108_865))));
+        byte[] job = job(1, new GameJob.Seat("mine", "0".repeat(64), 67_108_865));
         String said = assertThrows(SceneException.class, () -> GameJob.read(job, "the league", 67_108_864))
             .getMessage();
         assertTrue(said.contains("found 67108865, expected") && said.contains("67108864"), said);
+    }
+
+    private static byte[] job(int games, GameJob.Seat... seats) {
+        return new GameJob("0".repeat(32), Collections.nCopies(games, new GameJob.Game(-7, List.of(seats)))).bytes();
+    }
+
+    @Test
+    void gamesOfAJobNameEachBotOnce() {
+        GameJob.Seat one = new GameJob.Seat("one", "1".repeat(64), 9);
+        GameJob.Seat two = new GameJob.Seat("two", "2".repeat(64), 8);
+        GameJob job = new GameJob("0".repeat(32), List.of(new GameJob.Game(Long.MIN_VALUE, List.of(two, one)),
+            new GameJob.Game(7, List.of(one, one))));
+        assertEquals(job, GameJob.read(job.bytes(), "m", 9));
+        assertEquals(2, WireMessage.read(job.bytes(), "m").header().blocks("bots").size());
+        byte[] most = job(GameJob.MOST_GAMES, one, two);
+        assertEquals(GameJob.MOST_GAMES, GameJob.read(most, "m", 9).games().size());
+        for (byte[] wrong : List.of(job(GameJob.MOST_GAMES + 1, one), job(0), job(1, Collections.nCopies(17, one)
+                .toArray(GameJob.Seat[]::new)))) {
+            String said = assertThrows(SceneException.class, () -> GameJob.read(wrong, "m", 9)).getMessage();
+            assertTrue(said.contains("expected at "), said);
+        }
+        byte[] unknown = new String(job.bytes(), StandardCharsets.ISO_8859_1).replace("\"bot\":1", "\"bot\":2")
+            .getBytes(StandardCharsets.ISO_8859_1);
+        String said = assertThrows(SceneException.class, () -> GameJob.read(unknown, "m", 9)).getMessage();
+        assertTrue(said.contains("found 2, expected a whole number 0..1"), said);
+    }
+
+    @Test
+    void aResultHasTheGamesThatWereBegun() {
+        WorkerWord.Played once = new WorkerWord.Played(List.of(new byte[] {1}), List.of(false), null);
+        WorkerWord.Played twice = new WorkerWord.Played(List.of(new byte[] {2, 3}, new byte[] {4}),
+            List.of(true, false), "no");
+        byte[] bytes = new WorkerWord.Result("a", List.of(once, twice)).bytes();
+        WorkerWord.Result read = (WorkerWord.Result) WorkerWord.read(bytes, "m", 9);
+        assertEquals(2, read.games().size());
+        assertArrayEquals(new byte[] {1}, read.games().get(0).transcripts().get(0));
+        assertArrayEquals(new byte[] {2, 3}, read.games().get(1).transcripts().get(0));
+        assertArrayEquals(new byte[] {4}, read.games().get(1).transcripts().get(1));
+        assertEquals(List.of(true, false), read.games().get(1).starved());
+        assertEquals("no", read.games().get(1).problem());
+        byte[] tooMany = new WorkerWord.Result("a", Collections.nCopies(GameJob.MOST_GAMES + 1, once)).bytes();
+        String said = assertThrows(SceneException.class, () -> WorkerWord.read(tooMany, "m", 9)).getMessage();
+        assertTrue(said.contains("expected at most 32"), said);
     }
 
     @Test
@@ -76,7 +119,7 @@ class WireMessageTest {
             try {
                 WireMessage message = WireMessage.read(bytes, "m");
                 message.header().text("type");
-                message.header().blocks("attempts");
+                message.header().blocks("games").forEach(game -> game.blocks("attempts"));
                 message.header().done();
             } catch (InputException | SceneException expected) {
                 refused++;

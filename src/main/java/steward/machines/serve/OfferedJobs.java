@@ -1,0 +1,163 @@
+package steward.machines.serve;
+
+import java.security.SecureRandom;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import java.util.stream.Collectors;
+import steward.machines.broker.LeagueBroker;
+import steward.machines.wire.GameJob;
+import steward.machines.wire.WireMessage;
+import steward.machines.wire.WorkerWord;
+
+/**
+ * Jobs that are offered to workers, and what comes of them. Short games go together: what a job costs the broker is as
+ * much as a short game. Thread-safe.
+ */
+final class OfferedJobs {
+
+    /** How long the games of a job should take together, in nanoseconds. */
+    private static final long JOB_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
+    /** By how much of the difference a job moves the mean time of a game. */
+    private static final double MOVE = 0.125;
+    /** How much of a header the bots of a job may take, in characters as they may be written. */
+    private static final int BOTS_SIZE = WireMessage.LONGEST_HEADER / 2;
+    /** How often it is looked whether a job has to go to others, in milliseconds. */
+    private static final long LOOK_MS = 1000;
+    /** How long an offered job waits for a worker when none is connected, in nanoseconds. */
+    private static final long ALONE_NANOS = TimeUnit.SECONDS.toNanos(5);
+
+    private final LeagueBroker broker;
+    private final long leaseNanos;
+    private final BooleanSupplier anyConnected;
+    private final Consumer<String> teller;
+    private final SecureRandom random = new SecureRandom();
+    private final Map<String, CompletableFuture<Told>> offers = new ConcurrentHashMap<>();
+    private volatile boolean closed;
+
+    /** Guarded by this. */
+    private long jobs;
+    private long games;
+    /** How long a worker has a game, on average; 0 if that is not known. */
+    private double gameNanos;
+
+    /** What a worker says of the games of a job that it has begun. */
+    record Told(String worker, List<WorkerWord.Played> games) {
+    }
+
+    /**
+     * None are offered yet.
+     *
+     * @param leaseNanos   after which a job is taken away from a worker
+     * @param anyConnected whether a worker plays
+     * @param teller       is told what happens, by any thread
+     */
+    OfferedJobs(LeagueBroker broker, long leaseNanos, BooleanSupplier anyConnected, Consumer<String> teller) {
+        this.broker = broker;
+        this.leaseNanos = leaseNanos;
+        this.anyConnected = anyConnected;
+        this.teller = teller;
+    }
+
+    /** How many games should go together, from 1 to so many. */
+    synchronized int together(int most) {
+        double many = gameNanos == 0 ? 1 : JOB_NANOS / gameNanos;
+        return (int) Math.max(1, Math.min(Math.min(most, GameJob.MOST_GAMES), many));
+    }
+
+    /** How many have gone together, on average; 1 if none have. */
+    synchronized double perJob() {
+        return jobs == 0 ? 1 : (double) games / jobs;
+    }
+
+    /**
+     * Offers games, as many as fit into a message.
+     *
+     * @return {@code null} if somebody else has to play them
+     */
+    Told play(List<GameJob.Game> wanted) throws InterruptedException {
+        byte[] id = new byte[16];
+        random.nextBytes(id);
+        String job = HexFormat.of().formatHex(id);
+        Set<GameJob.Seat> bots = new HashSet<>();
+        List<GameJob.Game> asked = new ArrayList<>();
+        int size = 0;
+        while (asked.size() < wanted.size() && (asked.isEmpty() || size < BOTS_SIZE)) {
+            GameJob.Game game = wanted.get(asked.size());
+            size += game.seats().stream().filter(bots::add).mapToInt(OfferedJobs::size).sum();
+            asked.add(game);
+        }
+        synchronized (this) {
+            jobs++;
+            games += asked.size();
+        }
+        CompletableFuture<Told> offer = new CompletableFuture<>();
+        offers.put(job, offer);
+        try {
+            broker.offer(job, bots.stream().map(GameJob.Seat::bundle).collect(Collectors.toSet()),
+                new GameJob(job, asked).bytes());
+            Told told = await(job, offer);
+            return told == null || told.games().size() <= asked.size() ? told
+                : new Told(told.worker(), told.games().subList(0, asked.size()));
+        } finally {
+            offers.remove(job);
+            broker.forget(job);
+        }
+    }
+
+    /** How many characters a bot takes in a header, at most. */
+    private static int size(GameJob.Seat bot) {
+        return 6 * bot.name().length() + 200;
+    }
+
+    private Told await(String job, CompletableFuture<Told> offer) throws InterruptedException {
+        long alone = 0;
+        while (!closed) {
+            try {
+                return offer.get(LOOK_MS, TimeUnit.MILLISECONDS);
+            } catch (TimeoutException none) {
+                alone = anyConnected.getAsBoolean() ? 0 : alone == 0 ? System.nanoTime() : alone;
+                if (alone != 0 && System.nanoTime() - alone > ALONE_NANOS) {
+                    return null;
+                }
+                if (broker.heldNanos(job) > leaseNanos) {
+                    teller.accept("worker " + broker.holder(job) + " has not finished its games within "
+                        + TimeUnit.NANOSECONDS.toSeconds(leaseNanos) + " s; they go to others");
+                    return null;
+                }
+            } catch (ExecutionException impossible) {
+                throw new IllegalStateException(impossible);
+            }
+        }
+        return null;
+    }
+
+    /** What a worker says of a job; of no consequence if it is not the worker's, or not any more. */
+    void told(String worker, WorkerWord.Result result) {
+        CompletableFuture<Told> offer = offers.get(result.job());
+        if (offer == null || !worker.equals(broker.holder(result.job()))) {
+            return;
+        }
+        double each = (double) broker.heldNanos(result.job()) / Math.max(1, result.games().size());
+        synchronized (this) {
+            gameNanos += gameNanos == 0 ? each : MOVE * (each - gameNanos);
+        }
+        offer.complete(new Told(worker, result.games()));
+    }
+
+    /** Waits for none of them any more. */
+    void close() {
+        closed = true;
+        offers.values().forEach(offer -> offer.complete(null));
+    }
+}
