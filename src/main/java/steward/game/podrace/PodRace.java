@@ -28,7 +28,7 @@ import steward.scene.Scene;
  * <p>The pods of an eliminated player stay on the field: they get no commands, drift, and can be hit; a pod whose
  * shield was raised stays heavy. Commands that stand in a faulty answer before the fault take effect in that turn.
  *
- * <p>Over 450 lines, because the steps of a turn belong together and half of the class are accessors for codecs.
+ * <p>Over 400 lines, because the steps of a turn belong together and half of the class are accessors for codecs.
  */
 public final class PodRace extends AbstractGame {
 
