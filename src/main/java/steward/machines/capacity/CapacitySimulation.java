@@ -60,7 +60,8 @@ public final class CapacitySimulation {
     /**
      * What came of it.
      *
-     * @param perSecond  games stored in a second
+     * @param perSecond  games in a second, by the work that was done, which counts games that are half done as halves
+     * @param stored     games stored in a second, which depends on where in their course games are at begin and end
      * @param processors share of the processors' time that was needed, 0..1
      * @param messages   the same of the thread that reads messages
      * @param schedule   the same of the schedule
@@ -69,8 +70,8 @@ public final class CapacitySimulation {
      * @param delayMs    from a result's arrival until the game is handed over to be stored, on average
      * @param inside     results in the process that are not handed over yet, on average
      */
-    public record Load(double perSecond, double processors, double messages, double schedule, double store,
-                       double workers, double delayMs, double inside) {
+    public record Load(double perSecond, double stored, double processors, double messages, double schedule,
+                       double store, double workers, double delayMs, double inside) {
     }
 
     private record Event(long time, long order, Runnable what) implements Comparable<Event> {
@@ -128,8 +129,9 @@ public final class CapacitySimulation {
         runUntil(games);
         count(0);
         double time = now - began;
-        return new Load(stored * 1e9 / time, busyNanos / time / setting.processors(), messages.nanos / time,
-            schedule.nanos / time, store.nanos / time, playingNanos / time / setting.workers(),
+        double done = busyNanos / (costs.total() * NANOS_PER_US);
+        return new Load(done * 1e9 / time, stored * 1e9 / time, busyNanos / time / setting.processors(),
+            messages.nanos / time, schedule.nanos / time, store.nanos / time, playingNanos / time / setting.workers(),
             delays == 0 ? 0 : delayNanos / delays / 1e6, insideNanos / time);
     }
 

@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Isolated;
 import steward.bot.InProcessPlayer;
 import steward.cli.bench.BenchDirectBot;
 import steward.cli.bench.BenchLineBot;
@@ -20,6 +21,7 @@ import steward.match.Seat;
 /** What is measured is there: games are played by the worker, through the broker, checked and stored. */
 @Tag("process")
 @Tag("slow")
+@Isolated("counts the time of all threads of a kind")
 @Timeout(120)
 class MeasuredLeagueTest {
 
@@ -41,7 +43,8 @@ class MeasuredLeagueTest {
         Sample served = league.measure(true, effort);
         assertTrue(alone.perSecond() > 0 && alone.perSecond() < 30, () -> "no more than it is told: " + alone);
         assertTrue(served.perSecond() > 0 && served.perSecond() < 30, served::toString);
-        for (Kind kind : new Kind[] {Kind.BROKER, Kind.MESSAGES, Kind.WORKER_BROKER, Kind.WORKER_GAMES}) {
+        for (Kind kind : new Kind[] {Kind.BROKER, Kind.MESSAGES, Kind.WORKER_BROKER, Kind.WORKER_GAMES,
+                Kind.SCHEDULE}) {
             assertEquals(0, alone.kinds().get(kind), () -> kind + ": " + alone);
             assertTrue(served.kinds().get(kind) > 0, () -> kind + ": " + served);
         }
