@@ -7,9 +7,11 @@ import java.util.Deque;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Function;
 import java.util.function.IntPredicate;
+import java.util.function.Predicate;
 
 /**
  * The games of a season in their order. Decisions are numbered; a decision that was made in an earlier run is known by
@@ -97,22 +99,52 @@ public final class Schedule {
      * @param most games in all
      */
     public Task next(long most) {
-        while (waiting.isEmpty()) {
-            if (games >= most || !open.isEmpty() && open.firstKey() <= next - lag) {
+        return next(most, task -> true);
+    }
+
+    /**
+     * The next game of some; {@code null} also if there are others only that have to be taken before.
+     *
+     * @param most  games in all
+     * @param takes whether a game may be taken
+     */
+    public Task next(long most, Predicate<Task> takes) {
+        Optional<Task> task = waiting.stream().filter(takes).findFirst();
+        while (task.isEmpty()) {
+            if (games + waiting.size() >= most || firstOpen() <= next - lag) {
                 return null;
             }
             if (players == 1 && next > last && active.isEmpty() || ended) {
                 return null;
             }
             decide();
+            task = waiting.stream().filter(takes).findFirst();
         }
         if (games >= most) {
             return null;
         }
-        Task task = waiting.remove();
+        waiting.remove(task.get());
         games++;
-        open.merge(task.decision(), 1, Integer::sum);
-        return task;
+        open.merge(task.get().decision(), 1, Integer::sum);
+        return task.get();
+    }
+
+    /** The first decision of which a game is under way or not begun; that after the last one if there is none. */
+    private int firstOpen() {
+        int first = open.isEmpty() ? next : open.firstKey();
+        for (Task task : waiting) {
+            first = Math.min(first, task.decision());
+        }
+        return first;
+    }
+
+    /**
+     * Whether games have been decided on that are not begun.
+     *
+     * @param most games in all
+     */
+    public boolean isLeft(long most) {
+        return games < most && !waiting.isEmpty();
     }
 
     private void decide() {

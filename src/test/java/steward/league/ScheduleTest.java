@@ -96,6 +96,50 @@ class ScheduleTest {
         assertNotNull(schedule.next(Long.MAX_VALUE));
     }
 
+    /** One taker takes all games, the other none of bot 3: the games are the same, no decision is made too early. */
+    @Test
+    void whoCannotTakeSomeGamesTakesThoseBehindThem() {
+        long seed = 23;
+        SplittableRandom random = new SplittableRandom(seed);
+        int ahead = 0;
+        for (int round = 0; round < 50; round++) {
+            int players = 2 + random.nextInt(2);
+            int lag = 1 + random.nextInt(8);
+            Schedule schedule = schedule(players, lag, 1, 2, 3, 4);
+            List<Schedule.Task> open = new ArrayList<>();
+            List<String> games = new ArrayList<>();
+            TreeSet<Integer> over = new TreeSet<>();
+            int[] count = new int[1000];
+            while (games.size() < GAMES || !open.isEmpty()) {
+                boolean all = random.nextInt(4) == 0;
+                Schedule.Task task = schedule.next(GAMES, next -> all
+                    || Arrays.stream(next.lineup()).noneMatch(version -> version == 3));
+                if (task != null) {
+                    for (int before = 0; before <= task.decision() - lag; before++) {
+                        assertTrue(over.contains(before), () -> "seed " + seed + ": " + name(task));
+                    }
+                    ahead += !games.isEmpty() && task.decision() < Integer.parseInt(games.get(games.size() - 1)
+                        .split(" ")[0]) ? 1 : 0;
+                    open.add(task);
+                    games.add(name(task));
+                }
+                if (task == null ? !open.isEmpty() : open.size() > random.nextInt(6)) {
+                    Schedule.Task ended = open.remove(random.nextInt(open.size()));
+                    schedule.over(ended);
+                    if (++count[ended.decision()] == players) {
+                        over.add(ended.decision());
+                    }
+                }
+                assertEquals(games.size() < GAMES, schedule.games() < GAMES);
+            }
+            Collections.sort(games);
+            List<String> expected = straight(players, 1, 2, 3, 4);
+            Collections.sort(expected);
+            assertEquals(expected, games, () -> "seed " + seed);
+        }
+        assertTrue(ahead > 0, "games were taken out of order");
+    }
+
     @Test
     void aGameThatIsDroppedComesAgain() {
         Schedule schedule = schedule(2, 3, 1, 2);

@@ -15,6 +15,7 @@ import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.page.WorkerRow;
 import steward.league.play.LeagueRun;
+import steward.league.play.Roster.Member;
 import steward.machines.check.WorkerBook;
 import steward.machines.serve.RemoteGames;
 import steward.machines.serve.WorkerSeen;
@@ -78,6 +79,11 @@ final class ServedGames implements Serving.Service {
     @Override
     public List<List<StoredGame>> play(List<Game> together) throws InterruptedException {
         return games.play(together);
+    }
+
+    @Override
+    public boolean canPlay(List<Member> members) {
+        return games.canPlay(members);
     }
 
     @Override

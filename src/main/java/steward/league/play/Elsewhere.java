@@ -37,6 +37,9 @@ public interface Elsewhere {
      */
     List<List<StoredGame>> play(List<Game> games) throws InterruptedException;
 
+    /** Whether one of the other machines has all bots of a game; asked before the game is taken for them. */
+    boolean canPlay(List<Member> members);
+
     /** Whether games are to be believed that were played on this machine; asked just before they are stored. */
     boolean isTrusted(String machine);
 }

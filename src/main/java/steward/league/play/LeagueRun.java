@@ -6,6 +6,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import steward.contest.Contest;
 import steward.contest.WorkerThreads;
 import steward.files.InputException;
@@ -166,7 +167,8 @@ public final class LeagueRun {
         int far = elsewhere == null ? 0 : 1;
         try {
             WorkerThreads.run("league", limits.threads() + far, thread -> thread < limits.threads() ? this::playHere
-                : () -> new FarGames(elsewhere).play(this::isOver, most -> playNext(most, elsewhere::play)));
+                : () -> new FarGames(elsewhere).play(this::isOver, most -> playNext(most, elsewhere::canPlay,
+                    elsewhere::play)));
         } finally {
             writer.close();
         }
@@ -178,7 +180,7 @@ public final class LeagueRun {
     private Void playHere() throws InterruptedException {
         boolean more = true;
         while (more) {
-            more = playNext(1, games -> List.of(play.play(games.get(0).task(),
+            more = playNext(1, members -> true, games -> List.of(play.play(games.get(0).task(),
                 games.get(0).settings(), games.get(0).members())));
         }
         return null;
@@ -194,11 +196,11 @@ public final class LeagueRun {
         return ended || brokenOff || stopped != null;
     }
 
-    /** Plays the next games, at most so many; whether there may be more. */
-    private boolean playNext(int most, Player player) throws InterruptedException {
+    /** Plays the next games that it can, at most so many; whether there may be more. */
+    private boolean playNext(int most, Predicate<List<Member>> can, Player player) throws InterruptedException {
         List<Elsewhere.Game> games;
         synchronized (this) {
-            games = take(most);
+            games = take(most, task -> can.test(members(task)));
             if (games.isEmpty()) {
                 ended = true;
                 return false;
@@ -259,9 +261,9 @@ public final class LeagueRun {
     }
 
     /** The next games, one if there is any, and more as long as none has to be waited for; none at the end. */
-    private List<Elsewhere.Game> take(int most) throws InterruptedException {
+    private List<Elsewhere.Game> take(int most, Predicate<Schedule.Task> can) throws InterruptedException {
         List<Elsewhere.Game> games = new ArrayList<>();
-        for (Schedule.Task task = take(); task != null; task = games.size() < most ? takeNow() : null) {
+        for (Schedule.Task task = take(can); task != null; task = games.size() < most ? takeNow(can) : null) {
             underWay++;
             games.add(new Elsewhere.Game(task, roster.settings(), members(task)));
         }
@@ -273,13 +275,13 @@ public final class LeagueRun {
     }
 
     /** The next game, or {@code null} at the end. */
-    private Schedule.Task take() throws InterruptedException {
+    private Schedule.Task take(Predicate<Schedule.Task> can) throws InterruptedException {
         for (;;) {
             if (isAtEnd()) {
                 return null;
             }
-            Schedule.Task task = takeNow();
-            if (task != null || underWay == 0 && !watch.isPaused()) {
+            Schedule.Task task = takeNow(can);
+            if (task != null || underWay == 0 && !watch.isPaused() && !schedule.isLeft(limits.games())) {
                 return task;
             }
             wait(WAIT_MS);
@@ -292,9 +294,9 @@ public final class LeagueRun {
     }
 
     /** The next game, or {@code null} if there is none before others are over. */
-    private Schedule.Task takeNow() {
+    private Schedule.Task takeNow(Predicate<Schedule.Task> can) {
         watch.look(roster, known != null, this::use);
-        Schedule.Task task = watch.isPaused() || isAtEnd() ? null : schedule.next(limits.games());
+        Schedule.Task task = watch.isPaused() || isAtEnd() ? null : schedule.next(limits.games(), can);
         while (task != null) {
             byte[] name = play.name(task, members(task), 1);
             if (!store.has(name)) {
@@ -303,7 +305,7 @@ public final class LeagueRun {
             store.adopt(name, task.decision());
             knowStored(task);
             schedule.over(task);
-            task = schedule.next(limits.games());
+            task = schedule.next(limits.games(), can);
         }
         return null;
     }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.concurrent.atomic.LongAdder;
 import steward.league.StoredGame;
 import steward.league.play.Elsewhere;
+import steward.league.play.Roster.Member;
 import steward.machines.serve.RemoteGames;
 
 /** Games of workers, and the CPU time of the threads that wait for them and check them. */
@@ -42,6 +43,11 @@ final class MeteredGames implements Elsewhere {
         } finally {
             nanos.add(threads.getCurrentThreadCpuTime() - before);
         }
+    }
+
+    @Override
+    public boolean canPlay(List<Member> members) {
+        return games.canPlay(members);
     }
 
     @Override

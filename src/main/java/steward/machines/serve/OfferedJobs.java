@@ -2,6 +2,7 @@ package steward.machines.serve;
 
 import java.security.SecureRandom;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.HashSet;
 import java.util.HexFormat;
 import java.util.List;
@@ -14,6 +15,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import steward.machines.broker.LeagueBroker;
 import steward.machines.wire.GameJob;
@@ -40,9 +42,10 @@ final class OfferedJobs {
     private final LeagueBroker broker;
     private final long leaseNanos;
     private final BooleanSupplier anyConnected;
+    private final Predicate<Collection<String>> canPlay;
     private final Consumer<String> teller;
     private final SecureRandom random = new SecureRandom();
-    private final Map<String, CompletableFuture<Told>> offers = new ConcurrentHashMap<>();
+    private final Map<String, Offer> offers = new ConcurrentHashMap<>();
     private volatile boolean closed;
 
     /** Guarded by this. */
@@ -50,6 +53,10 @@ final class OfferedJobs {
     private long games;
     /** How long a worker has a game, on average; 0 if that is not known. */
     private double gameNanos;
+
+    /** A job, the bundles that it needs, and what comes of it: {@code null} if somebody else has to play it. */
+    private record Offer(Set<String> needs, CompletableFuture<Told> told) {
+    }
 
     /** What a worker says of the games of a job that it has begun. */
     record Told(String worker, List<WorkerWord.Played> games) {
@@ -60,12 +67,15 @@ final class OfferedJobs {
      *
      * @param leaseNanos   after which a job is taken away from a worker
      * @param anyConnected whether a worker plays
+     * @param canPlay      whether one that plays has these bundles, or may have them
      * @param teller       is told what happens, by any thread
      */
-    OfferedJobs(LeagueBroker broker, long leaseNanos, BooleanSupplier anyConnected, Consumer<String> teller) {
+    OfferedJobs(LeagueBroker broker, long leaseNanos, BooleanSupplier anyConnected,
+                Predicate<Collection<String>> canPlay, Consumer<String> teller) {
         this.broker = broker;
         this.leaseNanos = leaseNanos;
         this.anyConnected = anyConnected;
+        this.canPlay = canPlay;
         this.teller = teller;
     }
 
@@ -101,11 +111,11 @@ final class OfferedJobs {
             jobs++;
             games += asked.size();
         }
-        CompletableFuture<Told> offer = new CompletableFuture<>();
+        Offer offer = new Offer(bots.stream().map(GameJob.Seat::bundle).collect(Collectors.toSet()),
+            new CompletableFuture<>());
         offers.put(job, offer);
         try {
-            broker.offer(job, bots.stream().map(GameJob.Seat::bundle).collect(Collectors.toSet()),
-                new GameJob(job, asked).bytes());
+            broker.offer(job, offer.needs(), new GameJob(job, asked).bytes());
             Told told = await(job, offer);
             return told == null || told.games().size() <= asked.size() ? told
                 : new Told(told.worker(), told.games().subList(0, asked.size()));
@@ -120,14 +130,17 @@ final class OfferedJobs {
         return 6 * bot.name().length() + 200;
     }
 
-    private Told await(String job, CompletableFuture<Told> offer) throws InterruptedException {
+    private Told await(String job, Offer offer) throws InterruptedException {
         long alone = 0;
         while (!closed) {
             try {
-                return offer.get(LOOK_MS, TimeUnit.MILLISECONDS);
+                return offer.told().get(LOOK_MS, TimeUnit.MILLISECONDS);
             } catch (TimeoutException none) {
                 alone = anyConnected.getAsBoolean() ? 0 : alone == 0 ? System.nanoTime() : alone;
                 if (alone != 0 && System.nanoTime() - alone > ALONE_NANOS) {
+                    return null;
+                }
+                if (!canPlay.test(offer.needs())) {
                     return null;
                 }
                 if (broker.heldNanos(job) > leaseNanos) {
@@ -144,7 +157,7 @@ final class OfferedJobs {
 
     /** What a worker says of a job; of no consequence if it is not the worker's, or not any more. */
     void told(String worker, WorkerWord.Result result) {
-        CompletableFuture<Told> offer = offers.get(result.job());
+        Offer offer = offers.get(result.job());
         if (offer == null || !worker.equals(broker.holder(result.job()))) {
             return;
         }
@@ -152,12 +165,18 @@ final class OfferedJobs {
         synchronized (this) {
             gameNanos += gameNanos == 0 ? each : MOVE * (each - gameNanos);
         }
-        offer.complete(new Told(worker, result.games()));
+        offer.told().complete(new Told(worker, result.games()));
+    }
+
+    /** Some bots turn out not to run at a worker: what nobody can play goes to the league itself. */
+    void lookWhoCanPlay() {
+        offers.values().stream().filter(offer -> !canPlay.test(offer.needs())).forEach(offer ->
+            offer.told().complete(null));
     }
 
     /** Waits for none of them any more. */
     void close() {
         closed = true;
-        offers.values().forEach(offer -> offer.complete(null));
+        offers.values().forEach(offer -> offer.told().complete(null));
     }
 }

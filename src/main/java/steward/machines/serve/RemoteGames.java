@@ -5,9 +5,12 @@ import java.nio.charset.StandardCharsets;
 import java.security.SecureRandom;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collection;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
@@ -52,6 +55,8 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     public static final int MOST = 2500;
     private static final long POLL_MS = 200;
     private static final int LONGEST_TEXT = 200;
+    /** Of how many bots it is noted that they do not run at a worker. */
+    private static final int MOST_UNFIT = 10_000;
 
     private final LeagueFolder folder;
     private final Contest contest;
@@ -119,7 +124,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         key.make();
         broker = new LeagueBroker(service.address(), key, list.workers().stream().map(WorkerList.Worker::name).toList(),
             (name, secret) -> list.admits(name, secret));
-        offered = new OfferedJobs(broker, service.leaseNanos(), () -> anyConnected, teller);
+        offered = new OfferedJobs(broker, service.leaseNanos(), () -> anyConnected, this::canPlay, teller);
         listening.setDaemon(true);
         listening.start();
     }
@@ -173,15 +178,31 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         return played;
     }
 
+    @Override
+    public boolean canPlay(List<Member> members) {
+        List<String> needs = members.stream().map(member -> byStamp.get(key(member))).filter(Objects::nonNull)
+            .map(Bundle::hash).toList();
+        return canPlay(needs);
+    }
+
+    /** Whether a worker that is connected has not said of any of these bundles that it does not run there. */
+    private synchronized boolean canPlay(Collection<String> needs) {
+        return !anyConnected || workers.values().stream().anyMatch(worker -> worker.slots > 0
+            && Collections.disjoint(worker.unfit, needs));
+    }
+
     /** A bot as jobs name it. */
     private GameJob.Seat seat(Member member) {
         Bundle bundle = bundle(member);
         return new GameJob.Seat(member.entrant().name(), bundle.hash(), bundle.bytes().length);
     }
 
+    private static String key(Member member) {
+        return member.bot().name() + "\n" + member.stamp();
+    }
+
     private Bundle bundle(Member member) {
-        Bundle bundle = byStamp.computeIfAbsent(member.bot().name() + "\n" + member.stamp(),
-            key -> Bundle.of(member.bot()));
+        Bundle bundle = byStamp.computeIfAbsent(key(member), key -> Bundle.of(member.bot()));
         bundles.put(bundle.hash(), bundle);
         return bundle;
     }
@@ -330,7 +351,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             } else if (word instanceof WorkerWord.Result result) {
                 offered.told(state.name, result);
             } else if (word instanceof WorkerWord.Unfit unfit) {
-                say("worker " + state.name + " cannot play a bot: " + shown(unfit.reason()));
+                unfit(state, unfit);
             } else if (word instanceof WorkerWord.Differs differs) {
                 leave(state);
                 say(apart(state.name, state.version, shown(differs.rules()), rules));
@@ -365,6 +386,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         }
         synchronized (this) {
             state.slots = slots;
+            state.unfit.clear();                       // it may be another machine by now; it says them again
             state.version = shown(hello.version());
             state.machine = shown(hello.machine());
             state.began = state.began == 0 ? System.nanoTime() : state.began;
@@ -378,6 +400,17 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             .put("basis", settings.basis().word()).put("hiccups", settings.hiccups().word());
         broker.tell(state.name, WireMessage.bytes(welcome,
             contest.setup().scene().json().getBytes(StandardCharsets.UTF_8)));
+    }
+
+    private void unfit(WorkerState state, WorkerWord.Unfit unfit) {
+        boolean isNew;
+        synchronized (this) {
+            isNew = state.unfit.size() < MOST_UNFIT && state.unfit.add(unfit.bundle());
+        }
+        if (isNew) {
+            say("worker " + state.name + " cannot play a bot: " + shown(unfit.reason()));
+            offered.lookWhoCanPlay();
+        }
     }
 
     private void fetch(WorkerState state, WorkerWord.Fetch fetch) {

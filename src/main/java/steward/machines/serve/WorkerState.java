@@ -1,5 +1,8 @@
 package steward.machines.serve;
 
+import java.util.HashSet;
+import java.util.Set;
+
 /** What is known of a worker. Guarded by {@link RemoteGames}. */
 final class WorkerState {
 
@@ -12,6 +15,8 @@ final class WorkerState {
     long began;
     long lastWord;
     boolean caught;
+    /** Bundles that do not run there. */
+    final Set<String> unfit = new HashSet<>();
 
     WorkerState(String name) {
         this.name = name;

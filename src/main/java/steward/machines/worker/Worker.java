@@ -5,8 +5,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.Set;
-import java.util.concurrent.ConcurrentSkipListSet;
+import java.util.Map;
+import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
@@ -44,7 +44,8 @@ public final class Worker {
     private final long end;
     private final AtomicLong begun = new AtomicLong();
     private final AtomicLong played = new AtomicLong();
-    private final Set<String> unfit = new ConcurrentSkipListSet<>();
+    /** Bundles that do not run here, and why. */
+    private final Map<String, String> unfit = new ConcurrentSkipListMap<>();
     private volatile boolean draining;
 
     /**
@@ -130,6 +131,9 @@ public final class Worker {
         client.say(WireMessage.bytes(new HeaderText().put("type", "hello").put("version", options.version())
             .put("bits", PhysicsFingerprint.text()).put("machine", options.machine()).put("slots", options.slots())));
         JobPlay jobs = welcome(client);
+        for (String bundle : unfit.keySet()) {
+            sayUnfit(client, bundle);
+        }
         teller.accept("joined " + options.host() + ":" + options.port() + " as " + options.token().worker() + ", "
             + options.slots() + (options.slots() == 1 ? " game" : " games") + " at a time");
         List<Thread> threads = new ArrayList<>();
@@ -203,7 +207,7 @@ public final class Worker {
     private void slot(BrokerClient client, JobPlay jobs) throws Exception {
         while (!isOver()) {
             int known = unfit.size();
-            try (BrokerClient.Taker taker = client.taker(unfit)) {
+            try (BrokerClient.Taker taker = client.taker(unfit.keySet())) {
                 while (!isOver() && unfit.size() == known) {
                     byte[] bytes = taker.take(POLL_MS);
                     if (bytes == null) {
@@ -219,14 +223,18 @@ public final class Worker {
                         taker.finish(result.bytes());
                         played.addAndGet(result.games().size());
                     } catch (JobPlay.UnfitException problem) {
-                        unfit.add(problem.bundle());
+                        unfit.put(problem.bundle(), JobPlay.shortened(problem.getMessage()));
                         teller.accept(problem.getMessage());
-                        client.say(WireMessage.bytes(new HeaderText().put("type", "unfit")
-                            .put("bundle", problem.bundle()).put("reason", JobPlay.shortened(problem.getMessage()))));
+                        sayUnfit(client, problem.bundle());
                     }
                 }
             }
         }
+    }
+
+    private void sayUnfit(BrokerClient client, String bundle) throws BrokenException {
+        client.say(WireMessage.bytes(new HeaderText().put("type", "unfit").put("bundle", bundle)
+            .put("reason", unfit.get(bundle))));
     }
 
     /** Whether one more game may begin, which then has. */

@@ -296,6 +296,59 @@ class WorkerTest {
         }
     }
 
+    /** Plays what it is given, but has no bot of one name; how many games it has played. */
+    private int without(String bot, BrokerClient client, CompletableFuture<String> run) throws BrokenException,
+            InterruptedException {
+        List<String> unfit = new ArrayList<>();
+        int games = 0;
+        client.say(WireMessage.bytes(new HeaderText().put("type", "hello").put("version", "1")
+            .put("bits", PhysicsFingerprint.text()).put("machine", "bare").put("slots", 1)));
+        try {
+            while (!run.isDone()) {
+                try (BrokerClient.Taker taker = client.taker(unfit)) {
+                    byte[] bytes = taker.take(500);
+                    if (bytes == null) {
+                        continue;
+                    }
+                    GameJob job = GameJob.read(bytes, "a job", Bundle.LARGEST);
+                    job.games().stream().flatMap(game -> game.seats().stream()).filter(seat -> seat.name().equals(bot))
+                        .forEach(seat -> unfit.add(seat.bundle()));
+                    if (!unfit.isEmpty() && job.games().stream().anyMatch(game -> game.seats().stream()
+                            .anyMatch(seat -> unfit.contains(seat.bundle())))) {
+                        client.say(WireMessage.bytes(new HeaderText().put("type", "unfit").put("bundle", unfit.get(0))
+                            .put("reason", bot + " does not run here")));
+                        continue;
+                    }
+                    List<WorkerWord.Played> played = new ArrayList<>();
+                    for (GameJob.Game game : job.games()) {
+                        played.add(played(game, true));
+                    }
+                    taker.finish(new WorkerWord.Result(job.id(), played).bytes());
+                    games += played.size();
+                }
+            }
+        } catch (BrokenException closed) {
+            run.join();                                // which has ended, then
+        }
+        return games;
+    }
+
+    @Test
+    void gamesOfABotThatRunsOnNoWorkerArePlayedByTheLeague() throws Exception {
+        make("alone");
+        done("run", "TMP/alone", "--games", "100", "--quiet");
+        make("many");
+        WorkerToken token = token("many", "bare");
+        CompletableFuture<String> run = serve("many", 100, "--threads", "1");
+        try (BrokerClient client = client(token)) {
+            int games = without("still", client, run);
+            assertEquals(counting("alone"), counting("many"), () -> games + " games of the worker");
+            assertTrue(games("many").stream().noneMatch(row -> row.machine().startsWith("worker bare")
+                && row.game().contains("still")));
+            assertTrue(run.join().contains("worker bare cannot play a bot: still does not run here"), run.join());
+        }
+    }
+
     @Test
     void whoMayNotJoinIsRefused() throws Exception {
         make("many");
