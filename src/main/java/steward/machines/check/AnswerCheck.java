@@ -14,9 +14,11 @@ import steward.game.GameTypes;
 import steward.replay.RecordedMatch;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayException;
+import steward.replay.ReplayHeader;
 import steward.replay.ReplayReader;
 import steward.replay.feed.FedTurn;
 import steward.replay.feed.Feed;
+import steward.replay.verify.Resimulation;
 
 /**
  * Asks a bot that does not draw by lot once more what it was asked in a game, without deadlines, and compares answer by
@@ -34,11 +36,13 @@ public final class AnswerCheck {
 
     private final Contest contest;
     private final GameTypes types;
+    private final String scene;
 
     /** @param contest of the scene, with the isolation in which bots are asked */
     public AnswerCheck(Contest contest, GameTypes types) {
         this.contest = contest;
         this.types = types;
+        scene = contest.setup().scene().json();
     }
 
     /**
@@ -65,8 +69,8 @@ public final class AnswerCheck {
         String[] found = {null};
         ScheduledFuture<?> end = CLOCK.schedule(bot::close, PATIENCE_S, TimeUnit.SECONDS);
         try {
-            new Feed(match, types, player, entrant.protocol(), bot).run(lastRepeatable(match, player), turn -> { },
-                turn -> found[0] = found[0] == null ? difference(turn) : found[0]);
+            new Feed(match, again(match), player, entrant.protocol(), bot).run(lastRepeatable(match, player),
+                turn -> { }, turn -> found[0] = found[0] == null ? difference(turn) : found[0]);
         } finally {
             end.cancel(false);
             bot.close();
@@ -75,6 +79,13 @@ public final class AnswerCheck {
             throw new DisprovedException(match.source() + ": " + entrant.name() + " answers otherwise when it is asked "
                 + "again: " + found[0]);
         }
+    }
+
+    /** Opens the scene of a match only if it is another one than that of the contest. */
+    private Resimulation again(RecordedMatch match) {
+        ReplayHeader header = match.header();
+        return header.scene().equals(scene) && header.angles() == contest.setup().scene().angles()
+            ? new Resimulation(contest.setup(), header.seed()) : new Resimulation(header, types, match.source());
     }
 
     /** The last turn before one in which it was late: there it might never answer. */

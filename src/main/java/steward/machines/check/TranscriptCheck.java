@@ -48,10 +48,12 @@ public final class TranscriptCheck {
     private static final int LONGEST_FAULT = 1 << 18;
 
     private final Contest contest;
+    private final String scene;
 
     /** @param contest of the scene; its own bots do not matter */
     public TranscriptCheck(Contest contest) {
         this.contest = contest;
+        scene = contest.setup().scene().json();
     }
 
     /**
@@ -151,7 +153,7 @@ public final class TranscriptCheck {
             if (Arrays.asList(bots).contains(null)) {
                 throw new ReplayException(source + ":1: found no bots, expected " + players);
             }
-            header = new ReplayHeader(contest.setup().scene().gameId(), contest.setup().scene().json(),
+            header = new ReplayHeader(contest.setup().scene().gameId(), scene,
                 expected.seed(), expected.names(), List.of(bots), expected.protocols(), contest.timeFactor(),
                 contest.setup().scene().angles(), null, head.text("sandbox"));
             listener = replay == null ? null : new ReplayWriter(replay, header);

@@ -5,12 +5,10 @@ import java.util.List;
 import steward.bot.Answer;
 import steward.bot.LineBuffer;
 import steward.bot.Player;
-import steward.game.GameTypes;
 import steward.game.JsonNumbers;
 import steward.match.Dialogue;
 import steward.match.Protocol;
 import steward.match.SafeText;
-import steward.replay.RecordedMatch;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayException;
 import steward.replay.verify.Difference;
@@ -39,8 +37,8 @@ final class Conversation {
     private boolean started;
 
     /** @throws IllegalArgumentException if the game does not speak the protocol */
-    Conversation(RecordedMatch match, GameTypes types, int player, Protocol protocol, Player bot) {
-        again = new Resimulation(match.header(), types, match.source());
+    Conversation(Resimulation again, int player, Protocol protocol, Player bot) {
+        this.again = again;
         dialogue = Dialogue.of(protocol, again.setup(), again.game(), again.codec());
         this.player = player;
         this.bot = bot;

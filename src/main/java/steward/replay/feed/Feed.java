@@ -45,8 +45,17 @@ public final class Feed {
      * @throws IllegalArgumentException     if the scene's game does not speak the protocol
      */
     public Feed(RecordedMatch match, GameTypes types, int player, Protocol protocol, Player bot) {
+        this(match, new Resimulation(match.header(), types, match.source()), player, protocol, bot);
+    }
+
+    /**
+     * As above, if the scene of the match is open already.
+     *
+     * @param again of the match, nothing played yet
+     */
+    public Feed(RecordedMatch match, Resimulation again, int player, Protocol protocol, Player bot) {
         this.match = match;
-        conversation = new Conversation(match, types, player, protocol, bot);
+        conversation = new Conversation(again, player, protocol, bot);
     }
 
     /**

@@ -68,8 +68,8 @@ public final class Takeover {
                     String bot, OutputStream out) {
         this.match = match;
         this.from = from;
-        conversation = new Conversation(match, types, player, protocol, asked);
-        again = conversation.again();
+        again = new Resimulation(match.header(), types, match.source());
+        conversation = new Conversation(again, player, protocol, asked);
         game = again.game();
         names = names(match.header().names(), player, asked.name());
         writer = new ReplayWriter(out, header(match.header(), names, player, protocol, bot));
