@@ -16,7 +16,7 @@ import java.util.SplittableRandom;
 public final class CapacitySimulation {
 
     private static final double NANOS_PER_US = 1e3;
-    /** Games for each place before counting begins. */
+    /** Games before counting begins, for each that can be under way or wait to be stored. */
     private static final int WARM = 10;
     /** Games that may wait to be stored, as {@link steward.league.store.GameWriter} has it. */
     private static final int MOST_WAITING = 4096;
@@ -60,7 +60,7 @@ public final class CapacitySimulation {
     /**
      * What came of it.
      *
-     * @param perSecond  games in a second, by the work that was done, which counts games that are half done as halves
+     * @param perSecond  games in a second that the busiest part of the process has worked on, half ones as halves
      * @param stored     games stored in a second, which depends on where in their course games are at begin and end
      * @param processors share of the processors' time that was needed, 0..1
      * @param messages   the same of the thread that reads messages
@@ -102,8 +102,8 @@ public final class CapacitySimulation {
     /**
      * Simulates.
      *
-     * @param games after which it ends; before, a quarter as many are played that do not count, or some for each place:
-     *              what was half done before would pass for more than there is time for
+     * @param games after which it ends; before, a quarter as many are played that do not count, or more where many
+     *              can be under way: queues that still grow would pass for games
      */
     public static Load of(LeagueCosts costs, Setting setting, int games, long seed) {
         return new CapacitySimulation(costs, setting, seed).run(games);
@@ -114,7 +114,7 @@ public final class CapacitySimulation {
         for (int place = 0; place < places; place++) {
             decide();
         }
-        runUntil(Math.max(games / 4, WARM * places));
+        runUntil(Math.max(games / 4, WARM * (places + MOST_WAITING)));
         began = now;
         stored = 0;
         busyNanos = 0;
@@ -129,10 +129,24 @@ public final class CapacitySimulation {
         runUntil(games);
         count(0);
         double time = now - began;
-        double done = busyNanos / (costs.total() * NANOS_PER_US);
-        return new Load(done * 1e9 / time, stored * 1e9 / time, busyNanos / time / setting.processors(),
+        return new Load(busiest(time) * 1e9 / time, stored * 1e9 / time, busyNanos / time / setting.processors(),
             messages.nanos / time, schedule.nanos / time, store.nanos / time, playingNanos / time / setting.workers(),
             delays == 0 ? 0 : delayNanos / delays / 1e6, insideNanos / time);
+    }
+
+    /** How many games the part has worked on that had the least time left: that many can end, and no more. */
+    private double busiest(double time) {
+        double share = busyNanos / time / setting.processors();
+        double games = busyNanos / (costs.total() * NANOS_PER_US);
+        double[] nanos = {messages.nanos, schedule.nanos, store.nanos};
+        double[] micros = {costs.messages(), costs.schedule(), costs.store()};
+        for (int line = 0; line < nanos.length; line++) {
+            if (nanos[line] / time > share) {
+                share = nanos[line] / time;
+                games = nanos[line] / (micros[line] * NANOS_PER_US);
+            }
+        }
+        return games;
     }
 
     private void runUntil(long games) {

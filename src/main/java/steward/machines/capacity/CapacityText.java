@@ -59,12 +59,19 @@ public final class CapacityText {
             + capacity.table().processors() + " | of a game by itself |", "|---|---:|---:|---:|---:|"));
         lines.add(share(capacity, "games of a league by itself, recorded and stored", alone));
         lines.add(share(capacity, "with a worker in the same process", capacity.served().threads()));
-        lines.add(share(capacity, "more: broker, TLS and checks, both sides", capacity.overhead()));
-        lines.add(share(capacity, "of it the league's side", capacity.leagueOverhead()));
+        lines.add(share(capacity, "more with a worker, on both sides together", capacity.overhead()));
+        lines.add(share(capacity, "broker, TLS and checks in the league's process", capacity.leagueOverhead()));
         lines.add("");
         double league = capacity.ofOneProcessor(capacity.leagueOverhead());
-        lines.add("The league's side is under " + percent(LITTLE) + " of a machine that has " + number(Math.floor(league
-            / LITTLE) + 1) + " processors or more.");
+        String machine = percent(LITTLE) + " of a machine of " + number(Math.floor(league / LITTLE) + 1)
+            + " processors.";
+        if (capacity.overhead() < capacity.leagueOverhead()) {
+            lines.add("A league by itself writes a replay of each game, in case it fails; a worker sends the commands. "
+                + "So what is");
+            lines.add("more with a worker is less than what broker, TLS and checks take, which is under " + machine);
+        } else {
+            lines.add("Broker, TLS and checks are under " + machine);
+        }
         lines.add("What compiles and collects took " + number(capacity.alone().process() - alone) + " and "
             + number(capacity.served().process() - capacity.served().threads()) + " µs a game besides.");
         return lines;

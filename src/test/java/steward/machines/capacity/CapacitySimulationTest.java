@@ -82,6 +82,19 @@ class CapacitySimulationTest {
         }
     }
 
+    /** The same where games wait to be stored: as long as that queue grows, games begin faster than they end. */
+    @Test
+    @Tag("slow")
+    void aQueueThatStillGrowsIsNotCounted() {
+        LeagueCosts costs = new LeagueCosts(190, 22, 405, 3616, 0.05, 37, 67);
+        for (int processors : new int[] {16, 32}) {
+            SaturationTable.Row row = SaturationTable.Row.of(costs, processors, 1000, 20, 2500);
+            double most = costs.most(Part.STORE, processors);
+            assertEquals(most, row.load().perSecond(), 0.004 * most, () -> processors + " processors");
+            assertEquals(most, row.load().stored(), 0.004 * most, () -> processors + " processors");
+        }
+    }
+
     /** No more games are played than workers have time for, nor than may be under way. */
     @Test
     void workersAndPlacesAreBoundsToo() {
