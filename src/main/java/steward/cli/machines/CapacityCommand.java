@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.LocalDate;
 import java.time.ZoneOffset;
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.concurrent.Callable;
@@ -54,6 +55,10 @@ final class CapacityCommand implements Callable<Integer> {
     /** Games in a second that are played to be measured, and at which the overhead is told. */
     private static final double PACE = 200;
     private static final int SLOTS = 4;
+    /** How often both leagues are measured, in turn: each has a median. */
+    private static final int ROUNDS = 3;
+    /** Seconds before a league is measured that is not the first of its kind: what it needs is compiled. */
+    private static final double LATER_WARM = 10;
 
     private final Streams streams;
     private final CallCheck check = CallCheck.withHelp();
@@ -82,7 +87,11 @@ final class CapacityCommand implements Callable<Integer> {
         check.range("--rate", rate, 1, MOST_RATE);
         double warm = quick ? 2 : 60;
         double seconds = quick ? 1 : 15;
-        RunProgress progress = new RunProgress(streams, List.of(warm + seconds, warm + seconds, 4 * seconds, 10.0));
+        int rounds = quick ? 1 : ROUNDS;
+        double later = LATER_WARM + seconds;
+        RunProgress progress = new RunProgress(streams, Stream.of(Stream.generate(() -> warm + seconds).limit(2),
+            Stream.generate(() -> later).limit(2L * rounds - 2), Stream.of(4 * seconds, 10.0))
+            .flatMap(parts -> parts).toList());
         if (!json) {
             ProgressLine.announce(streams, TextFormat.about(progress.total()), "prints nothing");
         }
@@ -93,7 +102,7 @@ final class CapacityCommand implements Callable<Integer> {
             return "nothing is printed";
         })) {
             capacity = measure(new MeasuredLeague(bots(), folder), new MeasuredLeague.Effort(PACE, warm, seconds,
-                SLOTS), progress);
+                SLOTS), rounds, progress);
             interruption.over();
         } catch (IOException problem) {
             throw unusable(folder, problem);
@@ -116,23 +125,33 @@ final class CapacityCommand implements Callable<Integer> {
             number -> "builtin:regular 3 0." + number);
     }
 
-    private Capacity measure(MeasuredLeague league, MeasuredLeague.Effort effort, RunProgress progress)
+    private Capacity measure(MeasuredLeague league, MeasuredLeague.Effort effort, int rounds, RunProgress progress)
             throws InterruptedException, IOException {
-        progress.begin("a league by itself");
-        Sample alone = league.measure(false, effort);
-        progress.end();
-        progress.begin("with a worker");
-        Sample served = league.measure(true, effort);
-        progress.end();
+        List<Sample> alone = new ArrayList<>();
+        List<Sample> served = new ArrayList<>();
+        for (int round = 0; round < rounds; round++) {
+            MeasuredLeague.Effort now = round == 0 ? effort
+                : new MeasuredLeague.Effort(effort.perSecond(), LATER_WARM, effort.seconds(), effort.slots());
+            progress.begin("a league by itself");
+            alone.add(league.measure(false, now));
+            progress.end();
+            progress.begin("with a worker");
+            served.add(league.measure(true, now));
+            progress.end();
+        }
         progress.begin("checks");
         CheckPrices prices = CheckPrices.measure(bots(), effort.seconds());
         progress.end();
         progress.begin("simulation");
-        LeagueCosts costs = Capacity.costs(served, prices);
+        LeagueCosts costs = Capacity.costs(median(served), prices);
         SaturationTable table = SaturationTable.of(costs, Runtime.getRuntime().availableProcessors(), workers, rate,
             RemoteGames.MOST, progress.steps(SaturationTable.steps(workers)));
         progress.end();
-        return new Capacity(PACE, alone, served, prices, table);
+        return new Capacity(PACE, rounds, median(alone), median(served), prices, table);
+    }
+
+    private static Sample median(List<Sample> samples) {
+        return samples.stream().sorted(Comparator.comparingDouble(Sample::threads)).toList().get(samples.size() / 2);
     }
 
     private static void write(JsonGenerator out, Capacity capacity) {

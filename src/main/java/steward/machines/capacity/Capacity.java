@@ -7,12 +7,14 @@ import steward.machines.capacity.MeasuredLeague.Sample;
  * What workers cost, as it was measured, and how many a league can serve, as follows from that.
  *
  * @param rate   games in a second at which the overhead is told
+ * @param rounds how often both leagues were measured in turn; medians are told
  * @param alone  a league that plays its games itself
  * @param served the same with a worker in the same process
  * @param prices of the checks
  * @param table  simulated
  */
-public record Capacity(double rate, Sample alone, Sample served, CheckPrices prices, SaturationTable table) {
+public record Capacity(double rate, int rounds, Sample alone, Sample served, CheckPrices prices,
+                       SaturationTable table) {
 
     private static final double MICROS = 1e6;
 

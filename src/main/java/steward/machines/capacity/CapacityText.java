@@ -55,7 +55,8 @@ public final class CapacityText {
         double alone = capacity.alone().threads();
         List<String> lines = new ArrayList<>(List.of("At " + number(capacity.rate()) + " games/s ("
             + number(capacity.alone().perSecond()) + " and " + number(capacity.served().perSecond())
-            + " were reached):", "", "| | µs a game | of one processor | of all "
+            + " were reached" + (capacity.rounds() > 1 ? "; medians of " + capacity.rounds() + " runs in turn" : "")
+            + "):", "", "| | µs a game | of one processor | of all "
             + capacity.table().processors() + " | of a game by itself |", "|---|---:|---:|---:|---:|"));
         lines.add(share(capacity, "games of a league by itself, recorded and stored", alone));
         lines.add(share(capacity, "with a worker in the same process", capacity.served().threads()));
