@@ -109,7 +109,7 @@ public final class Schedule {
      * @param takes whether a game may be taken
      */
     public Task next(long most, Predicate<Task> takes) {
-        Optional<Task> task = waiting.stream().filter(takes).findFirst();
+        Optional<Task> task = first(most, takes);
         while (task.isEmpty()) {
             if (games + waiting.size() >= most || firstOpen() <= next - lag) {
                 return null;
@@ -118,15 +118,17 @@ public final class Schedule {
                 return null;
             }
             decide();
-            task = waiting.stream().filter(takes).findFirst();
-        }
-        if (games >= most) {
-            return null;
+            task = first(most, takes);
         }
         waiting.remove(task.get());
         games++;
         open.merge(task.get().decision(), 1, Integer::sum);
         return task.get();
+    }
+
+    /** The first of those that will be played in any case: who passes some by must not put others in their place. */
+    private Optional<Task> first(long most, Predicate<Task> takes) {
+        return waiting.stream().limit(Math.max(0, most - games)).filter(takes).findFirst();
     }
 
     /** The first decision of which a game is under way or not begun; that after the last one if there is none. */

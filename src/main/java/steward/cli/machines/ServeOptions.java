@@ -31,8 +31,8 @@ final class ServeOptions implements Serving {
         + "a worker's games behind its first 20 (default: 5); 0 for none, not in the first 20 either.")
     private Integer again;
 
-    @Option(names = "--lease", paramLabel = "TIME", description = "With --serve: after so long a game that a worker "
-        + "has goes to others (default: 10m).")
+    @Option(names = "--lease", paramLabel = "TIME", description = "With --serve: after so long games that a worker "
+        + "has go to others (default: 10m).")
     private String lease;
 
     @Override

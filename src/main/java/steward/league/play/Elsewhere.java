@@ -37,7 +37,11 @@ public interface Elsewhere {
      */
     List<List<StoredGame>> play(List<Game> games) throws InterruptedException;
 
-    /** Whether one of the other machines has all bots of a game; asked before the game is taken for them. */
+    /**
+     * Whether there may be one machine where all of these bots run; asked before games are taken that go together.
+     *
+     * @param members of all of these games
+     */
     boolean canPlay(List<Member> members);
 
     /** Whether games are to be believed that were played on this machine; asked just before they are stored. */

@@ -1,24 +1,34 @@
 package steward.league.play;
 
 import java.util.ArrayDeque;
+import java.util.List;
 import java.util.Queue;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
-import java.util.function.BooleanSupplier;
 
 /**
- * The games of a run that other machines play. Those that go together have a thread while they are under way. There are
- * no threads that wait for a place to be free: thousands of them, looking several times a second, would keep a
- * processor busy.
+ * The games of a run that other machines play. Those that go together have a thread while they are under way. One
+ * thread waits for places and for games: thousands that wait, looking several times a second, would keep a processor
+ * busy.
  */
 record FarGames(Elsewhere elsewhere) {
 
-    /** Plays the next games, at most so many, which go together. */
-    interface Player {
-        /** @return whether there may be more */
-        boolean play(int most) throws Exception;
+    /** The run that they are of. */
+    interface Run {
+
+        /** Whether no games are begun any more. */
+        boolean isOver();
+
+        /** Waits for games that go together, at most so many; none at the end. */
+        List<Elsewhere.Game> take(int most) throws InterruptedException;
+
+        /** Plays games that were taken. */
+        void play(List<Elsewhere.Game> games) throws InterruptedException;
+
+        /** Ends the run, because playing has thrown something. */
+        void fail(RuntimeException problem);
     }
 
     /**
@@ -26,30 +36,27 @@ record FarGames(Elsewhere elsewhere) {
      *
      * @throws Exception what a game failed with
      */
-    Void play(BooleanSupplier over, Player player) throws Exception {
+    Void play(Run run) throws Exception {
         ExecutorService threads = Executors.newCachedThreadPool(work -> {
             Thread thread = new Thread(work, "league");
             thread.setDaemon(true);
             return thread;
         });
-        Queue<Future<Boolean>> games = new ArrayDeque<>();
+        Queue<Future<?>> games = new ArrayDeque<>();
         try {
-            while (!over.getAsBoolean()) {
+            while (!run.isOver()) {
                 while (!games.isEmpty() && games.peek().isDone()) {
                     games.remove().get();              // throws what has ended it
                 }
-                int together = elsewhere.takePlace(LeagueRun.WAIT_MS);
-                if (together > 0) {
-                    games.add(threads.submit(() -> {
-                        try {
-                            return player.play(together);
-                        } finally {
-                            elsewhere.leavePlace();
-                        }
-                    }));
+                int most = elsewhere.takePlace(LeagueRun.WAIT_MS);
+                List<Elsewhere.Game> next = most == 0 ? List.of() : run.take(most);
+                if (!next.isEmpty()) {
+                    games.add(threads.submit(() -> played(run, next)));
+                } else if (most > 0) {
+                    elsewhere.leavePlace();
                 }
             }
-            for (Future<Boolean> one : games) {
+            for (Future<?> one : games) {
                 one.get();
             }
             return null;
@@ -57,6 +64,18 @@ record FarGames(Elsewhere elsewhere) {
             throw failed.getCause() instanceof Exception problem ? problem : failed;
         } finally {
             threads.shutdownNow();
+        }
+    }
+
+    private Void played(Run run, List<Elsewhere.Game> games) throws InterruptedException {
+        try {
+            run.play(games);
+            return null;
+        } catch (RuntimeException problem) {
+            run.fail(problem);
+            throw problem;
+        } finally {
+            elsewhere.leavePlace();
         }
     }
 }

@@ -167,8 +167,7 @@ public final class LeagueRun {
         int far = elsewhere == null ? 0 : 1;
         try {
             WorkerThreads.run("league", limits.threads() + far, thread -> thread < limits.threads() ? this::playHere
-                : () -> new FarGames(elsewhere).play(this::isOver, most -> playNext(most, elsewhere::canPlay,
-                    elsewhere::play)));
+                : () -> new FarGames(elsewhere).play(new Far()));
         } finally {
             writer.close();
         }
@@ -180,10 +179,37 @@ public final class LeagueRun {
     private Void playHere() throws InterruptedException {
         boolean more = true;
         while (more) {
-            more = playNext(1, members -> true, games -> List.of(play.play(games.get(0).task(),
-                games.get(0).settings(), games.get(0).members())));
+            List<Elsewhere.Game> games = takeOrEnd(1, members -> true);
+            more = !games.isEmpty() && play(games, one -> List.of(play.play(one.get(0).task(), one.get(0).settings(),
+                one.get(0).members())));
         }
         return null;
+    }
+
+    /** What is played elsewhere. */
+    private final class Far implements FarGames.Run {
+
+        @Override
+        public boolean isOver() {
+            synchronized (LeagueRun.this) {
+                return ended || brokenOff || stopped != null;
+            }
+        }
+
+        @Override
+        public List<Elsewhere.Game> take(int most) throws InterruptedException {
+            return takeOrEnd(most, elsewhere::canPlay);
+        }
+
+        @Override
+        public void play(List<Elsewhere.Game> games) throws InterruptedException {
+            LeagueRun.this.play(games, elsewhere::play);
+        }
+
+        @Override
+        public void fail(RuntimeException problem) {
+            stop("a game of another machine: " + problem);
+        }
     }
 
     /** Who plays games. */
@@ -192,20 +218,15 @@ public final class LeagueRun {
         List<List<StoredGame>> play(List<Elsewhere.Game> games) throws InterruptedException;
     }
 
-    private synchronized boolean isOver() {
-        return ended || brokenOff || stopped != null;
+    private synchronized List<Elsewhere.Game> takeOrEnd(int most, Predicate<List<Member>> can)
+            throws InterruptedException {
+        List<Elsewhere.Game> games = take(most, can);
+        ended |= games.isEmpty();
+        return games;
     }
 
-    /** Plays the next games that it can, at most so many; whether there may be more. */
-    private boolean playNext(int most, Predicate<List<Member>> can, Player player) throws InterruptedException {
-        List<Elsewhere.Game> games;
-        synchronized (this) {
-            games = take(most, task -> can.test(members(task)));
-            if (games.isEmpty()) {
-                ended = true;
-                return false;
-            }
-        }
+    /** Plays games that were taken; whether there may be more. */
+    private boolean play(List<Elsewhere.Game> games, Player player) throws InterruptedException {
         List<List<StoredGame>> played = Collections.nCopies(games.size(), null);
         String problem = null;
         try {
@@ -261,10 +282,17 @@ public final class LeagueRun {
     }
 
     /** The next games, one if there is any, and more as long as none has to be waited for; none at the end. */
-    private List<Elsewhere.Game> take(int most, Predicate<Schedule.Task> can) throws InterruptedException {
+    private List<Elsewhere.Game> take(int most, Predicate<List<Member>> can) throws InterruptedException {
         List<Elsewhere.Game> games = new ArrayList<>();
-        for (Schedule.Task task = take(can); task != null; task = games.size() < most ? takeNow(can) : null) {
+        List<Member> bots = new ArrayList<>();
+        Predicate<Schedule.Task> fits = task -> {
+            List<Member> all = new ArrayList<>(bots);
+            all.addAll(members(task));
+            return can.test(all);
+        };
+        for (Schedule.Task task = take(fits); task != null; task = games.size() < most ? takeNow(fits) : null) {
             underWay++;
+            bots.addAll(members(task));
             games.add(new Elsewhere.Game(task, roster.settings(), members(task)));
         }
         return games;

@@ -27,6 +27,7 @@ import org.apache.activemq.artemis.api.core.client.ClientSessionFactory;
 import org.apache.activemq.artemis.api.core.client.ServerLocator;
 import org.apache.activemq.artemis.core.config.Configuration;
 import org.apache.activemq.artemis.core.config.impl.ConfigurationImpl;
+import org.apache.activemq.artemis.core.filter.impl.FilterImpl;
 import org.apache.activemq.artemis.core.remoting.impl.invm.InVMAcceptorFactory;
 import org.apache.activemq.artemis.core.remoting.impl.invm.InVMConnectorFactory;
 import org.apache.activemq.artemis.core.remoting.impl.netty.NettyAcceptorFactory;
@@ -250,6 +251,16 @@ public final class LeagueBroker implements AutoCloseable {
     /** The job is over, or taken away. */
     public void forget(String job) {
         leases.forget(job);
+    }
+
+    /** Offers a job no more; whoever has it may go on. */
+    public void withdraw(String job) {
+        try {
+            server.locateQueue(SimpleString.of(Queues.JOBS)).deleteMatchingReferences(
+                FilterImpl.createFilter(Queues.JOB + " = '" + job + "'"));
+        } catch (Exception stays) {
+            return;                                    // somebody will play it for nothing
+        }
     }
 
     /** The workers that are connected, by name. */

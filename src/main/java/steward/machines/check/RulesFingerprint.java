@@ -17,7 +17,7 @@ import steward.numerics.StateHash;
  */
 public final class RulesFingerprint {
 
-    /** The form in which games are sent, see {@link TranscriptWriter}: each change of it gives it another number. */
+    /** The form of what is sent, jobs and games ({@link TranscriptWriter}): each change gives it another number. */
     private static final int FORM = 2;
     private static final int TURNS = 40;
     private static final int SEEDS = 3;

@@ -22,16 +22,9 @@ import steward.machines.wire.GameJob;
 import steward.machines.wire.WireMessage;
 import steward.machines.wire.WorkerWord;
 
-/**
- * Jobs that are offered to workers, and what comes of them. Short games go together: what a job costs the broker is as
- * much as a short game. Thread-safe.
- */
+/** Jobs that are offered to workers, and what comes of them. Thread-safe. */
 final class OfferedJobs {
 
-    /** How long the games of a job should take together, in nanoseconds. */
-    private static final long JOB_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
-    /** By how much of the difference a job moves the mean time of a game. */
-    private static final double MOVE = 0.125;
     /** How much of a header the bots of a job may take, in characters as they may be written. */
     private static final int BOTS_SIZE = WireMessage.LONGEST_HEADER / 2;
     /** How often it is looked whether a job has to go to others, in milliseconds. */
@@ -51,15 +44,17 @@ final class OfferedJobs {
     /** Guarded by this. */
     private long jobs;
     private long games;
-    /** How long a worker has a game, on average; 0 if that is not known. */
-    private double gameNanos;
 
     /** A job, the bundles that it needs, and what comes of it: {@code null} if somebody else has to play it. */
     private record Offer(Set<String> needs, CompletableFuture<Told> told) {
     }
 
-    /** What a worker says of the games of a job that it has begun. */
-    record Told(String worker, List<WorkerWord.Played> games) {
+    /**
+     * What a worker says of the games of a job that it has begun.
+     *
+     * @param nanos for which it has had the job
+     */
+    record Told(String worker, List<WorkerWord.Played> games, long nanos) {
     }
 
     /**
@@ -77,12 +72,6 @@ final class OfferedJobs {
         this.anyConnected = anyConnected;
         this.canPlay = canPlay;
         this.teller = teller;
-    }
-
-    /** How many games should go together, from 1 to so many. */
-    synchronized int together(int most) {
-        double many = gameNanos == 0 ? 1 : JOB_NANOS / gameNanos;
-        return (int) Math.max(1, Math.min(Math.min(most, GameJob.MOST_GAMES), many));
     }
 
     /** How many have gone together, on average; 1 if none have. */
@@ -117,8 +106,12 @@ final class OfferedJobs {
         try {
             broker.offer(job, offer.needs(), new GameJob(job, asked).bytes());
             Told told = await(job, offer);
-            return told == null || told.games().size() <= asked.size() ? told
-                : new Told(told.worker(), told.games().subList(0, asked.size()));
+            if (told == null) {
+                broker.withdraw(job);
+                return null;
+            }
+            return told.games().size() <= asked.size() ? told
+                : new Told(told.worker(), told.games().subList(0, asked.size()), told.nanos());
         } finally {
             offers.remove(job);
             broker.forget(job);
@@ -161,11 +154,7 @@ final class OfferedJobs {
         if (offer == null || !worker.equals(broker.holder(result.job()))) {
             return;
         }
-        double each = (double) broker.heldNanos(result.job()) / Math.max(1, result.games().size());
-        synchronized (this) {
-            gameNanos += gameNanos == 0 ? each : MOVE * (each - gameNanos);
-        }
-        offer.told().complete(new Told(worker, result.games()));
+        offer.told().complete(new Told(worker, result.games(), broker.heldNanos(result.job())));
     }
 
     /** Some bots turn out not to run at a worker: what nobody can play goes to the league itself. */

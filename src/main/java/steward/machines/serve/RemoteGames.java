@@ -55,8 +55,6 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     public static final int MOST = 2500;
     private static final long POLL_MS = 200;
     private static final int LONGEST_TEXT = 200;
-    /** Of how many bots it is noted that they do not run at a worker. */
-    private static final int MOST_UNFIT = 10_000;
 
     private final LeagueFolder folder;
     private final Contest contest;
@@ -69,11 +67,14 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     private final Consumer<String> teller;
     private final SecureRandom random = new SecureRandom();
     private final OfferedJobs offered;
+    private final JobSize size = new JobSize();
     private final Map<String, Bundle> bundles = new ConcurrentHashMap<>();
     private final Map<String, Bundle> byStamp = new ConcurrentHashMap<>();
     private final Thread listening = new Thread(this::listen, "what workers say");
     private volatile WorkerList list;
     private volatile boolean closed;
+    /** Why no game can be kept any more, or {@code null}. */
+    private volatile InputException unusable;
     /** Whether a worker plays; as of the last look. */
     private volatile boolean anyConnected;
     private volatile SettingAside setter = (machine, why) -> 0;
@@ -145,8 +146,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             return 0;
         }
         taken++;
-        int places = Math.max(1, places());
-        return offered.together(settings.lag() * contest.players() / places);     // some are left for each place
+        return size.games(settings.lag() * contest.players() / (places() + 1));   // some are left for all
     }
 
     /** As many jobs as workers do at the same time, and some that wait, so that nobody has to. */
@@ -168,12 +168,26 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
 
     @Override
     public List<List<StoredGame>> play(List<Game> games) throws InterruptedException {
+        if (unusable != null) {
+            throw unusable;
+        }
         OfferedJobs.Told told = offered.play(games.stream().map(game -> new GameJob.Game(game.task().seed(),
             game.members().stream().map(this::seat).toList())).toList());
-        List<List<StoredGame>> played = new ArrayList<>();
-        for (int k = 0; k < games.size(); k++) {
-            played.add(told == null || k >= told.games().size() ? null
-                : believed(games.get(k), told.worker(), told.games().get(k)));
+        List<List<StoredGame>> played = new ArrayList<>(Collections.nCopies(games.size(), null));
+        int begun = told == null ? 0 : told.games().size();
+        int believed = 0;
+        for (int k = 0; k < begun && unusable == null; k++) {
+            try {
+                played.set(k, believed(games.get(k), told.worker(), told.games().get(k)));
+                believed += played.get(k) == null ? 0 : 1;
+            } catch (InputException problem) {
+                unusable = problem;                    // the games before it count
+            }
+        }
+        if (believed == begun && begun > 0) {
+            size.played(told.worker(), begun, told.nanos());
+        } else if (unusable != null && believed == 0) {
+            throw unusable;
         }
         return played;
     }
@@ -313,6 +327,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         Set<String> connected = broker.connected();
         synchronized (this) {
             workers.values().forEach(worker -> worker.slots = connected.contains(worker.name) ? worker.slots : 0);
+            workers.values().stream().filter(worker -> worker.slots == 0).forEach(worker -> size.forget(worker.name));
             anyConnected = workers.values().stream().anyMatch(worker -> worker.slots > 0);
             notifyAll();
         }
@@ -405,7 +420,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     private void unfit(WorkerState state, WorkerWord.Unfit unfit) {
         boolean isNew;
         synchronized (this) {
-            isNew = state.unfit.size() < MOST_UNFIT && state.unfit.add(unfit.bundle());
+            isNew = bundles.containsKey(unfit.bundle()) && state.unfit.add(unfit.bundle());
         }
         if (isNew) {
             say("worker " + state.name + " cannot play a bot: " + shown(unfit.reason()));

@@ -141,6 +141,9 @@ public interface WorkerWord {
             games.add(new Played(transcripts, starved, game.has("problem") ? game.text("problem") : null));
             game.done();
         }
+        if (games.isEmpty()) {
+            throw header.error("games", "none", "at least one that was begun");
+        }
         return new Result(header.text("job"), games);
     }
 }

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import steward.bot.command.BotCommand;
@@ -34,6 +35,8 @@ final class JobPlay {
 
     /** What a report has when no more games are added to it, in bytes. */
     private static final long LARGE = 1 << 20;
+    /** After so long no other game of a job is begun, in nanoseconds. */
+    private static final long LONG_NANOS = TimeUnit.SECONDS.toNanos(1);
     private static final int LONGEST_TEXT = 500;
 
     private final Contest contest;
@@ -128,7 +131,9 @@ final class JobPlay {
         }
         List<WorkerWord.Played> games = new ArrayList<>();
         long bytes = 0;
-        while (games.size() < matches.size() && bytes < LARGE && begins.getAsBoolean()) {
+        long began = System.nanoTime();
+        while (games.size() < matches.size() && bytes < LARGE && System.nanoTime() - began < LONG_NANOS
+            && begins.getAsBoolean()) {
             WorkerWord.Played played = play(matches.get(games.size()), job.games().get(games.size()).seed());
             bytes += played.transcripts().stream().mapToLong(each -> each.length).sum();
             games.add(played);

@@ -220,8 +220,7 @@ public final class Worker {
                         if (result.games().isEmpty()) {
                             return;                    // the last games are other places'
                         }
-                        taker.finish(result.bytes());
-                        played.addAndGet(result.games().size());
+                        report(taker, result);
                     } catch (JobPlay.UnfitException problem) {
                         unfit.put(problem.bundle(), JobPlay.shortened(problem.getMessage()));
                         teller.accept(problem.getMessage());
@@ -229,6 +228,18 @@ public final class Worker {
                     }
                 }
             }
+        }
+    }
+
+    /** Games that cannot be reported have not been played: they go to others. */
+    private void report(BrokerClient.Taker taker, WorkerWord.Result result) throws BrokenException {
+        boolean reported = false;
+        try {
+            taker.finish(result.bytes());
+            played.addAndGet(result.games().size());
+            reported = true;
+        } finally {
+            begun.addAndGet(reported ? 0 : -result.games().size());
         }
     }
 

