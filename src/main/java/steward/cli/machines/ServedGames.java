@@ -15,30 +15,29 @@ import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.page.WorkerRow;
 import steward.league.play.LeagueRun;
-import steward.league.play.Roster.Member;
 import steward.machines.check.WorkerBook;
+import steward.machines.serve.ForwardedGames;
 import steward.machines.serve.RemoteGames;
 import steward.machines.serve.WorkerSeen;
 
 /** Workers of a run, and what is shown of them. */
-final class ServedGames implements Serving.Service {
+final class ServedGames extends ForwardedGames implements Serving.Service {
 
-    private final RemoteGames games;
     private final Consumer<String> teller;
     private volatile WorkerBook book = new WorkerBook(Integer::toString);
 
     ServedGames(LeagueFolder folder, Season season, Contest contest, LeagueSettings settings,
                 InetSocketAddress address, double share, long leaseNanos, Consumer<String> teller) {
+        super(new RemoteGames(folder, season, contest, settings, Games.types(), new RemoteGames.Service(address,
+            share, leaseNanos, ProgramVersion.text()), teller));
         this.teller = teller;
-        games = new RemoteGames(folder, season, contest, settings, Games.types(), new RemoteGames.Service(address,
-            share, leaseNanos, ProgramVersion.text()), teller);
         teller.accept("workers can join at " + address.getHostString() + ":" + address.getPort());
     }
 
     @Override
     public void follow(LeagueRun run, Supplier<WorkerBook> read, Runnable changed) {
         book = read.get();
-        games.onCaught((machine, why) -> {
+        games().onCaught((machine, why) -> {
             int count = run.setAside(machine, why);
             book = read.get();
             changed.run();
@@ -56,7 +55,7 @@ final class ServedGames implements Serving.Service {
     public List<WorkerRow> workers() {
         Map<String, WorkerBook.Line> lines = book.lines().stream()
             .collect(Collectors.toMap(WorkerBook.Line::name, line -> line));
-        return games.seen().stream().map(worker -> row(worker, lines.getOrDefault(worker.name(),
+        return games().seen().stream().map(worker -> row(worker, lines.getOrDefault(worker.name(),
             new WorkerBook.Line(worker.name(), 0, 0, 0, 0, List.of())))).toList();
     }
 
@@ -67,32 +66,7 @@ final class ServedGames implements Serving.Service {
     }
 
     @Override
-    public int takePlace(long waitMs) throws InterruptedException {
-        return games.takePlace(waitMs);
-    }
-
-    @Override
-    public void leavePlace() {
-        games.leavePlace();
-    }
-
-    @Override
-    public List<List<StoredGame>> play(List<Game> together) throws InterruptedException {
-        return games.play(together);
-    }
-
-    @Override
-    public boolean canPlay(List<Member> members) {
-        return games.canPlay(members);
-    }
-
-    @Override
-    public boolean isTrusted(String machine) {
-        return games.isTrusted(machine);
-    }
-
-    @Override
     public void close() {
-        games.close();
+        games().close();
     }
 }

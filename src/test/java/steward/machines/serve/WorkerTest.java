@@ -201,8 +201,7 @@ class WorkerTest {
      * transcripts follows from the commands.
      */
     private void forge(BrokerClient client) throws BrokenException, InterruptedException {
-        client.say(WireMessage.bytes(new HeaderText().put("type", "hello").put("version", "1")
-            .put("bits", PhysicsFingerprint.text()).put("machine", "a forge").put("slots", 1)));
+        hello(client, "a forge");
         try (BrokerClient.Taker taker = client.taker(List.of())) {
             for (int games = 0;;) {
                 byte[] bytes = taker.take(500);
@@ -230,12 +229,25 @@ class WorkerTest {
         return new WorkerWord.Played(List.of(transcript.compressed()), List.of(false), null);
     }
 
+    private static void hello(BrokerClient client, String machine) throws BrokenException {
+        client.say(WireMessage.bytes(new HeaderText().put("type", "hello").put("version", "1")
+            .put("bits", PhysicsFingerprint.text()).put("machine", machine).put("slots", 1)));
+    }
+
+    /** Plays the first games of a job as it should. */
+    private void report(BrokerClient.Taker taker, GameJob job, int games) throws BrokenException, InterruptedException {
+        List<WorkerWord.Played> played = new ArrayList<>();
+        for (GameJob.Game game : job.games().subList(0, games)) {
+            played.add(played(game, true));
+        }
+        taker.finish(new WorkerWord.Result(job.id(), played).bytes());
+    }
+
     /** Of each second job it leaves out the last game, if it has several; how many it has left out. */
     private int leaveOut(BrokerClient client, CompletableFuture<String> run) throws BrokenException,
             InterruptedException {
         int left = 0;
-        client.say(WireMessage.bytes(new HeaderText().put("type", "hello").put("version", "1")
-            .put("bits", PhysicsFingerprint.text()).put("machine", "lazy").put("slots", 1)));
+        hello(client, "lazy");
         try (BrokerClient.Taker taker = client.taker(List.of())) {
             for (int jobs = 0; !run.isDone();) {
                 byte[] bytes = taker.take(500);
@@ -245,11 +257,7 @@ class WorkerTest {
                 GameJob job = GameJob.read(bytes, "a job", Bundle.LARGEST);
                 int games = Math.max(1, job.games().size() - jobs++ % 2);
                 left += job.games().size() - games;
-                List<WorkerWord.Played> played = new ArrayList<>();
-                for (GameJob.Game game : job.games().subList(0, games)) {
-                    played.add(played(game, true));
-                }
-                taker.finish(new WorkerWord.Result(job.id(), played).bytes());
+                report(taker, job, games);
             }
         } catch (BrokenException closed) {
             run.join();                                // which has ended, then
@@ -312,8 +320,7 @@ class WorkerTest {
             InterruptedException {
         List<String> unfit = new ArrayList<>();
         int games = 0;
-        client.say(WireMessage.bytes(new HeaderText().put("type", "hello").put("version", "1")
-            .put("bits", PhysicsFingerprint.text()).put("machine", "bare").put("slots", 1)));
+        hello(client, "bare");
         try {
             while (!run.isDone()) {
                 try (BrokerClient.Taker taker = client.taker(unfit)) {
@@ -330,12 +337,8 @@ class WorkerTest {
                             .put("reason", bot + " does not run here")));
                         continue;
                     }
-                    List<WorkerWord.Played> played = new ArrayList<>();
-                    for (GameJob.Game game : job.games()) {
-                        played.add(played(game, true));
-                    }
-                    taker.finish(new WorkerWord.Result(job.id(), played).bytes());
-                    games += played.size();
+                    report(taker, job, job.games().size());
+                    games += job.games().size();
                 }
             }
         } catch (BrokenException closed) {
