@@ -225,7 +225,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     private List<StoredGame> believed(Game game, String worker, WorkerWord.Played played) throws InterruptedException {
         WorkerState state = state(worker);
         if (played.problem() != null || played.transcripts().isEmpty()) {
-            say("worker " + worker + " could not play a game: " + shown(played.problem()));
+            unplayed(state, shown(played.problem()));
             return null;
         }
         List<StoredGame> attempts = List.of();
@@ -262,6 +262,18 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             if (!believed) {
                 attempts.forEach(attempt -> KeptGames.remove(folder, attempt));
             }
+        }
+    }
+
+    /** Says why a worker has not played a game, unless it was the same the last time. */
+    private void unplayed(WorkerState state, String why) {
+        boolean isNew;
+        synchronized (this) {
+            isNew = !why.equals(state.problem);
+            state.problem = why;
+        }
+        if (isNew) {
+            say("worker " + state.name + " could not play a game: " + why);
         }
     }
 

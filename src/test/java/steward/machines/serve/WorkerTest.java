@@ -14,7 +14,6 @@ import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.security.cert.X509Certificate;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -25,11 +24,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import javax.net.ssl.SSLContext;
 import javax.net.ssl.SSLException;
-import javax.net.ssl.SSLSocket;
-import javax.net.ssl.TrustManager;
-import javax.net.ssl.X509TrustManager;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -278,6 +273,33 @@ class WorkerTest {
         }
     }
 
+    /** A full disk, say: it is told once, and not for each game. */
+    @Test
+    void whyAWorkerPlaysNoGameIsToldOnce() throws Exception {
+        make("many");
+        WorkerToken token = token("many", "full");
+        CompletableFuture<String> run = serve("many", 60, "--threads", "1");
+        int jobs = 0;
+        try (BrokerClient client = client(token)) {
+            hello(client, "full");
+            try (BrokerClient.Taker taker = client.taker(List.of())) {
+                while (!run.isDone()) {
+                    byte[] bytes = taker.take(500);
+                    if (bytes != null) {
+                        GameJob job = GameJob.read(bytes, "a job", Bundle.LARGEST);
+                        taker.finish(new WorkerWord.Result(job.id(), List.of(new WorkerWord.Played(List.of(), List.of(),
+                            "no space left on device"))).bytes());
+                        jobs++;
+                    }
+                }
+            }
+        } catch (BrokenException closed) {
+            run.join();                                // which has ended, then
+        }
+        String said = run.join();
+        assertEquals(jobs == 0 ? 1 : 2, said.split("full could not play a game: no space left", -1).length, said);
+    }
+
     @Test
     void aWorkerThatForgesIsCaughtRevokedAndItsGamesAreSetAside() throws Exception {
         make("alone");
@@ -408,8 +430,9 @@ class WorkerTest {
                 int first = in.read();
                 assertTrue(first < 0 || first == 21, "closed, or an alert of TLS: " + first);
             }
-            assertThrows(SSLException.class, () -> shakeHands("TLSv1.2"));
-            assertEquals("TLSv1.3", shakeHands("TLSv1.3"), "the same client in the version that is wanted");
+            assertThrows(SSLException.class, () -> TrustingClient.shakeHands(port, "TLSv1.2"));
+            assertEquals("TLSv1.3", TrustingClient.shakeHands(port, "TLSv1.3"),
+                "the same client in the version that is wanted");
             done("worker", "revoke", "TMP/many", "good");
             assertThrows(BrokenException.class, () -> {
                 for (;;) {
@@ -417,32 +440,6 @@ class WorkerTest {
                 }
             });
             assertTrue(refused(good).contains("wrong or revoked"));
-        }
-    }
-
-    /** A client that trusts every key; which version of TLS it comes to. */
-    private String shakeHands(String version) throws Exception {
-        SSLContext context = SSLContext.getInstance("TLS");
-        context.init(null, new TrustManager[] {new X509TrustManager() {
-            @Override
-            public void checkClientTrusted(X509Certificate[] chain, String type) {
-                throw new IllegalStateException("there are no clients");
-            }
-
-            @Override
-            public void checkServerTrusted(X509Certificate[] chain, String type) {
-                assertEquals(1, chain.length);
-            }
-
-            @Override
-            public X509Certificate[] getAcceptedIssuers() {
-                return new X509Certificate[0];
-            }
-        }}, null);
-        try (SSLSocket socket = (SSLSocket) context.getSocketFactory().createSocket("127.0.0.1", port)) {
-            socket.setEnabledProtocols(new String[] {version});
-            socket.startHandshake();
-            return socket.getSession().getProtocol();
         }
     }
 
