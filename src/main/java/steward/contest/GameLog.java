@@ -5,13 +5,17 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import steward.Internal;
+import steward.game.FrameCodec;
+import steward.game.Game;
 import steward.match.MatchListener;
+import steward.match.MatchResult;
 import steward.match.Turn;
+import steward.replay.TranscriptDigest;
 import steward.text.TextFormat;
 
 /**
  * Follows one game and collects what its result does not contain: why bots failed, with the last lines they wrote to
- * stderr, and how long each answer took. A turn costs it a few additions.
+ * stderr, how long each answer took, and {@link GameFacts}. A turn costs it the writing of its commands.
  */
 @Internal
 public final class GameLog implements MatchListener {
@@ -26,7 +30,11 @@ public final class GameLog implements MatchListener {
     private final int[] answers;
     private final AnswerTimes[] times;
     private final List<Failure> failures = new ArrayList<>();
+    private final TranscriptDigest digest = new TranscriptDigest();
     private volatile int turns;
+    private Game game;
+    private FrameCodec codec;
+    private GameFacts facts;
 
     /** @param rotation by how many places the bots have moved up */
     public GameLog(Contest contest, int rotation) {
@@ -43,7 +51,14 @@ public final class GameLog implements MatchListener {
     }
 
     @Override
+    public void start(Game startedGame, FrameCodec startedCodec) {
+        game = startedGame;
+        codec = startedCodec;
+    }
+
+    @Override
     public void commands(Turn turn) {
+        digest.commands(turn, codec);
         for (int player = 0; player < turn.players(); player++) {
             if (!turn.asked(player)) {
                 continue;
@@ -67,6 +82,12 @@ public final class GameLog implements MatchListener {
     @Override
     public void played(Turn turn) {
         turns = turn.number();
+        digest.played(game);
+    }
+
+    @Override
+    public void end(MatchResult result) {
+        facts = GameFacts.of(game, digest);
     }
 
     /** Keeps the last texts, latest first; they are split into lines only if a bot fails. */
@@ -108,6 +129,11 @@ public final class GameLog implements MatchListener {
     /** How long answers took, by player; when the game is over. */
     List<AnswerTimes> times() {
         return List.of(times);
+    }
+
+    /** What the result does not contain; nothing is known of a game without a result. */
+    public GameFacts facts() {
+        return facts == null ? GameFacts.UNKNOWN : facts;
     }
 
     /** The failures, in the order in which they happened; when the game is over. */

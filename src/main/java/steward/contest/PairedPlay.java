@@ -177,7 +177,7 @@ public final class PairedPlay {
                 }
                 number++;
                 played = new Series.Played(number, game.seed(), game.rotation(), result, problem,
-                    log.failures().stream().map(Failure::brief).toList(), null, before);
+                    log.failures().stream().map(Failure::brief).toList(), null, log.facts(), before);
             }
             if (!hiccups.demandAnother(played)) {
                 break;

@@ -3,6 +3,7 @@ package steward.contest;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import steward.Internal;
 import steward.files.OutputFiles;
 import steward.match.MatchResult;
 
@@ -34,15 +35,23 @@ public record Series(Contest contest, long first, int seeds, boolean swap, Path 
      * @param failure  why it could not, or {@code null}
      * @param failures of bots, in the order in which they happened, without lines of stderr
      * @param replay   where it is, or {@code null} if there is none
+     * @param facts    what the result does not contain
      * @param starved  the same game as it was played before, which does not count since the machine was starved, see
      *                 {@link Hiccups#REPLAY}; or {@code null}
      */
     public record Played(int number, long seed, int rotation, MatchResult result, String failure,
-                         List<Failure> failures, Path replay, Played starved) {
+                         List<Failure> failures, Path replay, @Internal GameFacts facts, Played starved) {
 
         /** Copies the list. */
+        @Internal
         public Played {
             failures = List.copyOf(failures);
+        }
+
+        /** One of which nothing else is known. */
+        public Played(int number, long seed, int rotation, MatchResult result, String failure,
+                      List<Failure> failures, Path replay, Played starved) {
+            this(number, seed, rotation, result, failure, failures, replay, GameFacts.UNKNOWN, starved);
         }
 
         /** One that was played once. */
@@ -72,11 +81,11 @@ public record Series(Contest contest, long first, int seeds, boolean swap, Path 
         }
 
         Played without(String problem) {
-            return new Played(number, seed, rotation, null, problem, failures, replay, starved);
+            return new Played(number, seed, rotation, null, problem, failures, replay, GameFacts.UNKNOWN, starved);
         }
 
         Played keptAs(Path file) {
-            return new Played(number, seed, rotation, result, failure, failures, file, starved);
+            return new Played(number, seed, rotation, result, failure, failures, file, facts, starved);
         }
     }
 

@@ -179,7 +179,7 @@ public final class SeriesPlay {
         boolean broken = file != null && file.isBroken();
         Series.Played played = new Series.Played(game.number(), game.seed(), game.rotation(), broken ? null : found,
             failed, game.log().failures().stream().map(Failure::brief).toList(), file == null ? null : file.path(),
-            game.before());
+            game.log().facts(), game.before());
         if (file != null && played.result() == null) {
             file.removeIfEmpty();
         }

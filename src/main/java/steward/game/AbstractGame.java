@@ -2,6 +2,11 @@ package steward.game;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.function.IntToDoubleFunction;
+import java.util.stream.IntStream;
 import steward.numerics.StateHash;
 import steward.physics.TurnLog;
 
@@ -47,6 +52,11 @@ public abstract class AbstractGame implements Game {
         outTurn = other.outTurn.clone();
         turn = other.turn;
         ending = other.ending;
+    }
+
+    /** One own value by its name, as {@link #ownValues} tells it. */
+    protected final SortedMap<String, double[]> ownValue(String name, IntToDoubleFunction ofPlayer) {
+        return new TreeMap<>(Map.of(name, IntStream.range(0, players()).mapToDouble(ofPlayer).toArray()));
     }
 
     /** The rules of one turn; turn, log and events are ready for it. */

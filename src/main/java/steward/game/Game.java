@@ -1,6 +1,8 @@
 package steward.game;
 
+import java.util.Collections;
 import java.util.List;
+import java.util.SortedMap;
 import steward.Internal;
 import steward.physics.Bodies;
 import steward.physics.TurnLog;
@@ -46,6 +48,14 @@ public interface Game {
      * {@link #lowerScoreIsBetter} never the higher one.
      */
     double[] scores();
+
+    /**
+     * The game's own values beside the score, such as laps or water, by name in alphabetical order: a number for each
+     * player. A name is letters of one word.
+     */
+    default SortedMap<String, double[]> ownValues() {
+        return Collections.emptySortedMap();
+    }
 
     /** Whether a lower score is better, as where it is a time. */
     default boolean lowerScoreIsBetter() {

@@ -1,7 +1,13 @@
 package steward.league;
 
+import java.util.Collections;
 import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import steward.contest.GameFacts;
 
 /**
  * One game as it is stored: an observation that any rating can be computed from.
@@ -17,14 +23,25 @@ import java.util.stream.Collectors;
  * @param played   when it ended, in milliseconds since 1970
  * @param machine  on what it was played
  * @param replay   its file in the folder of replays, or {@code null}
+ * @param transcript
+ *                 digest of all commands and states, see {@link GameFacts}; 0 if it is not known
  * @param seats    one for each player, in order
  */
 public record StoredGame(long id, byte[] name, int decision, long seed, int attempt, boolean counts, int turns,
-                         String problem, long played, String machine, String replay, List<StoredSeat> seats) {
+                         String problem, long played, String machine, String replay, long transcript,
+                         List<StoredSeat> seats) {
+
+    private static final Pattern VALUE = Pattern.compile("([A-Za-z]+)=(-?[0-9]+(?:\\.[0-9]+)?(?:E-?[0-9]+)?)");
 
     /** Copies the list. */
     public StoredGame {
         seats = List.copyOf(seats);
+    }
+
+    /** A game whose transcript is not known. */
+    public StoredGame(long id, byte[] name, int decision, long seed, int attempt, boolean counts, int turns,
+                      String problem, long played, String machine, String replay, List<StoredSeat> seats) {
+        this(id, name, decision, seed, attempt, counts, turns, problem, played, machine, replay, 0, seats);
     }
 
     /**
@@ -38,9 +55,45 @@ public record StoredGame(long id, byte[] name, int decision, long seed, int atte
      * @param meanNanos   mean answer time
      * @param worstNanos  the longest
      * @param firstNanos  that of the first answer
+     * @param values      the game's own, by name; empty if they are not known
      */
     public record StoredSeat(int version, int rank, double score, String fault, int answers, long meanNanos,
-                             long worstNanos, long firstNanos) {
+                             long worstNanos, long firstNanos, SortedMap<String, Double> values) {
+
+        /** A player whose own values are not known. */
+        public StoredSeat(int version, int rank, double score, String fault, int answers, long meanNanos,
+                          long worstNanos, long firstNanos) {
+            this(version, rank, score, fault, answers, meanNanos, worstNanos, firstNanos,
+                Collections.emptySortedMap());
+        }
+
+        /** The own values as a text: {@code laps=2.0}, apart by blanks; empty if they are not known. */
+        public String valuesText() {
+            return text(values);
+        }
+
+        /** Own values as {@link #valuesText} writes them. */
+        public static String text(SortedMap<String, Double> values) {
+            return values.entrySet().stream().map(value -> value.getKey() + "=" + value.getValue())
+                .collect(Collectors.joining(" "));
+        }
+
+        /**
+         * Reads own values.
+         *
+         * @param text as {@link #valuesText} writes them; {@code null} is empty
+         * @throws IllegalArgumentException if it is something else
+         */
+        public static SortedMap<String, Double> values(String text) {
+            SortedMap<String, Double> values = new TreeMap<>();
+            for (String each : text == null || text.isEmpty() ? new String[0] : text.split(" ")) {
+                Matcher value = VALUE.matcher(each);
+                if (!value.matches() || values.put(value.group(1), Double.valueOf(value.group(2))) != null) {
+                    throw new IllegalArgumentException("found '" + each + "', expected a name, = and a number");
+                }
+            }
+            return values;
+        }
     }
 
     /** The versions in the order of seats. */

@@ -134,15 +134,7 @@ public final class ReplayLines {
         open(TURN);
         JsonNumbers.write(out, Name.TURN, turn.number());
         out.writeName(Name.COMMANDS);
-        out.writeStartArray();
-        for (int player = 0; player < turn.players(); player++) {
-            if (turn.answered(player) || turn.asked(player) && codec.state().hasPartialCommand(player)) {
-                codec.state().writeCommand(out, player);
-            } else {
-                out.writeNull();
-            }
-        }
-        out.writeEndArray();
+        TranscriptDigest.write(out, turn.players(), turn::answered, turn::asked, codec);
         writeTexts(Text.FAULT, turn);
     }
 

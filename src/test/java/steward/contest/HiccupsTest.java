@@ -22,6 +22,7 @@ import steward.bot.TimeBasis;
 import steward.bot.TimeSpent;
 import steward.cli.shared.Games;
 import steward.files.InputException;
+import steward.game.Game;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
 import steward.match.Protocol;
@@ -67,6 +68,8 @@ class HiccupsTest {
         End end = ends.get(played.size());
         played.add(seed + "/" + rotation + " " + end);
         int me = rotation == 0 ? 0 : 1;
+        Game game = contest().setup().create(seed);
+        follower.start(game, contest().setup().codec(game));
         try {
             if (recording != null) {
                 recording.write(("header\n" + end + "\n").getBytes(StandardCharsets.US_ASCII));

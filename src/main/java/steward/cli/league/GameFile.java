@@ -138,6 +138,7 @@ final class GameFile {
                 List<String> missing = new ArrayList<>(GameLine.GAME);
                 missing.addAll(GameLine.SEAT);
                 missing.removeAll(heads);
+                missing.removeAll(GameLine.OPTIONAL);
                 if (!missing.isEmpty()) {
                     throw new InputException(place + ": found no column " + missing.get(0)
                         + ", expected the columns of 'league export'");

@@ -118,19 +118,20 @@ public final class StoredSeries implements AutoCloseable {
             Version version = versions.get(game.entrantOf(contest, player));
             identities[player] = version.identity();
             seats.add(result == null ? new StoredSeat(version.id(), 0, 0, null, 0, 0, 0, 0)
-                : seat(version, player, result, game.failures()));
+                : seat(version, player, result, game));
         }
         return new StoredGame(0, GameName.of(season, game.seed(), Arrays.asList(identities), attempt), -1, game.seed(),
             attempt, last && result != null, result == null ? 0 : result.turns(), result == null
-                ? String.valueOf(game.failure()) : null, System.currentTimeMillis(), machine, null, seats);
+                ? String.valueOf(game.failure()) : null, System.currentTimeMillis(), machine, null,
+            game.facts().transcript(), seats);
     }
 
-    private static StoredSeat seat(Version version, int player, MatchResult result, List<Failure> failures) {
+    private static StoredSeat seat(Version version, int player, MatchResult result, Series.Played game) {
         MatchResult.PlayerResult found = result.players().get(player);
-        String fault = found.fault() == null ? null : failures.stream().filter(each -> each.player() == player)
+        String fault = found.fault() == null ? null : game.failures().stream().filter(each -> each.player() == player)
             .map(Failure::kind).findFirst().orElse(found.fault());
         return new StoredSeat(version.id(), found.rank(), found.score(), fault, found.answers(), found.averageNanos(),
-            found.worstNanos(), found.firstNanos());
+            found.worstNanos(), found.firstNanos(), game.facts().values(player));
     }
 
     /** The game as it is stored, by player, more is better; {@code null} if it is not there. */

@@ -1,5 +1,6 @@
 package steward.game.fantasticbits;
 
+import java.util.SortedMap;
 import steward.game.AbstractGame;
 import steward.game.TurnEvent;
 import steward.physics.Advance;
@@ -192,6 +193,12 @@ public final class FantasticBits extends AbstractGame {
     @Override
     public double[] scores() {
         return new double[] {standing(0), standing(1)};
+    }
+
+    /** Goals, also of a player who is out. */
+    @Override
+    public SortedMap<String, double[]> ownValues() {
+        return ownValue("goals", player -> scores[player]);
     }
 
     private int standing(int player) {

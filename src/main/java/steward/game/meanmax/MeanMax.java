@@ -1,6 +1,7 @@
 package steward.game.meanmax;
 
 import java.util.List;
+import java.util.SortedMap;
 import steward.game.AbstractGame;
 import steward.game.TurnEvent;
 import steward.physics.Advance;
@@ -249,6 +250,12 @@ public final class MeanMax extends AbstractGame {
             of[player] = scores[player];
         }
         return of;
+    }
+
+    /** Water that was collected. */
+    @Override
+    public SortedMap<String, double[]> ownValues() {
+        return ownValue("water", player -> scores[player]);
     }
 
     /** The settings from the scene. */

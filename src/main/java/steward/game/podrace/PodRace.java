@@ -2,6 +2,7 @@ package steward.game.podrace;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.SortedMap;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 import steward.Internal;
@@ -281,6 +282,12 @@ public final class PodRace extends AbstractGame {
     @Override
     public double[] scores() {
         return standing.scores();
+    }
+
+    /** Whole laps of the best pod. */
+    @Override
+    public SortedMap<String, double[]> ownValues() {
+        return ownValue("laps", player -> passed[standing.bestPod(player)] / checkpoints.length);
     }
 
     public Advance advance() {

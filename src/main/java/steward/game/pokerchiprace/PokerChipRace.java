@@ -1,6 +1,7 @@
 package steward.game.pokerchiprace;
 
 import java.util.Arrays;
+import java.util.SortedMap;
 import steward.game.AbstractGame;
 import steward.game.TurnEvent;
 import steward.numerics.StrictAngles;
@@ -225,6 +226,12 @@ public final class PokerChipRace extends AbstractGame {
             of[player] = ranking.score(player);
         }
         return of;
+    }
+
+    /** Chips that are left. */
+    @Override
+    public SortedMap<String, double[]> ownValues() {
+        return ownValue("chips", player -> table().owned(player));
     }
 
     /** The score of a player now. */

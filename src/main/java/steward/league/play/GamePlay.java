@@ -89,7 +89,8 @@ public record GamePlay(Season season, Contest contest, Recordings recordings, St
         String replay = recording == null || recording.size() == 0 ? null : recordings.take(name,
             recording.toByteArray(), KeptGames.keeps(settings, result != null, seats, names));
         return new StoredGame(0, name, task.decision(), task.seed(), attempt, last && result != null,
-            result == null ? 0 : result.turns(), problem, clock.getAsLong(), machine, replay, seats);
+            result == null ? 0 : result.turns(), problem, clock.getAsLong(), machine, replay,
+            log.facts().transcript(), seats);
     }
 
     /** The game's name. */
@@ -107,6 +108,6 @@ public record GamePlay(Season season, Contest contest, Recordings recordings, St
         String fault = player.fault() == null ? null : log.failures().stream()
             .filter(failure -> failure.player() == seat).map(Failure::kind).findFirst().orElse(player.fault());
         return new StoredSeat(version, player.rank(), player.score(), fault, player.answers(), player.averageNanos(),
-            player.worstNanos(), player.firstNanos());
+            player.worstNanos(), player.firstNanos(), log.facts().values(seat));
     }
 }

@@ -6,12 +6,14 @@ import java.util.HexFormat;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.SortedMap;
 import steward.files.InputException;
 import steward.league.GameName;
 import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
 import steward.league.store.GameStore.Version;
+import steward.numerics.StateHash;
 
 /**
  * One game as a line of text fields, for other programs and other leagues: what it was, and each seat with the identity
@@ -19,12 +21,17 @@ import steward.league.store.GameStore.Version;
  */
 public final class GameLine {
 
+    private static final String TRANSCRIPT = "transcript";
+    private static final String VALUES = "values";
+
     /** The fields of the game itself. */
     public static final List<String> GAME = List.of("name", "sceneKey", "limits", "rules", "decision", "seed",
-        "attempt", "counts", "turns", "problem", "played", "machine");
+        "attempt", "counts", "turns", "problem", "played", "machine", GameLine.TRANSCRIPT);
     /** The fields of a seat. */
     public static final List<String> SEAT = List.of("bot", "number", "identity", "command", "random", "rank", "score",
-        "fault", "answers", "meanNanos", "worstNanos", "firstNanos");
+        "fault", "answers", "meanNanos", "worstNanos", "firstNanos", GameLine.VALUES);
+    /** Fields that games exported by earlier versions do not have. */
+    public static final List<String> OPTIONAL = List.of(GameLine.TRANSCRIPT, GameLine.VALUES);
 
     private GameLine() {
     }
@@ -35,7 +42,8 @@ public final class GameLine {
         List<String> values = List.of(HexFormat.of().formatHex(game.name()), season.sceneKey(), season.limits(),
             season.rules(), game.decision() < 0 ? "" : Integer.toString(game.decision()), Long.toString(game.seed()),
             Integer.toString(game.attempt()), Boolean.toString(game.counts()), Integer.toString(game.turns()),
-            game.problem() == null ? "" : game.problem(), Long.toString(game.played()), game.machine());
+            game.problem() == null ? "" : game.problem(), Long.toString(game.played()), game.machine(),
+            game.transcript() == 0 ? "" : StateHash.toHex(game.transcript()));
         for (int k = 0; k < GAME.size(); k++) {
             fields.put(GAME.get(k), values.get(k));
         }
@@ -48,7 +56,8 @@ public final class GameLine {
         List<String> values = List.of(version.bot(), Integer.toString(version.number()), version.identity(),
             version.command(), Boolean.toString(version.random()), Integer.toString(seat.rank()),
             Double.toString(seat.score()), seat.fault() == null ? "" : seat.fault(), Integer.toString(seat.answers()),
-            Long.toString(seat.meanNanos()), Long.toString(seat.worstNanos()), Long.toString(seat.firstNanos()));
+            Long.toString(seat.meanNanos()), Long.toString(seat.worstNanos()), Long.toString(seat.firstNanos()),
+            seat.valuesText());
         for (int k = 0; k < SEAT.size(); k++) {
             fields.put(SEAT.get(k), values.get(k));
         }
@@ -110,7 +119,8 @@ public final class GameLine {
                 : (int) number(place, game, "decision", 0, Integer.MAX_VALUE), seed, attempt,
                 flag(place, game, "counts") && problem.isEmpty(),
                 (int) number(place, game, "turns", 0, Integer.MAX_VALUE), problem.isEmpty() ? null : problem,
-                number(place, game, "played", 0, Long.MAX_VALUE), text(place, game, "machine"), null, stored);
+                number(place, game, "played", 0, Long.MAX_VALUE), text(place, game, "machine"), null,
+                transcript(place, game), stored);
         }
 
         private static int checked(String place, Map<String, String> seat) {
@@ -128,7 +138,24 @@ public final class GameLine {
                 (int) number(place, seat, "answers", 0, Integer.MAX_VALUE),
                 number(place, seat, "meanNanos", 0, Long.MAX_VALUE),
                 number(place, seat, "worstNanos", 0, Long.MAX_VALUE),
-                number(place, seat, "firstNanos", 0, Long.MAX_VALUE));
+                number(place, seat, "firstNanos", 0, Long.MAX_VALUE), values(place, seat));
+        }
+
+        private static long transcript(String place, Map<String, String> game) {
+            String found = game.getOrDefault(TRANSCRIPT, "");
+            if (!found.isEmpty() && !found.matches("[0-9a-f]{16}")) {
+                throw new InputException(place + ": " + TRANSCRIPT + ": found '" + found
+                    + "', expected 16 hexadecimal digits");
+            }
+            return found.isEmpty() ? 0 : Long.parseUnsignedLong(found, 16);
+        }
+
+        private static SortedMap<String, Double> values(String place, Map<String, String> seat) {
+            try {
+                return StoredSeat.values(seat.getOrDefault(VALUES, ""));
+            } catch (IllegalArgumentException problem) {
+                throw new InputException(place + ": " + VALUES + ": " + problem.getMessage());
+            }
         }
 
         private static double score(String place, Map<String, String> seat) {

@@ -26,7 +26,8 @@ public final class GameQueries {
         + "(SELECT id FROM game WHERE counts = 0) GROUP BY version";
     private static final String GAME = "SELECT g.id, g.name, g.decision, g.seed, g.attempt, g.counts, g.turns, "
         + "g.problem, g.played, m.name, g.replay, s.version, s.rank, s.score, s.fault, s.answers, s.mean_nanos, "
-        + "s.worst_nanos, s.first_nanos FROM game g JOIN machine m ON m.id = g.machine JOIN seat s ON s.game = g.id ";
+        + "s.worst_nanos, s.first_nanos, s.own, coalesce(g.transcript, 0) "
+        + "FROM game g JOIN machine m ON m.id = g.machine JOIN seat s ON s.game = g.id ";
 
     /** In the order in which the games were stored; a lineup and the ranks as one number, which is fetched at once. */
     private static final String CLUSTER = "SELECT seed, lineup << 32 | CAST(replace(ranks, ' ', '') AS INTEGER), "
@@ -305,7 +306,8 @@ public final class GameQueries {
                         seats.clear();
                     }
                     seats.add(new StoredSeat(row.getInt(12), row.getInt(13), row.getDouble(14), row.getString(15),
-                        row.getInt(16), row.getLong(17), row.getLong(18), row.getLong(19)));
+                        row.getInt(16), row.getLong(17), row.getLong(18), row.getLong(19),
+                        StoredSeat.values(row.getString(20))));
                 }
                 deliver(reader, game, seats);
             }
@@ -317,13 +319,14 @@ public final class GameQueries {
         int decision = row.getInt(3);
         return new StoredGame(row.getLong(1), row.getBytes(2), row.wasNull() ? -1 : decision, row.getLong(4),
             row.getInt(5), row.getBoolean(6), row.getInt(7), row.getString(8), row.getLong(9), row.getString(10),
-            row.getString(11), List.of());
+            row.getString(11), row.getLong(21), List.of());
     }
 
     private static void deliver(Consumer<StoredGame> reader, StoredGame head, List<StoredSeat> seats) {
         if (head != null) {
             reader.accept(new StoredGame(head.id(), head.name(), head.decision(), head.seed(), head.attempt(),
-                head.counts(), head.turns(), head.problem(), head.played(), head.machine(), head.replay(), seats));
+                head.counts(), head.turns(), head.problem(), head.played(), head.machine(), head.replay(),
+                head.transcript(), seats));
         }
     }
 }

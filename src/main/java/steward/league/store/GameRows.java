@@ -46,8 +46,8 @@ final class GameRows {
 
     private boolean add(int season, StoredGame game) throws SQLException {
         PreparedStatement row = database.statement("INSERT INTO game (name, season, decision, seed, lineup, ranks, "
-            + "attempt, counts, turns, problem, played, machine, replay) "
-            + "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (name) DO NOTHING");
+            + "attempt, counts, turns, problem, played, machine, replay, transcript) "
+            + "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (name) DO NOTHING");
         row.setBytes(1, game.name());
         row.setInt(2, season);
         if (game.decision() < 0) {
@@ -65,6 +65,7 @@ final class GameRows {
         row.setLong(11, game.played());
         row.setLong(12, machine(game.machine()));
         row.setString(13, game.replay());
+        row.setObject(14, game.transcript() == 0 ? null : game.transcript());
         if (row.executeUpdate() == 0) {
             return false;
         }
@@ -77,7 +78,7 @@ final class GameRows {
 
     private void addSeat(int season, long game, int place, StoredSeat seat) throws SQLException {
         PreparedStatement row = database.statement("INSERT INTO seat (season, version, game, seat, rank, score, fault, "
-            + "answers, mean_nanos, worst_nanos, first_nanos) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+            + "answers, mean_nanos, worst_nanos, first_nanos, own) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
         row.setInt(1, season);
         row.setInt(2, seat.version());
         row.setLong(3, game);
@@ -89,6 +90,7 @@ final class GameRows {
         row.setLong(9, seat.meanNanos());
         row.setLong(10, seat.worstNanos());
         row.setLong(11, seat.firstNanos());
+        row.setString(12, seat.values().isEmpty() ? null : seat.valuesText());
         row.executeUpdate();
     }
 

@@ -5,6 +5,7 @@ import java.sql.ResultSet;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import steward.contest.GameFacts;
 import steward.files.InputException;
 import steward.league.LeagueFolder;
 import steward.league.Season;
@@ -302,6 +303,40 @@ public final class GameStore implements AutoCloseable {
                 database.update("UPDATE game SET replay = NULL WHERE id = ?", game);
             }
             return null;
+        });
+    }
+
+    /**
+     * A game that counts, whose replay is kept and whose transcript is not known: earlier versions did not keep it.
+     *
+     * @param id     its number
+     * @param replay its path in the folder of replays
+     */
+    public record Unknown(long id, String replay) {
+    }
+
+    /** Games whose transcripts can be computed from their replays. */
+    public List<Unknown> unknown() {
+        return database.with(() -> {
+            List<Unknown> games = new ArrayList<>();
+            try (ResultSet row = database.query("SELECT id, replay FROM game WHERE replay IS NOT NULL AND counts = 1 "
+                + "AND transcript IS NULL")) {
+                while (row.next()) {
+                    games.add(new Unknown(row.getLong(1), row.getString(2)));
+                }
+            }
+            return games;
+        });
+    }
+
+    /** Adds the transcript and the own values of a game that is there. */
+    public void add(long game, GameFacts facts) {
+        database.inTransaction(() -> {
+            for (int seat = 0; seat < facts.values().size(); seat++) {
+                database.update("UPDATE seat SET own = ? WHERE game = ? AND seat = ?",
+                    StoredGame.StoredSeat.text(facts.values(seat)), game, seat);
+            }
+            return database.update("UPDATE game SET transcript = ? WHERE id = ?", facts.transcript(), game);
         });
     }
 

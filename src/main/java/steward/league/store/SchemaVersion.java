@@ -83,7 +83,9 @@ final class SchemaVersion {
         "CREATE INDEX game_with_replay ON game (id) WHERE replay IS NOT NULL"),
         // Form 1 compared all scores as if higher ones were better; its only game for one player was Search Race.
         List.of("ALTER TABLE season ADD COLUMN lower_is_better INTEGER NOT NULL DEFAULT 0",
-            "UPDATE season SET lower_is_better = 1 WHERE players = 1"));
+            "UPDATE season SET lower_is_better = 1 WHERE players = 1"),
+        // Earlier games get theirs from their replays, where these are kept.
+        List.of("ALTER TABLE game ADD COLUMN transcript INTEGER", "ALTER TABLE seat ADD COLUMN own TEXT"));
 
     /** The newest one. */
     static final int NEWEST = STEPS.size();

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import steward.contest.Contest;
 import steward.contest.Failure;
+import steward.contest.GameFacts;
 import steward.game.GameTypes;
 import steward.game.JsonNumbers;
 import steward.match.Protocol;
@@ -71,9 +72,10 @@ public final class ReplayCheck {
      * What a game came to.
      *
      * @param turns how many were played
+     * @param facts what a result does not contain
      * @param seats one for each player
      */
-    public record Outcome(int turns, List<Seat> seats) {
+    public record Outcome(int turns, GameFacts facts, List<Seat> seats) {
 
         /** Copies the list. */
         public Outcome {
@@ -89,7 +91,8 @@ public final class ReplayCheck {
      * @throws DisprovedException if it is not the replay of that game, or differs when it is played again
      */
     public Outcome check(String source, byte[] gzip, Expected expected) throws DisprovedException {
-        try (ReplayReader replay = new ReplayReader(GzipText.open(gzip), source)) {
+        try (ReplayReader replay = new ReplayReader(GzipText.open(gzip), source);
+             ReplayReader second = new ReplayReader(GzipText.open(gzip), source)) {
             checkHeader(replay, expected);
             int[] asked = new int[contest.players()];
             Verification verification = Verification.of(replay, types, asked);
@@ -102,7 +105,7 @@ public final class ReplayCheck {
                     + (verification.warning() == null ? "a replay whose signature is wrong" : "a replay that is cut "
                     + "off") + ", expected a whole one");
             }
-            return outcome(replay, verification.turns(), asked);
+            return outcome(replay, verification.turns(), GameFacts.of(second, types), asked);
         } catch (ReplayException | SceneException | JacksonException problem) {
             throw new DisprovedException(String.valueOf(problem.getMessage()));
         } catch (IOException | UncheckedIOException problem) {
@@ -130,7 +133,7 @@ public final class ReplayCheck {
     }
 
     /** The last line has just been compared with what the game came to: but for its times it is as we would write. */
-    private Outcome outcome(ReplayReader replay, int turns, int... asked) {
+    private Outcome outcome(ReplayReader replay, int turns, GameFacts facts, int... asked) {
         JsonLine result = replay.result();
         List<JsonLine> standing = result.objects("standing");
         String[] faults = result.textsOf("players", "fault");
@@ -145,7 +148,7 @@ public final class ReplayCheck {
             seats.add(new Seat(standing.get(player).integer("rank"), standing.get(player).number("score", 0), fault,
                 asked[player], mean[player], worst[player], first[player]));
         }
-        return new Outcome(turns, seats);
+        return new Outcome(turns, facts, seats);
     }
 
     /** What was measured; 0 where nothing is said. */

@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Set;
 import steward.contest.Contest;
 import steward.contest.Failure;
+import steward.contest.GameFacts;
 import steward.game.Game;
 import steward.game.JsonNumbers;
 import steward.match.MatchListener;
@@ -22,6 +23,7 @@ import steward.replay.RecordedTurn;
 import steward.replay.ReplayException;
 import steward.replay.ReplayHeader;
 import steward.replay.ReplayWriter;
+import steward.replay.TranscriptDigest;
 import steward.replay.verify.Difference;
 import steward.replay.verify.Resimulation;
 import steward.scene.json.JsonProblem;
@@ -119,6 +121,7 @@ public final class TranscriptCheck {
         private final String[] faults = new String[players];
         private final int[] asked = new int[players];
         private final StatesHash states;
+        private final TranscriptDigest digest = new TranscriptDigest();
         private final MatchListener listener;
         private final ReplayHeader header;
         private final List<RecordedTurn> turns;
@@ -213,13 +216,11 @@ public final class TranscriptCheck {
 
         /** A turn of nothing but commands, which have been read. The last line is an object and never such a turn. */
         private void plainTurn(int behind) {
-            Turn turn = listener == null ? null : Turn.of(game.turn() + 1, players);
+            Turn turn = Turn.of(game.turn() + 1, players);
             for (int player = 0; player < players; player++) {
                 if (game.isIn(player)) {
                     asked[player]++;
-                    if (turn != null) {
-                        turn.answer(player, null, null, nanos());
-                    }
+                    turn.answer(player, null, null, listener == null ? 0 : nanos());
                 }
             }
             if (turns != null) {
@@ -231,10 +232,12 @@ public final class TranscriptCheck {
         }
 
         private void play(Turn turn) {
+            digest.commands(turn, again.codec());
             if (listener != null) {
                 listener.commands(turn);
             }
             game.play();
+            digest.played(game);
             if (listener != null) {
                 listener.played(turn);
             }
@@ -319,7 +322,7 @@ public final class TranscriptCheck {
             if (listener != null) {
                 listener.end(result);
             }
-            return new ReplayCheck.Outcome(game.turn(), seats);
+            return new ReplayCheck.Outcome(game.turn(), GameFacts.of(game, digest), seats);
         }
 
         private long[] numbers(String name) {

@@ -12,6 +12,7 @@ import steward.game.JsonNumbers;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
 import steward.match.Turn;
+import steward.replay.TranscriptDigest;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.ObjectWriteContext;
 
@@ -83,18 +84,12 @@ public final class TranscriptWriter implements MatchListener {
             out.writeStartObject();
             out.writeName("commands");
         }
-        out.writeStartArray();
+        TranscriptDigest.write(out, turn.players(), turn::answered, turn::asked, codec);
         for (int player = 0; player < turn.players(); player++) {
-            if (turn.answered(player) || turn.asked(player) && codec.state().hasPartialCommand(player)) {
-                codec.state().writeCommand(out, player);
-            } else {
-                out.writeNull();
-            }
             if (turn.asked(player)) {
                 times.writeNumber(turn.nanos(player));
             }
         }
-        out.writeEndArray();
         if (!plain) {
             write("faults", turn.players(), turn::fault);
             write("messages", turn.players(), turn::message);

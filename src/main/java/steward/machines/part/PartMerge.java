@@ -228,10 +228,11 @@ public final class PartMerge {
         for (int seat = 0; seat < lineup.length; seat++) {
             ReplayCheck.Seat told = outcome.seats().get(seat);
             seats.add(new StoredSeat(lineup[seat], told.rank(), told.score(), told.fault(), told.answers(),
-                told.meanNanos(), told.worstNanos(), told.firstNanos()));
+                told.meanNanos(), told.worstNanos(), told.firstNanos(),
+                outcome.facts().values(seat)));
         }
         StoredGame own = new StoredGame(0, name, decision, game.seed(), game.attempt(), game.counts(),
-            outcome.turns(), null, game.played(), game.machine(), null, seats);
+            outcome.turns(), null, game.played(), game.machine(), null, outcome.facts().transcript(), seats);
         checkSame(place, game, own);
         return own;
     }
@@ -301,7 +302,7 @@ public final class PartMerge {
         try {
             String file = keeper.take(game.name(), GzipText.bytes(replay), true);
             return new StoredGame(0, game.name(), game.decision(), game.seed(), game.attempt(), game.counts(),
-                game.turns(), game.problem(), game.played(), game.machine(), file, game.seats());
+                game.turns(), game.problem(), game.played(), game.machine(), file, game.transcript(), game.seats());
         } catch (java.io.IOException damaged) {
             throw new InputException(folder.path() + ": a replay cannot be unpacked: " + damaged.getMessage());
         }

@@ -92,7 +92,8 @@ final class ReportedGames {
         for (int seat = 0; seat < members.size(); seat++) {
             ReplayCheck.Seat told = outcome.seats().get(seat);
             seats.add(new StoredSeat(members.get(seat).version().id(), told.rank(), told.score(), told.fault(),
-                told.answers(), told.meanNanos(), told.worstNanos(), told.firstNanos()));
+                told.answers(), told.meanNanos(), told.worstNanos(), told.firstNanos(),
+                outcome.facts().values(seat)));
         }
         String file = null;
         List<String> names = members.stream().map(member -> member.bot().name()).toList();
@@ -100,7 +101,7 @@ final class ReportedGames {
             file = keeper.take(name, transcripts.replay(source, sent, expected(game)), true);
         }
         return new StoredGame(0, name, task.decision(), task.seed(), k + 1, last, outcome.turns(), null,
-            System.currentTimeMillis(), machine, file, seats);
+            System.currentTimeMillis(), machine, file, outcome.facts().transcript(), seats);
     }
 
     private static ReplayCheck.Expected expected(Elsewhere.Game game) {

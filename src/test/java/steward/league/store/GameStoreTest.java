@@ -15,10 +15,14 @@ import java.sql.Statement;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
+import java.util.SortedMap;
 import java.util.SplittableRandom;
+import java.util.TreeMap;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import steward.contest.GameFacts;
 import steward.files.InputException;
 import steward.league.GameName;
 import steward.league.LeagueFolder;
@@ -245,7 +249,8 @@ class GameStoreTest {
             store.open(alone);
             store.open(SEASON);
         }
-        run("ALTER TABLE season DROP COLUMN lower_is_better", "PRAGMA user_version = 1");
+        run("ALTER TABLE season DROP COLUMN lower_is_better", "ALTER TABLE game DROP COLUMN transcript",
+            "ALTER TABLE seat DROP COLUMN own", "PRAGMA user_version = 1");
         assertEquals("DB: found a database of an older form, expected one that 'steward league run' has made or "
             + "brought up to date", refusal(false));
         try (GameStore store = GameStore.write(folder)) {
@@ -253,6 +258,43 @@ class GameStoreTest {
             store.open(alone);
             assertEquals(alone, store.lastSeason().orElseThrow());
         }
+    }
+
+    @Test
+    void transcriptsAndOwnValuesComeOutAsTheyWentIn() {
+        try (GameStore store = GameStore.write(folder)) {
+            int season = store.open(SEASON);
+            Version a = store.add("a", "./a", false, "1a", 1);
+            Version b = store.add("b", "./b", false, "1b", 2);
+            StoredGame plain = game(a, b, 7, 1, 1, true);
+            store.add(season, List.of(plain));
+            GameQueries queries = new GameQueries(store, season, SEASON);
+            assertEquals(0, queries.game(1).transcript());
+            assertEquals(Map.of(), queries.game(1).seats().get(0).values());
+            assertEquals(List.of(new GameStore.Unknown(1, "aa/x.jsonl")), knownAs(store, plain));
+
+            SortedMap<String, Double> own = new TreeMap<>(Map.of("laps", 3.0, "water", -0.125));
+            store.add(1, new GameFacts(-5, List.of(own, new TreeMap<>())));
+            StoredGame read = queries.game(1);
+            assertEquals(-5, read.transcript());
+            assertEquals(own, read.seats().get(0).values());
+            assertEquals("laps=3.0 water=-0.125", read.seats().get(0).valuesText());
+            assertEquals(Map.of(), read.seats().get(1).values());
+            assertEquals(List.of(), store.unknown());
+
+            StoredGame again = new GameLine.Reader(store, SEASON).read("a line", GameLine.game(read, SEASON),
+                List.of(GameLine.seat(read.seats().get(0), a), GameLine.seat(read.seats().get(1), b)));
+            assertEquals(-5, again.transcript());
+            assertEquals(read.seats(), again.seats());
+        }
+    }
+
+    /** The games whose transcripts are wanted, when the game has a replay. */
+    private List<GameStore.Unknown> knownAs(GameStore store, StoredGame game) {
+        assertEquals(List.of(), store.unknown());
+        store.database().inTransaction(() -> store.database().update("UPDATE game SET replay = 'aa/x.jsonl' "
+            + "WHERE name = ?", (Object) game.name()));
+        return store.unknown();
     }
 
     @Test

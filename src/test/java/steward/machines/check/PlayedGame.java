@@ -11,6 +11,8 @@ import steward.bot.isolation.Isolation;
 import steward.cli.shared.Games;
 import steward.contest.Contest;
 import steward.contest.Contest.Entrant;
+import steward.contest.GameFacts;
+import steward.contest.GameLog;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
@@ -19,25 +21,28 @@ import steward.match.DirectBot;
 import steward.match.MatchResult;
 import steward.match.Protocol;
 import steward.match.Seat;
+import steward.match.TeeListener;
 import steward.numerics.SplitMix64;
 
 /**
  * A game, as a replay and as a transcript.
  *
  * @param result that it had where it was played
+ * @param facts  that were seen there
  */
 record PlayedGame(Contest contest, ReplayCheck.Expected expected, byte[] replay, byte[] transcript,
-                  MatchResult result) {
+                  MatchResult result, GameFacts facts) {
 
     static PlayedGame of(Contest contest, long seed) throws InterruptedException {
         ByteArrayOutputStream replay = new ByteArrayOutputStream();
         TranscriptWriter transcript = new TranscriptWriter(contest.entrants().stream().map(Entrant::bot).toList(),
             contest.sandbox());
-        MatchResult result = contest.play(seed, 0, replay, transcript);
+        GameLog log = new GameLog(contest, 0);
+        MatchResult result = contest.play(seed, 0, replay, new TeeListener(transcript, log));
         return new PlayedGame(contest, new ReplayCheck.Expected(seed,
             contest.entrants().stream().map(Entrant::name).toList(),
             contest.entrants().stream().map(Entrant::protocol).toList()), replay.toByteArray(),
-            transcript.compressed(), result);
+            transcript.compressed(), result, log.facts());
     }
 
     ReplayCheck.Outcome check() throws DisprovedException {

@@ -3,6 +3,7 @@ package steward.machines.check;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
@@ -12,11 +13,13 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Set;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.bot.isolation.Isolation;
 import steward.cli.ShellBots;
@@ -55,6 +58,7 @@ class TranscriptTest {
         ReplayCheck.Outcome found = game.check();
         assertEquals(new ReplayCheck(game.contest(), Games.types()).check("a replay",
             GzipText.compressed(game.replay()), game.expected()), found, "as the replay tells it");
+        assertEquals(game.facts(), found.facts(), "as the log of the game told it");
         assertEquals(game.result().turns(), found.turns());
         for (int player = 0; player < found.seats().size(); player++) {
             MatchResult.PlayerResult result = game.result().players().get(player);
@@ -63,6 +67,25 @@ class TranscriptTest {
             assertEquals(result.score(), seat.score());
             assertEquals(result.answers(), seat.answers());
             assertEquals(result.worstNanos(), seat.worstNanos());
+        }
+    }
+
+    /** The scene "duel" draws nothing from the seed; the maps of "walled-race" are drawn from it. */
+    @Test
+    void equalGamesHaveEqualDigestsWhateverTheirSeeds() throws Exception {
+        long one = PlayedGame.of(PlayedGame.piloted("duel", Pilot.Aim.WIN), 1).facts().transcript();
+        assertEquals(one, PlayedGame.of(PlayedGame.piloted("duel", Pilot.Aim.WIN), 2).facts().transcript());
+        assertNotEquals(one, PlayedGame.of(PlayedGame.piloted("duel", Pilot.Aim.GATHER), 1).facts().transcript());
+        assertNotEquals(PlayedGame.of(PlayedGame.piloted("walled-race", Pilot.Aim.WIN), 1).facts().transcript(),
+            PlayedGame.of(PlayedGame.piloted("walled-race", Pilot.Aim.WIN), 2).facts().transcript());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"mad-pod-racing, laps", "mean-max, water", "fantastic-bits, goals", "poker-chip-race, chips"})
+    void theOwnValuesOfAGameHaveNames(String scene, String name) throws Exception {
+        PlayedGame game = PlayedGame.of(PlayedGame.piloted(scene, Pilot.Aim.WIN), SEED);
+        for (int player = 0; player < game.facts().values().size(); player++) {
+            assertEquals(Set.of(name), game.facts().values(player).keySet());
         }
     }
 

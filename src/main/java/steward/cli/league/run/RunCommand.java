@@ -20,6 +20,7 @@ import steward.cli.league.view.WorkerBooks;
 import steward.cli.options.CallCheck;
 import steward.cli.options.ThreadsOption;
 import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Games;
 import steward.cli.shared.Interruption;
 import steward.cli.shared.Streams;
 import steward.contest.Contest;
@@ -29,6 +30,7 @@ import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.Season;
 import steward.league.pairing.StopRule;
+import steward.league.play.EarlierFacts;
 import steward.league.play.LeagueRun;
 import steward.league.play.Roster;
 import steward.league.play.RosterReader;
@@ -118,6 +120,7 @@ public final class RunCommand implements Callable<Integer> {
              GameStore store = durable ? GameStore.durable(folder) : GameStore.write(folder);
              GameStore viewed = GameStore.read(folder)) {
             int number = LeagueOpening.season(folder, store, season, anew);
+            EarlierFacts.add(folder, store, Games.types());
             return play(folder, settings, store, new GameQueries(viewed, number, season), season, number, contest,
                 limits, rule);
         }

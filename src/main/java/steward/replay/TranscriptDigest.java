@@ -1,0 +1,68 @@
+package steward.replay;
+
+import java.util.function.IntPredicate;
+import steward.Internal;
+import steward.bot.LineBuffer;
+import steward.game.FrameCodec;
+import steward.game.Game;
+import steward.game.JsonNumbers;
+import steward.match.Turn;
+import steward.numerics.StateHash;
+import tools.jackson.core.JsonGenerator;
+import tools.jackson.core.ObjectWriteContext;
+
+/**
+ * Digest of a game's transcript: 64 bits of all commands, as a replay writes them, and of the hash of the state after
+ * each turn. Two games with the same digest were the same game, whatever their seeds were.
+ *
+ * <p>Not thread-safe. A turn costs the writing of its commands.
+ */
+@Internal
+public final class TranscriptDigest {
+
+    private final LineBuffer commands = new LineBuffer();
+    private final JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), commands);
+    private final StateHash hash = new StateHash();
+
+    /** Adds the commands of a turn that is about to be played. */
+    public void commands(Turn turn, FrameCodec codec) {
+        commands(turn.players(), turn::answered, turn::asked, codec);
+    }
+
+    /**
+     * Adds the commands of a turn that is about to be played.
+     *
+     * @param answered true of players with a valid command
+     * @param asked    true of players who had to answer
+     */
+    public void commands(int players, IntPredicate answered, IntPredicate asked, FrameCodec codec) {
+        commands.reset();
+        write(out, players, answered, asked, codec);
+        out.flush();
+        InputHash.add(hash, ReplayHeader.FORMAT, commands.bytes(), 0, commands.size());
+    }
+
+    /** Adds the state after the turn. */
+    public void played(Game game) {
+        hash.add(game.hash());
+    }
+
+    /** The digest so far; never 0. */
+    public long value() {
+        return hash.value() == 0 ? 1 : hash.value();
+    }
+
+    /** Writes an array of commands, one for each player, or null. */
+    public static void write(JsonGenerator out, int players, IntPredicate answered, IntPredicate asked,
+                             FrameCodec codec) {
+        out.writeStartArray();
+        for (int player = 0; player < players; player++) {
+            if (answered.test(player) || asked.test(player) && codec.state().hasPartialCommand(player)) {
+                codec.state().writeCommand(out, player);
+            } else {
+                out.writeNull();
+            }
+        }
+        out.writeEndArray();
+    }
+}
