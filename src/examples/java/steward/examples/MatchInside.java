@@ -62,7 +62,7 @@ public final class MatchInside {
         GameSetup setup = games.open(SceneReader.read(SceneFiles.load("mad-pod-racing"), null));
         List<String> names = List.of("fast", "slow");
         ReplayHeader header = new ReplayHeader(setup.scene().gameId(), setup.scene().json(), seed, names,
-            List.of("thrust 120", "thrust 70"), Double.POSITIVE_INFINITY);
+            List.of("thrust 120", "thrust 70"), Double.POSITIVE_INFINITY).ofLaw(setup.plan().lawVersion());
         List<Seat> seats = List.of(Seat.direct(names.get(0), new Straight(120)),
             Seat.direct(names.get(1), new Straight(70)));
         return Referee.of(setup, seed, seats, TimeControl.UNLIMITED, new ReplayWriter(replay, header)).play();

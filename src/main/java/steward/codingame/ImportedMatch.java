@@ -47,7 +47,7 @@ final class ImportedMatch {
         }
         ReplayHeader header = new ReplayHeader(setup.scene().gameId(), setup.scene().json(), seed, names,
             Collections.nCopies(names.size(), "recorded"), Collections.nCopies(names.size(), Protocol.CODINGAME),
-            Double.POSITIVE_INFINITY);
+            Double.POSITIVE_INFINITY).ofLaw(setup.plan().lawVersion());
         Recorder recorder = new Recorder(new ReplayWriter(out, header, observed));
         try {
             MatchResult result = Referee.of(setup, seed, seats, TimeControl.UNLIMITED, recorder).play();

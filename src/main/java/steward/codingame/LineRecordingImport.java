@@ -70,7 +70,8 @@ final class LineRecordingImport implements RecordingImport {
     public Imported write(OutputStream out) throws InterruptedException {
         Recorded player = new Recorded();
         ReplayHeader header = new ReplayHeader(setup.scene().gameId(), setup.scene().json(), 0,
-            List.of(player.name()), List.of("recorded"), List.of(Protocol.CODINGAME), Double.POSITIVE_INFINITY);
+            List.of(player.name()), List.of("recorded"), List.of(Protocol.CODINGAME), Double.POSITIVE_INFINITY)
+            .ofLaw(setup.plan().lawVersion());
         try {
             MatchResult result = Referee.of(setup, 0, List.of(new Seat(player, Protocol.CODINGAME)),
                 TimeControl.UNLIMITED, new ReplayWriter(out, header)).play();

@@ -1,7 +1,6 @@
 package steward.league;
 
 import steward.game.GameSetup;
-import steward.scene.PhysicsFingerprint;
 import steward.scene.Scene;
 import steward.scene.SceneKey;
 
@@ -12,7 +11,7 @@ import steward.scene.SceneKey;
  * @param sceneName the scene's name
  * @param sceneKey  of all in the scene that decides what happens
  * @param limits    the time limits and what they are limits of
- * @param rules     the version of the rules: changes when the bits of a result do
+ * @param rules     the key of its rung's law, its rung and its angles: changes when the bits of a result do
  * @param players   of a game
  * @param lowerScoreIsBetter where each plays alone: whether the lower of two scores on a map is the better one
  */
@@ -25,7 +24,7 @@ public record Season(String key, String sceneName, String sceneKey, String limit
         String sceneKey = SceneKey.of(scene);
         String limits = scene.time().firstAnswerMs() + " ms, " + scene.time().answerMs() + " ms, "
             + settings.limits();
-        String rules = PhysicsFingerprint.text() + " " + scene.accuracy().text() + " " + scene.angles();
+        String rules = setup.plan().law().key() + " " + scene.accuracy().text() + " " + scene.angles();
         return of(scene.name(), sceneKey, limits, rules, scene.players(), setup.create(0).lowerScoreIsBetter());
     }
 
@@ -42,7 +41,11 @@ public record Season(String key, String sceneName, String sceneKey, String limit
             return sceneName.equals(other.sceneName) ? "the scene " + sceneName + " has been changed"
                 : "the scene is another one (" + other.sceneName + ", was " + sceneName + ")";
         }
-        return !limits.equals(other.limits) ? "the time limits are " + other.limits + ", were " + limits
+        if (!limits.equals(other.limits)) {
+            return "the time limits are " + other.limits + ", were " + limits;
+        }
+        String rung = rules.substring(rules.indexOf(' ') + 1);
+        return other.rules.endsWith(" " + rung) ? "the law of " + rung.replaceFirst(" .*", "") + " is another version"
             : "the version of the rules is another one";
     }
 }

@@ -111,13 +111,18 @@ public record ImpactLaw(Restitution restitution, double minimumImpulse, boolean 
     /** The same law with another bound on the impacts in a turn; 0 for the default. */
     public ImpactLaw withMaximumImpacts(int value) {
         return new ImpactLaw(restitution, minimumImpulse, minimumImpulseAtWalls, deadZone, separatingPairsReact,
-            batchWindow, scanOrder, pushOut, value);
+            batchWindow, scanOrder, pushOut, value, restSpeed);
     }
 
     /** The same law with another rest speed, in u per turn; NaN for the default. */
     public ImpactLaw withRestSpeed(double value) {
         return new ImpactLaw(restitution, minimumImpulse, minimumImpulseAtWalls, deadZone, separatingPairsReact,
             batchWindow, scanOrder, pushOut, maximumImpacts, value);
+    }
+
+    /** True if bodies can come to rest on each other: some rebound by less, and no minimum impulse drives them. */
+    public boolean bodiesRest() {
+        return restitution != Restitution.ELASTIC && !(minimumImpulse > 0);
     }
 
     /** The bound on impacts in a turn with this many bodies. */

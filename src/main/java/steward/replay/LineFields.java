@@ -13,8 +13,9 @@ import steward.text.TextFormat;
  */
 enum LineFields {
     /** The first line. */
-    HEADER(List.of("type", "format", "angles", "game", "seed", "players", "timeFactor", "signer", "imported", "scene",
-        "drawing", "start", LineFields.HEADER_HASH, LineFields.TIMES), Set.of("angles", "signer", LineFields.TIMES)),
+    HEADER(List.of("type", "format", LineFields.LAW, "angles", "game", "seed", "players", "timeFactor", "signer",
+        "imported", "scene", "drawing", "start", LineFields.HEADER_HASH, LineFields.TIMES),
+        Set.of(LineFields.LAW, "angles", "signer", LineFields.TIMES)),
     /** A turn. */
     TURN(List.of("type", "turn", "commands", "faults", "outcome", "messages", "stderr", LineFields.TURN_HASH,
         LineFields.TIMES), Set.of()),
@@ -27,6 +28,8 @@ enum LineFields {
     /** Behind the result of a replay that is signed. */
     SIGNATURE(List.of("type", "signature"), Set.of());
 
+    /** The version of the law of the scene's rung; absent for 1. */
+    static final String LAW = "law";
     static final String HEADER_HASH = "headerHash";
     static final String TURN_HASH = "turnHash";
     /** In formats 1 and 2, the hash of what the players did in a turn. */

@@ -1,7 +1,7 @@
 package steward.replay;
 
 /** A file that cannot be used as a replay; the message says where, what was found and what was expected. */
-public final class ReplayException extends RuntimeException {
+public class ReplayException extends RuntimeException {
 
     private static final long serialVersionUID = 1L;
 

@@ -16,6 +16,7 @@ import steward.numerics.Angles;
  * @param bots       their commands, in order
  * @param protocols  the languages they speak, in order
  * @param timeFactor by which the scene's limits were multiplied; {@code POSITIVE_INFINITY} for no deadlines
+ * @param law        the version of the law of the scene's rung
  * @param angles     where the sines and cosines of the game came from
  * @param signer     the public key of the signer, as {@link steward.replay.sign.SignerKey#text}; or
  *                   {@code null}
@@ -23,8 +24,8 @@ import steward.numerics.Angles;
  *                   what was measured, is neither hashed nor signed, and is not read
  */
 public record ReplayHeader(String game, String scene, long seed, List<String> names, List<String> bots,
-                           List<Protocol> protocols, double timeFactor, @Internal Angles angles, String signer,
-                           String sandbox) {
+                           List<Protocol> protocols, double timeFactor, int law, @Internal Angles angles,
+                           String signer, String sandbox) {
 
     /** The version of the format that is written, and the newest that is read. */
     public static final int FORMAT = 3;
@@ -44,19 +45,25 @@ public record ReplayHeader(String game, String scene, long seed, List<String> na
     /** A match of which it is not known how bots were kept apart. */
     @Internal
     public ReplayHeader(String game, String scene, long seed, List<String> names, List<String> bots,
-                        List<Protocol> protocols, double timeFactor, Angles angles, String signer) {
-        this(game, scene, seed, names, bots, protocols, timeFactor, angles, signer, null);
+                        List<Protocol> protocols, double timeFactor, int law, Angles angles, String signer) {
+        this(game, scene, seed, names, bots, protocols, timeFactor, law, angles, signer, null);
     }
 
-    /** An unsigned match with the angles that matches are played with. */
+    /** An unsigned match by law 1, with the angles that matches are played with. */
     public ReplayHeader(String game, String scene, long seed, List<String> names, List<String> bots,
                         List<Protocol> protocols, double timeFactor) {
-        this(game, scene, seed, names, bots, protocols, timeFactor, Angles.CURRENT, null, null);
+        this(game, scene, seed, names, bots, protocols, timeFactor, 1, Angles.CURRENT, null, null);
     }
 
     /** The same, signed; or unsigned for {@code null}. */
     ReplayHeader signedBy(String key) {
-        return new ReplayHeader(game, scene, seed, names, bots, protocols, timeFactor, angles, key, sandbox);
+        return new ReplayHeader(game, scene, seed, names, bots, protocols, timeFactor, law, angles, key, sandbox);
+    }
+
+    /** The same, played by a version of the law: that of the scene's plan, where it is not the first. */
+    public ReplayHeader ofLaw(int version) {
+        return new ReplayHeader(game, scene, seed, names, bots, protocols, timeFactor, version, angles, signer,
+            sandbox);
     }
 
     /** A match between players that all use JSON. */

@@ -71,6 +71,9 @@ public final class ReplayLines {
     public void header(Game game, FrameCodec codec) {
         open(ReplayHeader.TYPE);
         out.writeNumberProperty("format", ReplayHeader.FORMAT);
+        if (header.law() > 1) {
+            out.writeNumberProperty(LineFields.LAW, header.law());
+        }
         out.writeStringProperty("angles", header.angles().word());
         out.writeStringProperty("game", header.game());
         out.writeStringProperty("seed", Long.toString(header.seed()));

@@ -133,7 +133,15 @@ public final class ReplayReader implements AutoCloseable {
         return new ReplayHeader(line.text("game"), new String(line.object("scene"), StandardCharsets.UTF_8), seed,
             List.of(names), List.of(bots), protocols(line, names.length),
             line.number("timeFactor", Double.POSITIVE_INFINITY),
-            format < LineFields.ANGLES_SINCE ? Angles.FDLIBM : angles(line), signer(line));
+            law(line), format < LineFields.ANGLES_SINCE ? Angles.FDLIBM : angles(line), signer(line));
+    }
+
+    private static int law(JsonLine line) {
+        int law = line.has(LineFields.LAW) ? line.integer(LineFields.LAW) : 1;
+        if (law < 1 || law == 1 && line.has(LineFields.LAW)) {
+            throw new ReplayException(line.where() + ": law: found " + law + ", expected at least 2, or none for 1");
+        }
+        return law;
     }
 
     private static Angles angles(JsonLine line) {

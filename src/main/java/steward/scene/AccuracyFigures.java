@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.EnumMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -19,21 +20,20 @@ import steward.scene.json.Wording;
 
 /**
  * The measured position errors and the cost of each rung in the states of a scene's calibration. Read from JSON, to
- * find the rung that meets a demand. Figures belong to a scene by its {@link SceneKey} and to a version of the physics
- * by its {@link PhysicsFingerprint}.
+ * find the rung that meets a demand. Figures belong to a scene by its {@link SceneKey}, and those of each rung to its
+ * {@link RungLaw} by the {@link PhysicsFingerprint}; those of a law that has changed since are left out.
  *
  * <p>The figures of shipped scenes are resources of the program; those of another scene are beside the scene file: for
  * {@code my.json} in {@code my.accuracy.json}.
  *
  * @param source  where the figures were read, for people
- * @param physics the fingerprint of the physics that was measured
  * @param key     of the scene that was measured
  * @param sample  a hash of the results of the first states
  * @param states  number of states
  * @param rungs   the figures, cheapest rung first
  */
 @Internal
-public record AccuracyFigures(String source, String physics, String key, String sample, int states,
+public record AccuracyFigures(String source, String key, String sample, int states,
                               List<OfRung> rungs) {
 
     /** The format that is read and written. */
@@ -58,6 +58,7 @@ public record AccuracyFigures(String source, String physics, String key, String 
 
     /** What the file is called in errors. */
     private static final String WHAT = "the figures of a scene's accuracy";
+    private static final String PHYSICS = "physics";
     private static final String SUFFIX = ".json";
     private static final String FIGURES = ".accuracy.json";
 
@@ -65,13 +66,14 @@ public record AccuracyFigures(String source, String physics, String key, String 
      * Figures of one rung.
      *
      * @param rung    on the ladder
+     * @param physics the fingerprint of the law that was measured
      * @param cost    time of a turn, as a multiple of that on {@code event/double}
      * @param work    pair tests and impacts, counted per turn
      * @param errors  in u, for each of {@link #SHARES}: shown with 99% confidence that this share of all states of
      *                seeded play does not exceed it
      * @param largest of all errors that were seen, in u
      */
-    public record OfRung(Accuracy rung, double cost, double work, List<Double> errors, double largest) {
+    public record OfRung(Accuracy rung, String physics, double cost, double work, List<Double> errors, double largest) {
 
         /** The error at a share up to {@link #MOST_SHARE}, or at the next higher one that is kept. */
         public double error(double share) {
@@ -109,18 +111,20 @@ public record AccuracyFigures(String source, String physics, String key, String 
                     + "them anew" : ", the one that this version reads"));
         }
         List<OfRung> rungs = new ArrayList<>();
+        String all = root.has(PHYSICS) ? root.text(PHYSICS) : null;
         for (Block rung : root.blocks("rungs")) {
-            rungs.add(ofRung(rung));
+            rungs.add(ofRung(rung, all));
         }
         if (rungs.isEmpty()) {
             throw root.error("rungs", "none", "at least one");
         }
         rungs.sort(Comparator.comparingDouble(OfRung::cost));
-        return new AccuracyFigures(source, root.text("physics"), root.text("key"),
-            root.text("sample"), root.integer("states", 1, Integer.MAX_VALUE), List.copyOf(rungs));
+        return new AccuracyFigures(source, root.text("key"), root.text("sample"),
+            root.integer("states", 1, Integer.MAX_VALUE), List.copyOf(rungs));
     }
 
-    private static OfRung ofRung(Block block) {
+    /** @param physics of all rungs, in a file of before laws had versions; otherwise {@code null} */
+    private static OfRung ofRung(Block block, String physics) {
         Block errors = block.block("positionErrors");
         List<Double> values = new ArrayList<>();
         for (String share : SHARES) {
@@ -129,6 +133,7 @@ public record AccuracyFigures(String source, String physics, String key, String 
         }
         try {
             return new OfRung(Accuracy.parse(block.text("rung")),
+                physics == null ? block.text(PHYSICS) : physics,
                 block.number("cost", 0, Double.POSITIVE_INFINITY), block.number("work", 0, Double.POSITIVE_INFINITY),
                 List.copyOf(values), errorOrUnknown(block, "largestError", 0));
         } catch (IllegalArgumentException problem) {
@@ -170,8 +175,9 @@ public record AccuracyFigures(String source, String physics, String key, String 
             throw scene.block("accuracy").error("share", Wording.number(demand.share()), "at most " + MOST_SHARE
                 + ": what no state of a sample exceeds, others may");
         }
-        AccuracyFigures found = find(scene, figures);
-        if (!found.physics.equals(PhysicsFingerprint.text())) {
+        AccuracyFigures all = find(scene, figures);
+        AccuracyFigures found = all.holding();
+        if (found.rungs.isEmpty()) {
             throw unusable(scene, "figures in " + found.source + " that another version of the physics has measured",
                 figures, true);
         }
@@ -184,11 +190,19 @@ public record AccuracyFigures(String source, String physics, String key, String 
             Wording.number(demand.maxPositionError()) + ", which no rung meets",
             "at least " + Wording.number(best.error(demand.share())) + ", the error of the best one, "
                 + best.rung().text() + ", in " + AccuracyDemand.percent(demand.share()) + " of states, shown by "
-                + found.states
-                + " (" + found.source + ")"));
+                + found.states + " (" + found.source + ")"
+                + (found.rungs.size() == all.rungs.size() ? "" : ", without those whose law has changed since")));
         return new AccuracyChoice(rung.rung, false, "the cheapest that is off by " + demand.text() + ": by "
             + Wording.number(rung.error(demand.share())) + " u, shown by " + found.states + " (" + found.source
             + "), at " + String.format(Locale.ROOT, "%.2f", rung.cost) + " times the cost of event/double");
+    }
+
+    /** The figures of the rungs whose law is still the one that was measured. */
+    public AccuracyFigures holding() {
+        Map<RungLaw, String> computed = new EnumMap<>(RungLaw.class);
+        return new AccuracyFigures(source, key, sample, states, rungs.stream().filter(each ->
+            RungLaw.holds(each.physics, each.rung, law -> computed.computeIfAbsent(law, PhysicsFingerprint::of)))
+            .toList());
     }
 
     /** Figures with the scene's key: those beside the scene file, else those of a shipped scene with the same key. */

@@ -17,43 +17,52 @@ import steward.physics.TurnSink;
 import steward.physics.Wall;
 
 /**
- * The version of the physics, from its results: a hash of turns of a few bodies on every rung, under two laws, one of
- * them with walls. It changes exactly when the bits of a result change; figures measured with another fingerprint are
- * out of date.
+ * The physics of a {@link RungLaw} from its results: a hash of turns of a few bodies and of a crowd, among walls and
+ * without, and of a tie. It changes when the bits of these turns do.
  */
 @Internal
 public final class PhysicsFingerprint {
 
     private static final long SEED = 4;
     private static final int TURNS = 3;
-    private static final int BODIES = 5;
+    private static final int FEW = 5;
+    private static final int MANY = 30;
+    private static final int PER_ROW = 6;
     private static final double MASSES = 10;
+    private static final int MOST_STEPS = 64;
     private static final List<Wall> WALLS =
         Stream.concat(Arrays.stream(Wall.box(2400, 2400, 0.9)),
             Stream.of(new Segment(300, 900, 1500, 1700, 1), new Arena(1200, 1200, 1600, 0.8))).toList();
+    private static final ImpactLaw SOFT = ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM);
 
     private PhysicsFingerprint() {
     }
 
-    /** 16 hexadecimal digits. */
-    public static String text() {
-        return StateHash.toHex(value());
-    }
-
-    private static long value() {
-        StateHash hash = new StateHash();
-        ImpactLaw soft = ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM);
+    /**
+     * Plays the turns of a law on every rung of the ladder that has it, up to {@value #MOST_STEPS} steps.
+     *
+     * @return 16 hexadecimal digits
+     */
+    public static String of(RungLaw law) {
+        StateHash hash = new StateHash().add(law.ordinal()).add(law.version());
         for (Accuracy rung : Accuracy.ladder()) {
-            play(rung, ImpactLaw.OFFICIAL_POD_RACE, List.of(), hash);
-            play(rung, soft, WALLS, hash);
+            for (ImpactLaw impacts : List.of(ImpactLaw.OFFICIAL_POD_RACE, ImpactLaw.PHYSICS, SOFT)) {
+                if (RungLaw.of(rung, impacts) == law && rung.steps() <= MOST_STEPS) {
+                    play(rung, impacts, List.of(), bodies(FEW), hash);
+                    play(rung, impacts, WALLS, bodies(FEW), hash);
+                    play(rung, impacts, List.of(), tie(), hash);
+                    if (rung.usesCells(impacts, new Contacts(1), MANY)) {
+                        play(rung, impacts, WALLS, bodies(MANY), hash);
+                    }
+                }
+            }
         }
-        return hash.value();
+        return StateHash.toHex(hash.value());
     }
 
-    private static void play(Accuracy rung, ImpactLaw law, List<Wall> walls, StateHash hash) {
-        Advance advance = rung.advance(
-            new PhysicsParts(law, rung.arithmetic(), new Contacts(1), walls, null, false));
-        Bodies bodies = closeBodies(new SplitMix64(SEED));
+    private static void play(Accuracy rung, ImpactLaw law, List<Wall> walls, Bodies bodies, StateHash hash) {
+        Advance advance = rung.advance(new PhysicsParts(law, rung.arithmetic(), new Contacts(1), walls, null, false),
+            bodies.size());
         for (int turn = 0; turn < TURNS; turn++) {
             advance.turn(bodies, TurnSink.NONE);
             for (int k = 0; k < bodies.size(); k++) {
@@ -63,13 +72,26 @@ public final class PhysicsFingerprint {
     }
 
     /** Bodies near enough to each other that several have impacts in every turn. */
-    private static Bodies closeBodies(SplitMix64 random) {
-        Bodies bodies = new Bodies(BODIES);
-        for (int k = 0; k < BODIES; k++) {
-            bodies.add(900 + 300 * (k % 3) + 90 * random.nextDouble(), 900 + 320 * (k / 3) + 90 * random.nextDouble(),
-                120, k == 2 ? MASSES : 1);
+    private static Bodies bodies(int count) {
+        SplitMix64 random = new SplitMix64(SEED);
+        Bodies bodies = new Bodies(count);
+        for (int k = 0; k < count; k++) {
+            bodies.add(500 + 300 * (k % PER_ROW) + 90 * random.nextDouble(),
+                500 + 320 * (k / PER_ROW) + 90 * random.nextDouble(), 120, k == 2 ? MASSES : 1);
             bodies.setVelocity(k, 1600 * (random.nextDouble() - 0.5), 1600 * (random.nextDouble() - 0.5));
             bodies.setRestitution(k, 0.5 + 0.5 * random.nextDouble());
+        }
+        return bodies;
+    }
+
+    /** Three discs that meet a fourth at the same time, 21/26, from directions along three Pythagorean triangles. */
+    private static Bodies tie() {
+        double[][] starts = {{126, 32}, {66, -112}, {0, 130}};
+        Bodies bodies = new Bodies(1 + starts.length);
+        bodies.add(0, 0, 20, 1);
+        for (double[] start : starts) {
+            int k = bodies.add(start[0], start[1], 5, 1);
+            bodies.setVelocity(k, -start[0], -start[1]);
         }
         return bodies;
     }

@@ -3,6 +3,7 @@ package steward.scene;
 import java.util.List;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
+import steward.Internal;
 import steward.numerics.Angles;
 import steward.physics.Advance;
 import steward.physics.Arithmetic;
@@ -92,9 +93,26 @@ public final class Plan {
      * @throws IllegalArgumentException if there are {@code ASK} contacts without a reaction, or a reaction without them
      */
     public PhysicsParts physics(Reaction reaction) {
-        Restitution restitution = lowestRestitution < 1 ? Restitution.MINIMUM : Restitution.ELASTIC;
-        return new PhysicsParts(scene.law().withRestitution(restitution), arithmetic(), contacts,
-            walls, reaction, infiniteMasses, own.official());
+        return new PhysicsParts(impacts(), arithmetic(), contacts, walls, reaction, infiniteMasses, own.official());
+    }
+
+    private ImpactLaw impacts() {
+        return scene.law().withRestitution(lowestRestitution < 1 ? Restitution.MINIMUM : Restitution.ELASTIC);
+    }
+
+    /** The law of the scene's rung. */
+    @Internal
+    public RungLaw law() {
+        return RungLaw.of(scene.accuracy(), impacts());
+    }
+
+    /**
+     * The version of the law that a match is recorded with. Matches of replays of formats 1 and 2 play by law 1, except
+     * in a crowd: no law has changed the loop that is kept for them.
+     */
+    public int lawVersion() {
+        return scene.angles() == Angles.FDLIBM && !scene.accuracy().usesCells(scene.law(), contacts, bodies) ? 1
+            : law().version();
     }
 
     /**

@@ -99,7 +99,7 @@ public record Recorded(byte[] bytes, List<StringBuilder> sent, MatchResult resul
                 new Pilot(sent.get(k), ways.charAt(k) == 's', ways.charAt(k) == 'f' ? failing : 0)));
         }
         ReplayWriter writer = new ReplayWriter(file, new ReplayHeader(setup.scene().gameId(), setup.scene().json(),
-            seed, names, names, Double.POSITIVE_INFINITY));
+            seed, names, names, Double.POSITIVE_INFINITY).ofLaw(setup.plan().lawVersion()));
         try {
             MatchResult result = new Referee(setup, seed, players, TimeControl.UNLIMITED, writer).play();
             return new Recorded(file.toByteArray(), sent, result);

@@ -41,7 +41,7 @@ record TextMatches(MatchResult result, byte[] replay) {
             protocols.add(seat.protocol());
         }
         ReplayHeader header = new ReplayHeader(setup.scene().gameId(), setup.scene().json(), seed, names, names,
-            protocols, Double.POSITIVE_INFINITY);
+            protocols, Double.POSITIVE_INFINITY).ofLaw(setup.plan().lawVersion());
         try (ReplayWriter writer = new ReplayWriter(file, header)) {
             return new TextMatches(Referee.of(setup, seed, List.of(seats), time, writer).play(), file.toByteArray());
         } catch (InterruptedException nobodyDoes) {

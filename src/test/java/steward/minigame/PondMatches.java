@@ -71,7 +71,7 @@ final class PondMatches {
         }
         ByteArrayOutputStream file = new ByteArrayOutputStream();
         ReplayHeader header = new ReplayHeader("pond", setup.scene().json(), seed, names, names,
-            Double.POSITIVE_INFINITY);
+            Double.POSITIVE_INFINITY).ofLaw(setup.plan().lawVersion());
         try (ReplayWriter writer = new ReplayWriter(file, header)) {
             MatchResult result = new Referee(setup, seed, players, TimeControl.UNLIMITED, writer).play();
             return new Played(file.toByteArray(), result);

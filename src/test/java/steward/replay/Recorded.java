@@ -66,7 +66,7 @@ public record Recorded(byte[] bytes, MatchResult result) {
                                       SigningKey key) {
         ByteArrayOutputStream file = new ByteArrayOutputStream();
         ReplayHeader header = new ReplayHeader(setup.scene().gameId(), setup.scene().json(), seed, names, names,
-            Double.POSITIVE_INFINITY);
+            Double.POSITIVE_INFINITY).ofLaw(setup.plan().lawVersion());
         try (ReplayWriter writer = new ReplayWriter(file, header, key)) {
             MatchResult result = new Referee(setup, seed, players, TimeControl.UNLIMITED, writer).play();
             return new Recorded(file.toByteArray(), result);
@@ -96,7 +96,8 @@ public record Recorded(byte[] bytes, MatchResult result) {
 
     /** What is to come of a replay with so many turns, all of which agree, and its result. */
     public static Verification whole(int turns) {
-        return new Verification(turns, turns, true, null, null, ImpactCounts.NONE, SignatureCheck.UNSIGNED);
+        return new Verification(turns, turns, true, null, null, ImpactCounts.NONE, null,
+            SignatureCheck.UNSIGNED);
     }
 
     public Verification verify() {

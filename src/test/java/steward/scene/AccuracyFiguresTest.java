@@ -70,7 +70,7 @@ class AccuracyFiguresTest {
     private Path calibrated() throws IOException {
         String key = SceneKey.of(SceneReader.read(text("\"advance\": \"step\", \"steps\": 1"), "s"));
         return Files.writeString(folder.resolve("s.accuracy.json"),
-            figures(key, PhysicsFingerprint.text(), EXACT, BEATEN, HARDLY_CHEAPER, EVENT, STEP));
+            figures(key, RungLaw.WHOLE_LADDER, EXACT, BEATEN, HARDLY_CHEAPER, EVENT, STEP));
     }
 
     private static Scene load(Path file) {
@@ -159,7 +159,7 @@ class AccuracyFiguresTest {
     @Test
     void aShareThatTooFewStatesShowIsSaidToBeUnknown() throws IOException {
         String key = SceneKey.of(SceneReader.read(text("\"advance\": \"step\", \"steps\": 1"), "s"));
-        Path kept = Files.writeString(folder.resolve("s.accuracy.json"), figures(key, PhysicsFingerprint.text(),
+        Path kept = Files.writeString(folder.resolve("s.accuracy.json"), figures(key, RungLaw.WHOLE_LADDER,
             EVENT.replace("2e-5", "\"unknown\"")));
         Path file = write(demand("1", "0.9995"));
         assertEquals(file + ":3:48: accuracy.share: found 0.9995, expected a smaller one: nothing is known of this "
@@ -174,13 +174,13 @@ class AccuracyFiguresTest {
             List<AccuracyFigures.OfRung> rungs = new ArrayList<>();
             for (Accuracy rung : Accuracy.ladder()) {
                 double[] errors = random(random, 5).sorted().toArray();
-                rungs.add(new AccuracyFigures.OfRung(rung, 0.5 + random.nextDouble(), 1,
+                rungs.add(new AccuracyFigures.OfRung(rung, "", 0.5 + random.nextDouble(), 1,
                     Arrays.stream(errors).boxed().toList(), errors[4]));
             }
             rungs.sort(Comparator.comparingDouble(AccuracyFigures.OfRung::cost));
             AccuracyDemand demand = new AccuracyDemand(random.nextDouble(), 0.9999 * (1 - random.nextDouble()));
             String seed = "case " + n;
-            new AccuracyFigures("s", "", "", "", 1, rungs).cheapest(demand).ifPresent(taken -> {
+            new AccuracyFigures("s", "", "", 1, rungs).cheapest(demand).ifPresent(taken -> {
                 assertTrue(taken.error(demand.share()) <= demand.maxPositionError(), seed);
                 assertTrue(rungs.stream().noneMatch(other -> other.cost() < taken.cost()
                     && other.error(demand.share()) < taken.error(demand.share())), seed);
@@ -251,11 +251,5 @@ class AccuracyFiguresTest {
 
     private static String key(String text) {
         return SceneKey.of(new Block("s", "", JsonTree.read(text, "s", "a scene")));
-    }
-
-    @Test
-    void thePhysicsHasOneFingerprint() {
-        assertTrue(PhysicsFingerprint.text().matches("[0-9a-f]{16}"));
-        assertEquals(PhysicsFingerprint.text(), PhysicsFingerprint.text());
     }
 }

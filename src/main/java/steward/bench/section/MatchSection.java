@@ -113,7 +113,7 @@ final class MatchSection implements Section {
     static ReplayHeader header(MatchFixture fixture, long seed) {
         List<String> names = names(fixture);
         return new ReplayHeader(fixture.setup().scene().gameId(), fixture.setup().scene().json(), seed, names, names,
-            Double.POSITIVE_INFINITY);
+            Double.POSITIVE_INFINITY).ofLaw(fixture.setup().plan().lawVersion());
     }
 
     private static List<String> names(MatchFixture fixture) {

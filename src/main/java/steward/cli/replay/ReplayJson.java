@@ -144,6 +144,7 @@ record ReplayJson(Streams streams, ReplayReader replay) {
                 out.writeStringProperty("found", difference.found());
                 out.writeEndObject();
             }
+            out.writeStringProperty("olderLaw", verification.olderLaw());
             out.writeStringProperty("warning", verification.warning());
         });
     }

@@ -55,6 +55,9 @@ record VerifyReport(PrintStream out, Colour colour, boolean partial, Path file, 
         if (replay.header() == null) {
             return "not verified: the header is cut off";
         }
+        if (verification.olderLaw() != null) {
+            return "not verified: of an older law, not compared: " + verification.olderLaw();
+        }
         if (verification.difference() != null) {
             return "differs: " + verification.difference();
         }

@@ -26,6 +26,7 @@ import steward.physics.PhysicsParts;
 import steward.scene.Accuracy;
 import steward.scene.AccuracyFigures;
 import steward.scene.PhysicsFingerprint;
+import steward.scene.RungLaw;
 import steward.scene.SceneKey;
 
 /*
@@ -238,7 +239,9 @@ public final class Calibration {
             for (Block block : done) {
                 work += block.work[r];
             }
-            figures.add(new AccuracyFigures.OfRung(rungs.get(r), timed.ratio(r, rungs.indexOf(UNIT)), work / count,
+            figures.add(new AccuracyFigures.OfRung(rungs.get(r),
+                PhysicsFingerprint.of(RungLaw.of(rungs.get(r), parts.law())), timed.ratio(r, rungs.indexOf(UNIT)),
+                work / count,
                 AccuracyFigures.SHARES.stream().map(share -> atShare(errors, share)).toList(),
                 errors[errors.length - 1]));
         }
@@ -278,12 +281,12 @@ public final class Calibration {
             for (int k = 0; k < rung.errors().size(); k++) {
                 errors.add("\"" + AccuracyFigures.SHARES.get(k) + "\": " + number(rung.errors().get(k)));
             }
-            rungs.add("{ \"rung\": \"" + rung.rung() + "\", \"cost\": " + number(rung.cost()) + ", \"work\": "
-                + number(rung.work()) + ", \"largestError\": " + number(rung.largest())
-                + ",\n      \"positionErrors\": " + errors + " }");
+            rungs.add("{ \"rung\": \"" + rung.rung() + "\", \"physics\": \"" + rung.physics() + "\",\n      \"cost\": "
+                + number(rung.cost()) + ", \"work\": " + number(rung.work()) + ", \"largestError\": "
+                + number(rung.largest()) + ",\n      \"positionErrors\": " + errors + " }");
         }
         return "{\n  \"format\": " + AccuracyFigures.FORMAT + ",\n  \"key\": \"" + SceneKey.of(setup.scene())
-            + "\",\n  \"physics\": \"" + PhysicsFingerprint.text() + "\",\n  \"sample\": \"" + figures.sample
+            + "\",\n  \"sample\": \"" + figures.sample
             + "\",\n  \"states\": " + figures.states + ",\n  \"statesWithImpacts\": " + figures.withImpacts
             + ",\n  \"timed\": { \"date\": \"" + date + "\", \"machine\": \"" + machine.replaceAll("[\"\\\\]", "'")
             + "\" },\n  \"rungs\": " + rungs + "\n}\n";

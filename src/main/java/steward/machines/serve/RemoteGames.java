@@ -37,7 +37,7 @@ import steward.machines.wire.GameJob;
 import steward.machines.wire.HeaderText;
 import steward.machines.wire.WireMessage;
 import steward.machines.wire.WorkerWord;
-import steward.scene.PhysicsFingerprint;
+import steward.scene.RungLaw;
 import steward.scene.json.SceneException;
 
 /**
@@ -404,9 +404,10 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
 
     private void hello(WorkerState state, WorkerWord.Hello hello) {
         int slots = hello.slots();
-        String own = PhysicsFingerprint.text();
-        if (!hello.bits().equals(own)) {
-            String why = apart(state.name, shown(hello.version()), shown(hello.bits()), own);
+        RungLaw law = contest.setup().plan().law();
+        String theirs = law.keyAmong(hello.bits());
+        if (!theirs.equals(law.key())) {
+            String why = apart(state.name, shown(hello.version()), shown(theirs), law.key());
             say(why);
             broker.tell(state.name, WireMessage.bytes(new HeaderText().put("type", "refused").put("reason", why)));
             return;

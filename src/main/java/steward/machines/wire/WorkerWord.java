@@ -17,7 +17,7 @@ public interface WorkerWord {
      * That it is there.
      *
      * @param version of its program
-     * @param bits    what that computes, as a fingerprint
+     * @param bits    what that computes: the keys of the laws of all rungs, or one key for all
      * @param machine what it plays on
      * @param slots   games at the same time
      */

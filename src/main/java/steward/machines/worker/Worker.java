@@ -24,7 +24,7 @@ import steward.machines.wire.HeaderText;
 import steward.machines.wire.LeagueWord;
 import steward.machines.wire.WireMessage;
 import steward.machines.wire.WorkerWord;
-import steward.scene.PhysicsFingerprint;
+import steward.scene.RungLaw;
 import steward.scene.json.SceneException;
 
 /**
@@ -129,7 +129,7 @@ public final class Worker {
     /** One connection. */
     private void session(BrokerClient client) throws BrokenException, InterruptedException {
         client.say(WireMessage.bytes(new HeaderText().put("type", "hello").put("version", options.version())
-            .put("bits", PhysicsFingerprint.text()).put("machine", options.machine()).put("slots", options.slots())));
+            .put("bits", RungLaw.keys()).put("machine", options.machine()).put("slots", options.slots())));
         JobPlay jobs = welcome(client);
         for (String bundle : unfit.keySet()) {
             sayUnfit(client, bundle);

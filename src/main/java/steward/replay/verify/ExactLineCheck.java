@@ -51,7 +51,8 @@ final class ExactLineCheck implements LineCheck {
         observed = replay.imported() ? new RecordedObservations(replay) : null;
         ReplayHeader header = replay.header();
         lines = new ReplayLines(new ReplayHeader(header.game(), again.setup().scene().json(), header.seed(),
-            header.names(), header.bots(), header.protocols(), header.timeFactor(), header.angles(), header.signer()),
+            header.names(), header.bots(), header.protocols(), header.timeFactor(), header.law(),
+            header.angles(), header.signer()),
             observed);
     }
 

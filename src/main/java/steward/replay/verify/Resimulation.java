@@ -35,7 +35,8 @@ public final class Resimulation {
 
     /**
      * @param source name of the replay, for errors about its scene
-     * @throws ReplayException              if the header says another game or number of players than its scene
+     * @throws ReplayException              if the header says another game or number of players than its scene, or a
+     *                                      law that this program does not play
      * @throws steward.scene.json.SceneException if the scene in the header is not one that the known games can play
      */
     public Resimulation(ReplayHeader header, GameTypes types, String source) {
@@ -45,6 +46,7 @@ public final class Resimulation {
                 + TextFormat.beginning(header.game(), SHOWN) + "\", expected \""
                 + setup.scene().gameId() + "\" as in the scene");
         }
+        checkLaw(header.law(), source);
         serverView = types.serverView(header.game()).orElse(null);
         game = setup.create(header.seed());
         codec = setup.codec(game);
@@ -52,6 +54,18 @@ public final class Resimulation {
         if (game.players() != header.names().size()) {
             throw new ReplayException(source + ":1: players: found " + header.names().size() + ", expected "
                 + game.players() + " as in the scene");
+        }
+    }
+
+    private void checkLaw(int recorded, String source) {
+        int current = setup.plan().lawVersion();
+        String rung = setup.scene().accuracy().text();
+        if (recorded < current) {
+            throw new OlderLawException(source, rung, recorded, current);
+        }
+        if (recorded > current) {
+            throw new ReplayException(source + ":1: law: found " + recorded + ", expected at most " + current + " on "
+                + rung + ": a newer version of Steward wrote this replay");
         }
     }
 

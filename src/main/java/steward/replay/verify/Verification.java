@@ -15,17 +15,19 @@ import steward.replay.ReplayReader;
  * @param difference the first difference, or {@code null} if there is none
  * @param warning    where the file was cut off, or {@code null}
  * @param impacts    how the impacts of an imported match compare with ours
+ * @param olderLaw   by which law the match was played, where that is older than the one of its rung and nothing was
+ *                   compared; otherwise {@code null}
  * @param signature  what its signature is worth; {@code CUT_OFF} wherever it was not reached
  */
 public record Verification(int turns, int states, boolean whole, Difference difference, String warning,
-                           ImpactCounts impacts, SignatureCheck signature) {
+                           ImpactCounts impacts, String olderLaw, SignatureCheck signature) {
 
     /** The first format in which every line has exactly one accepted form. */
     private static final int SPELLED_SINCE = 3;
 
     /** Whether everything recorded agrees, even if the replay was cut off; false if the header is incomplete. */
     public boolean agrees() {
-        return difference == null && signature.verdict() != SignatureCheck.Verdict.WRONG;
+        return difference == null && olderLaw == null && signature.verdict() != SignatureCheck.Verdict.WRONG;
     }
 
     /** Whether everything agrees up to a result, states were compared, and the signature is right if one is due. */
@@ -52,10 +54,21 @@ public record Verification(int turns, int states, boolean whole, Difference diff
      */
     public static Verification of(ReplayReader replay, GameTypes types, int[] asked) {
         if (replay.header() == null) {
-            return new Verification(0, 0, false, null, replay.warning(), ImpactCounts.NONE,
-                SignatureCheck.UNSIGNED);
+            return uncompared(replay, null);
         }
-        Resimulation again = new Resimulation(replay.header(), types, replay.source());
+        try {
+            return of(replay, new Resimulation(replay.header(), types, replay.source()), asked);
+        } catch (OlderLawException older) {
+            return uncompared(replay, older.laws());
+        }
+    }
+
+    private static Verification uncompared(ReplayReader replay, String olderLaw) {
+        return new Verification(0, 0, false, null, replay.warning(), ImpactCounts.NONE, olderLaw,
+            SignatureCheck.UNSIGNED);
+    }
+
+    private static Verification of(ReplayReader replay, Resimulation again, int... asked) {
         if (asked != null && asked.length != again.game().players()) {
             throw new ReplayException(replay.source() + ":1: players: found " + again.game().players() + ", expected "
                 + asked.length);
@@ -91,7 +104,7 @@ public record Verification(int turns, int states, boolean whole, Difference diff
             }
         }
         return new Verification(turns, states, whole, difference, replay.warning(), check.impacts(),
-            signed.check(whole));
+            null, signed.check(whole));
     }
 
     /** Those who are to be asked in the next turn, if there is one. */

@@ -40,7 +40,6 @@ import steward.lab.timing.TimingEffort;
 import steward.lab.timing.TurnTimer;
 import steward.scene.Accuracy;
 import steward.scene.AccuracyFigures;
-import steward.scene.PhysicsFingerprint;
 import steward.scene.SceneFiles;
 import steward.scene.SceneKey;
 
@@ -216,7 +215,7 @@ class CalibrateTest {
         AccuracyFigures figures = shipped(name);
         assertEquals(FEWER_STATES.getOrDefault(name, Calibration.STATES), figures.states());
         assertEquals(SceneKey.of(setup.scene()), figures.key());
-        assertEquals(PhysicsFingerprint.text(), figures.physics());
+        assertEquals(figures.rungs(), figures.holding().rungs());
     }
 
     /** The first states of them, played and measured again. */

@@ -53,7 +53,7 @@ import steward.machines.wire.HeaderText;
 import steward.machines.wire.WireMessage;
 import steward.machines.wire.WorkerWord;
 import steward.machines.worker.Worker;
-import steward.scene.PhysicsFingerprint;
+import steward.scene.RungLaw;
 
 /**
  * All that a league and a worker say is as the schema says. What the league says is written down by a made-up worker;
@@ -138,7 +138,7 @@ class MessageSchemaTest {
         try (BrokerClient client = WorkerTest.join(port, token)) {
             client.say(hello("0123456789abcdef"));
             assertEquals("refused", WireMessage.read(listen(client), "m").header().text("type"));
-            client.say(hello(PhysicsFingerprint.text()));
+            client.say(hello(RungLaw.WHOLE_LADDER));
             welcome = listen(client);
             try (BrokerClient.Taker taker = client.taker(List.of())) {
                 job = taker.take(60_000);

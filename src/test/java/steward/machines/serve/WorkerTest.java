@@ -55,7 +55,7 @@ import steward.machines.wire.WireMessage;
 import steward.machines.wire.WorkerWord;
 import steward.machines.worker.Worker;
 import steward.match.Protocol;
-import steward.scene.PhysicsFingerprint;
+import steward.scene.RungLaw;
 
 /** A league whose games workers play, in this JVM: honest ones, forging ones, and such as may not. */
 @Tag("process")
@@ -226,7 +226,7 @@ class WorkerTest {
 
     private static void hello(BrokerClient client, String machine) throws BrokenException {
         client.say(WireMessage.bytes(new HeaderText().put("type", "hello").put("version", "1")
-            .put("bits", PhysicsFingerprint.text()).put("machine", machine).put("slots", 1)));
+            .put("bits", RungLaw.keys()).put("machine", machine).put("slots", 1)));
     }
 
     /** Plays the first games of a job as it should. */
@@ -480,11 +480,11 @@ class WorkerTest {
             assertEquals("refused", message.header().text("type"));
             String reason = message.header().text("reason");
             assertEquals("found Steward 0.0.9 (results 0123456789abcdef) on worker old and Steward 1 (results "
-                + PhysicsFingerprint.text() + ") in the league, expected versions that compute the same", reason);
+                + RungLaw.WHOLE_LADDER + ") in the league, expected versions that compute the same", reason);
             assertEquals(List.of(reason), told, "the league says it, too");
 
             client.say(WireMessage.bytes(new HeaderText().put("type", "hello").put("version", "0.0.8")
-                .put("bits", PhysicsFingerprint.text()).put("machine", "a machine").put("slots", 2)));
+                .put("bits", RungLaw.keys()).put("machine", "a machine").put("slots", 2)));
             client.say(WireMessage.bytes(new HeaderText().put("type", "differs").put("rules", "fedcba9876543210")));
             while (told.size() < 3) {
                 TimeUnit.MILLISECONDS.sleep(10);

@@ -51,7 +51,8 @@ class FrozenReplaysTest {
 
     @Test
     void anImportedOneIsVerifiedAsFarAsItGoes() {
-        assertEquals(new Verification(16, 12, true, null, null, ImpactCounts.NONE, SignatureCheck.UNSIGNED),
+        assertEquals(new Verification(16, 12, true, null, null, ImpactCounts.NONE, null,
+            SignatureCheck.UNSIGNED),
             Recorded.verify(frozen("format-2-imported")));
     }
 

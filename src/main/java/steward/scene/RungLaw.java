@@ -1,0 +1,114 @@
+package steward.scene;
+
+import java.util.Arrays;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import steward.Internal;
+import steward.physics.ImpactLaw;
+
+/**
+ * The law of impact of one rung, with its version. Whoever changes bits of a rung on purpose gives its law the next
+ * version and the fingerprint that {@code RungLawTest} prints: seasons, calibrations and replays of that law end, those
+ * of the others stay.
+ */
+@Internal
+public enum RungLaw {
+
+    /** Fixed steps, however many. */
+    STEP(1, "47c4e2ffb64cd9a1"),
+    /** {@code event/official}, where bodies cannot come to rest. */
+    OFFICIAL(1, "503e94a136d51a78"),
+    /** {@code event/official}, where they can. */
+    OFFICIAL_WITH_REST(1, "b95cfdb860907c6f"),
+    /** {@code event/double}, where bodies cannot come to rest. */
+    DOUBLE(1, "f465cab171fe3b9e"),
+    /** {@code event/double}, where they can. */
+    DOUBLE_WITH_REST(1, "b388cce0fad5a075"),
+    /** {@code event/compensated}, where bodies cannot come to rest. */
+    COMPENSATED(1, "bc93fa2472e83b15"),
+    /** {@code event/compensated}, where they can. */
+    COMPENSATED_WITH_REST(1, "0c63e057b046f68b"),
+    /** {@code event/exact}, where bodies cannot come to rest. */
+    EXACT(1, "89b189c8e7e197ec"),
+    /** {@code event/exact}, where they can. */
+    EXACT_WITH_REST(1, "4fda083b651e65f2");
+
+    /** The fingerprint of the whole ladder that programs had before laws had versions: law 1 of every rung. */
+    public static final String WHOLE_LADDER = "b8309ca632eecf63";
+
+    private final int version;
+    private final String fingerprint;
+
+    /** @param fingerprint of the bits that this version computes, as {@link PhysicsFingerprint} finds it */
+    RungLaw(int version, String fingerprint) {
+        this.version = version;
+        this.fingerprint = fingerprint;
+    }
+
+    /** The law by which bodies under an impact law are advanced on a rung. */
+    public static RungLaw of(Accuracy rung, ImpactLaw law) {
+        return of(rung, law.bodiesRest());
+    }
+
+    private static RungLaw of(Accuracy rung, boolean rest) {
+        return switch (rung.way()) {
+            case STEP -> STEP;
+            case EVENT -> switch (rung.arithmetic()) {
+                case OFFICIAL, FORMER_OFFICIAL -> rest ? OFFICIAL_WITH_REST : OFFICIAL;
+                case DOUBLE -> rest ? DOUBLE_WITH_REST : DOUBLE;
+                case COMPENSATED -> rest ? COMPENSATED_WITH_REST : COMPENSATED;
+                case EXACT -> rest ? EXACT_WITH_REST : EXACT;
+            };
+        };
+    }
+
+    /** 1 for the law that the rung had when versions began; a replay's header names later ones. */
+    public int version() {
+        return version;
+    }
+
+    /** The fingerprint that this version is known by; this program computes {@link PhysicsFingerprint#of}. */
+    public String fingerprint() {
+        return fingerprint;
+    }
+
+    /**
+     * The name of what this program computes by this law. Law 1 has one name on all rungs, the one that seasons and
+     * parts of leagues of earlier programs carry; anything else is named by its fingerprint.
+     *
+     * @return 16 hexadecimal digits
+     */
+    public String key() {
+        String computed = PhysicsFingerprint.of(this);
+        return isFirst(computed) ? WHOLE_LADDER : computed;
+    }
+
+    private boolean isFirst(String computed) {
+        return version == 1 && computed.equals(fingerprint);
+    }
+
+    /** The keys of all laws, in their order: what a worker says of itself. */
+    public static String keys() {
+        return Arrays.stream(values()).map(RungLaw::key).collect(Collectors.joining(" "));
+    }
+
+    /** The key of this law among {@link #keys} of another program; a program without versions has one for all. */
+    public String keyAmong(String keys) {
+        String[] each = keys.split(" ");
+        return each.length == 1 ? each[0] : ordinal() < each.length ? each[ordinal()] : "";
+    }
+
+    /**
+     * True if figures of a rung still hold.
+     *
+     * @param measured the fingerprint of the law that was measured; after {@link #WHOLE_LADDER} both of the rung's laws
+     *                 have to be the first
+     * @param computed gives the fingerprint of what this program computes by a law
+     */
+    static boolean holds(String measured, Accuracy rung, Function<RungLaw, String> computed) {
+        Stream<RungLaw> laws = Stream.of(of(rung, false), of(rung, true));
+        return measured.equals(WHOLE_LADDER) ? laws.allMatch(law -> law.isFirst(computed.apply(law)))
+            : laws.map(computed).anyMatch(measured::equals);
+    }
+}
