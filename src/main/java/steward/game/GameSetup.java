@@ -46,6 +46,11 @@ public interface GameSetup {
         return plan().motion();
     }
 
+    /** Edition of the rules where the game has several and this is not the oldest; otherwise empty. */
+    default String edition() {
+        return "";
+    }
+
     /** Seeded commands for measuring. Where an aim means nothing in this game, it is that to win. */
     Pilot pilot(Pilot.Aim aim);
 

@@ -56,6 +56,12 @@ public record LeagueSettings(String scene, long seed, String gauntlet, boolean a
         return bots.stream().filter(bot -> bot.name().equals(name)).findFirst();
     }
 
+    /** The same of another scene. */
+    public LeagueSettings withScene(String other) {
+        return new LeagueSettings(other, seed, gauntlet, adaptive, lag, factor, basis, hiccups, sandbox, keep,
+            keepOf, bots);
+    }
+
     /** The same with other bots. */
     public LeagueSettings withBots(List<LeagueBot> others) {
         return new LeagueSettings(scene, seed, gauntlet, adaptive, lag, factor, basis, hiccups, sandbox, keep,

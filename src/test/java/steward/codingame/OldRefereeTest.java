@@ -75,8 +75,8 @@ class OldRefereeTest {
 
     @Test
     void aDrawIsOneWord() throws InterruptedException {
-        // No pod moves: both players are out after 50 turns without a checkpoint.
-        String idle = "0 0 0\n".repeat(100);
+        // No pod moves: both players are out after 51 turns without a checkpoint.
+        String idle = "0 0 0\n".repeat(102);
         assertEquals("###End 01", last(play(TestScenes.duel(2), TimeControl.UNLIMITED, "###Start 2\n" + idle)));
     }
 

@@ -107,13 +107,13 @@ class RefereeTest {
 
     @Test
     void whoIsOutByTheRulesIsAskedNoMoreButHearsTheEnd() throws InterruptedException {
-        // 50 turns without a checkpoint put A and C out; B stands on its next one and passes it in the first turn.
+        // 51 turns without a checkpoint put A and C out; B stands on its next one and passes it in the first turn.
         PodState atGoal = new PodState(10500, 3500, 0, 0, 0, 0, true, 0);
         play(3, startingWith(1, atGoal), player("A", ScriptedPlayer::idle),
             player("B", k -> k < 60 ? ScriptedPlayer.idle(k) : LATE), player("C", ScriptedPlayer::idle));
 
-        assertTrue(log.contains("A ask 50"));
-        assertFalse(log.contains("A ask 51"));
+        assertTrue(log.contains("A ask 51"));
+        assertFalse(log.contains("A ask 52"));
         assertTrue(log.contains("A end"));
         assertTrue(log.contains("C end"));
     }
@@ -148,9 +148,9 @@ class RefereeTest {
     void onePlayerPlaysUntilItIsOut() throws InterruptedException {
         MatchResult result = play(1, NOBODY, player("A", ScriptedPlayer::idle));
 
-        assertEquals(50, result.turns());
+        assertEquals(51, result.turns());
         assertEquals("all are out", result.ending());
-        assertEquals("no checkpoint in 50 turns", result.players().get(0).out());
+        assertEquals("no checkpoint in 51 turns", result.players().get(0).out());
         assertNull(result.players().get(0).fault());
         assertEquals("A end", log.get(log.size() - 1));
     }

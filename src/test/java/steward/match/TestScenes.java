@@ -43,6 +43,11 @@ public final class TestScenes {
         return TYPES.open(text.replace(from, to), name + ", changed");
     }
 
+    /** A shipped pod race with the rules of the contest. */
+    public static GameSetup contest(String name) {
+        return changed(name, "\"rules\": \"live\"", "\"rules\": \"contest\"");
+    }
+
     /** The file of a shipped scene. */
     public static String text(String name) {
         return SceneFiles.load("config/scenes/" + name + ".json").text();

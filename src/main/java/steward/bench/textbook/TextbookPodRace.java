@@ -1,6 +1,7 @@
 package steward.bench.textbook;
 
 import java.awt.geom.Line2D;
+import java.awt.geom.Point2D;
 import java.util.ArrayList;
 import java.util.List;
 import steward.numerics.SineCosine;
@@ -9,7 +10,8 @@ import steward.numerics.SineCosine;
  * The textbook baseline: the official turn of the pod race as a contestant writes it from the rules: pod objects, the
  * arc tangent of {@link StrictMath}, every pair's quadratic each time. It shares no code with the engine but
  * {@link SineCosine}, the correctly rounded sine and cosine of the game's rules, which has tests of its own; so the
- * engine can be measured and checked against it. Without elimination and without the bound on impacts.
+ * engine can be measured and checked against it. The rules are those of the live server, without elimination and
+ * without the bound on impacts.
  *
  * <p>Units: u, turns, radians, pod masses.
  */
@@ -248,10 +250,10 @@ public final class TextbookPodRace {
     private static boolean passes(Pod pod, double[] checkpoint) {
         for (int k = 1; k < pod.path; k++) {
             if (Line2D.ptSegDist(pod.pathX[k - 1], pod.pathY[k - 1], pod.pathX[k], pod.pathY[k], checkpoint[0],
-                checkpoint[1]) <= CHECKPOINT_RADIUS) {
+                checkpoint[1]) < CHECKPOINT_RADIUS) {
                 return true;
             }
         }
-        return false;
+        return Point2D.distance(pod.x, pod.y, checkpoint[0], checkpoint[1]) <= CHECKPOINT_RADIUS;
     }
 }

@@ -24,6 +24,7 @@ import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.store.GameLine;
 import steward.league.store.GameStore;
+import steward.league.store.SeasonOpening;
 import steward.text.TextFormat;
 
 /** {@code steward league import}: games of another league. */
@@ -63,7 +64,7 @@ final class ImportGamesCommand implements Callable<Integer> {
             List<StoredGame> games = new ArrayList<>();
             GameLine.Reader reader = new GameLine.Reader(store, season);
             read(path, found -> reader.check(found.place(), found.game(), found.seats()));
-            int number = LeagueOpening.season(folder, store, season, false);
+            int number = SeasonOpening.open(folder, settings, store, season, false);
             read(path, found -> games.add(reader.read(found.place(), found.game(), found.seats())));
             int added = 0;
             for (int from = 0; from < games.size(); from += TOGETHER) {

@@ -23,6 +23,7 @@ import steward.league.play.Roster;
 import steward.league.play.RosterReader;
 import steward.league.store.GameStore;
 import steward.league.store.PartStore;
+import steward.league.store.SeasonOpening;
 import steward.machines.part.PartMerge;
 import steward.text.TextFormat;
 
@@ -67,7 +68,7 @@ final class MergeCommand implements Callable<Integer> {
         Contest contest = LeagueOpening.contest(folder, settings, streams);
         Season season = Season.of(contest.setup(), settings);
         try (FolderLock lock = FolderLock.take(folder); GameStore store = GameStore.write(folder)) {
-            int number = LeagueOpening.season(folder, store, season, false);
+            int number = SeasonOpening.open(folder, settings, store, season, false);
             RosterReader reader = new RosterReader(store, contest, LeagueOpening.environment(settings), false,
                 what -> streams.err().println("steward: " + TextFormat.plain(what)), System::currentTimeMillis);
             Roster roster = reader.read(settings);

@@ -30,6 +30,7 @@ import steward.league.StoredGame.StoredSeat;
 import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
 import steward.league.store.GameStore.Version;
+import steward.league.store.SeasonOpening;
 import steward.match.MatchResult;
 
 /** Stores games between the bots of a contest in a league ({@code --into}), each when it is over, and finds them. */
@@ -42,12 +43,12 @@ public final class StoredSeries implements AutoCloseable {
     private final String machine;
     private final Map<Integer, Version> versions = new HashMap<>();
 
-    private StoredSeries(GameStore store, Season season, Contest contest, String machine) {
+    private StoredSeries(GameStore store, Season season, int number, Contest contest, String machine) {
         this.store = store;
         this.season = season;
         this.contest = contest;
         this.machine = machine;
-        number = store.open(season);
+        this.number = number;
     }
 
     /**
@@ -72,8 +73,10 @@ public final class StoredSeries implements AutoCloseable {
         }
         GameStore store = GameStore.write(folder);
         try {
-            StoredSeries stored = new StoredSeries(store, season, contest, "match, " + System.getProperty("os.name")
-                + " " + System.getProperty("os.arch") + ", Java " + System.getProperty("java.version") + ", sandbox "
+            int number = SeasonOpening.open(folder, settings, store, season, false);
+            StoredSeries stored = new StoredSeries(store, season, number, contest, "match, "
+                + System.getProperty("os.name") + " " + System.getProperty("os.arch") + ", Java "
+                + System.getProperty("java.version") + ", sandbox "
                 + contest.sandbox());
             Map<String, String> passed = new TreeMap<>();
             environment.forEach(name -> passed.put(name, String.valueOf(System.getenv(name))));

@@ -14,12 +14,13 @@ public final class CheckpointSweep {
     }
 
     /**
-     * @param log    holds the knots of the path between start and end, those of all bodies
-     * @param bodyId whose path
-     * @param radius distances up to and including this count
+     * @param log         holds the knots of the path between start and end, those of all bodies
+     * @param bodyId      whose path
+     * @param reachOfPath distances of a segment up to and including this count
+     * @param reachOfEnd  and those of the end; below 0 for none
      */
     static boolean passes(TurnLog log, int bodyId, double startX, double startY, double endX, double endY,
-                          double checkpointX, double checkpointY, double radius) {
+                          double checkpointX, double checkpointY, double reachOfPath, double reachOfEnd) {
         double fromX = startX;
         double fromY = startY;
         int corner = -1;
@@ -28,7 +29,7 @@ public final class CheckpointSweep {
                 if (corner >= 0 && log.knotTime(corner) != log.knotTime(k)) {
                     double toX = log.knotX(corner);
                     double toY = log.knotY(corner);
-                    if (distance(checkpointX, checkpointY, fromX, fromY, toX, toY) <= radius) {
+                    if (distance(checkpointX, checkpointY, fromX, fromY, toX, toY) <= reachOfPath) {
                         return true;
                     }
                     fromX = toX;
@@ -40,13 +41,21 @@ public final class CheckpointSweep {
         if (corner >= 0) {
             double toX = log.knotX(corner);
             double toY = log.knotY(corner);
-            if (distance(checkpointX, checkpointY, fromX, fromY, toX, toY) <= radius) {
+            if (distance(checkpointX, checkpointY, fromX, fromY, toX, toY) <= reachOfPath) {
                 return true;
             }
             fromX = toX;
             fromY = toY;
         }
-        return distance(checkpointX, checkpointY, fromX, fromY, endX, endY) <= radius;
+        return distance(checkpointX, checkpointY, fromX, fromY, endX, endY) <= reachOfPath
+            || distance(checkpointX, checkpointY, endX, endY) <= reachOfEnd;
+    }
+
+    /** Distance of two points. */
+    public static double distance(double x, double y, double otherX, double otherY) {
+        double dx = x - otherX;
+        double dy = y - otherY;
+        return Math.sqrt(dx * dx + dy * dy);
     }
 
     /*

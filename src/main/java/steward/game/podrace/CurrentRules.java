@@ -3,10 +3,17 @@ package steward.game.podrace;
 import steward.numerics.SineCosine;
 import steward.physics.TurnLog;
 
-/** The rules of the server. */
+/** The rules of the server, in the edition of the scene. */
 final class CurrentRules extends RaceRules {
 
     private final SineCosine direction = new SineCosine();
+    private final double reachOfPath;
+    private final double reachOfEnd;
+
+    CurrentRules(PodRaceSettings settings) {
+        reachOfPath = settings.rules().reachOfPath(settings.checkpointRadius());
+        reachOfEnd = settings.rules().reachOfEnd(settings.checkpointRadius());
+    }
 
     @Override
     void point(double heading) {
@@ -39,8 +46,9 @@ final class CurrentRules extends RaceRules {
 
     @Override
     boolean passes(TurnLog log, int bodyId, double startX, double startY, double endX, double endY,
-                   double checkpointX, double checkpointY, double radius) {
-        return CheckpointSweep.passes(log, bodyId, startX, startY, endX, endY, checkpointX, checkpointY, radius);
+                   double checkpointX, double checkpointY) {
+        return CheckpointSweep.passes(log, bodyId, startX, startY, endX, endY, checkpointX, checkpointY, reachOfPath,
+            reachOfEnd);
     }
 
     /** All players who are out share the last rank. */

@@ -14,6 +14,11 @@ final class FormerRules extends RaceRules {
     private static final double START_SPACING = 1000;
 
     private final StrictAngles direction = new StrictAngles();
+    private final double radius;
+
+    FormerRules(double checkpointRadius) {
+        radius = checkpointRadius;
+    }
 
     @Override
     void point(double heading) {
@@ -55,7 +60,7 @@ final class FormerRules extends RaceRules {
 
     @Override
     boolean passes(TurnLog log, int bodyId, double startX, double startY, double endX, double endY,
-                   double checkpointX, double checkpointY, double radius) {
+                   double checkpointX, double checkpointY) {
         double fromX = startX;
         double fromY = startY;
         for (int k = 0; k < log.knots(); k++) {

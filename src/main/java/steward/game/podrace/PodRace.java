@@ -87,7 +87,7 @@ public final class PodRace extends AbstractGame {
         this.checkpoints = checkpoints;
         passTexts = passTexts();
         angles = scene.angles();
-        rules = RaceRules.of(angles);
+        rules = RaceRules.of(angles, settings);
         List<Bumper> bumpers = scene.field().map(field -> field.bumpers()).orElse(List.of());
         int pods = settings.pods();
         bodies = new Bodies(pods + bumpers.size());
@@ -120,7 +120,7 @@ public final class PodRace extends AbstractGame {
         settings = other.settings;
         plan = other.plan;
         angles = other.angles;
-        rules = RaceRules.of(angles);
+        rules = RaceRules.of(angles, settings);
         checkpoints = other.checkpoints;
         passTexts = other.passTexts;
         this.advance = advance;
@@ -232,9 +232,9 @@ public final class PodRace extends AbstractGame {
     }
 
     private boolean passesNext(int pod) {
-        double[] next = checkpoints[nextCheckpoint(pod)];
+        double[] next = toPass(pod);
         return rules.passes(log, bodies.id(pod), startX[pod], startY[pod], bodies.x[pod], bodies.y[pod],
-            next[0], next[1], settings.checkpointRadius());
+            next[0], next[1]);
     }
 
     private void markCheckpoint(int pod) {
@@ -254,10 +254,11 @@ public final class PodRace extends AbstractGame {
     private void decideOutcome() {
         int in = 0;
         int finished = 0;
+        int fewest = settings.rules().fewestTurnsLeft();
         for (int player = 0; player < settings.players(); player++) {
             finished += standing.hasFinished(player) ? 1 : 0;
-            if (isIn(player) && turnsLeft[player] <= 0 && !standing.hasFinished(player)) {
-                putOut(player, "no checkpoint in " + settings.turnsWithoutCheckpoint() + " turns");
+            if (isIn(player) && turnsLeft[player] < fewest && !standing.hasFinished(player)) {
+                putOut(player, "no checkpoint in " + (settings.turnsWithoutCheckpoint() + 1 - fewest) + " turns");
                 int pod = standing.bestPod(player);
                 events.add(TurnEvent.Kind.MARK, 1, pod, bodies.x[pod], bodies.y[pod],
                     "player " + player + " is out: " + eliminationReason(player), true);
@@ -336,7 +337,7 @@ public final class PodRace extends AbstractGame {
         return Arrays.stream(checkpoints).map(double[]::clone).toArray(double[][]::new);
     }
 
-    /** How many turns the player has left to pass a checkpoint. */
+    /** The number of turns that the player has left to pass a checkpoint; by live rules one more is played at 0. */
     public int turnsLeft(int player) {
         return turnsLeft[player];
     }
@@ -371,9 +372,14 @@ public final class PodRace extends AbstractGame {
         return pod / settings.podsPerPlayer();
     }
 
-    /** Index of the checkpoint that a pod must pass next. */
+    /** Index of the checkpoint that a pod must pass next; by live rules 0 when it has finished. */
     public int nextCheckpoint(int pod) {
-        return (passed[pod] + 1) % checkpoints.length;
+        return settings.rules().shownNext(passed[pod], toFinish(), checkpoints.length);
+    }
+
+    /** The checkpoint that a pod passes next, counting on behind the finish. */
+    private double[] toPass(int pod) {
+        return checkpoints[(passed[pod] + 1) % checkpoints.length];
     }
 
     /** Laps done. */
@@ -418,8 +424,8 @@ public final class PodRace extends AbstractGame {
 
     /** The distance of a pod from its next checkpoint, in u. */
     public double toNext(int pod) {
-        double dx = checkpoints[nextCheckpoint(pod)][0] - bodies.x[pod];
-        double dy = checkpoints[nextCheckpoint(pod)][1] - bodies.y[pod];
+        double dx = toPass(pod)[0] - bodies.x[pod];
+        double dy = toPass(pod)[1] - bodies.y[pod];
         return Math.sqrt(dx * dx + dy * dy);
     }
 }

@@ -1,8 +1,10 @@
 package steward.game.podrace;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 import steward.Internal;
 import steward.numerics.SplitMix64;
 import steward.scene.Scene;
@@ -11,6 +13,7 @@ import steward.scene.json.Block;
 /**
  * The settings of a pod race, from the blocks {@code pods} and {@code race} of a scene.
  *
+ * @param rules                  edition of the rules
  * @param players                how many players, 1..16
  * @param podsPerPlayer          1..8
  * @param radius                 of a pod, in u
@@ -22,13 +25,15 @@ import steward.scene.json.Block;
  * @param maps                   one of these is drawn at random: checkpoints {@code [n][x, y]}, n at least 2
  * @param shift                  whether the order of checkpoints starts at a random one
  * @param jitter                 each coordinate is moved by a whole number drawn from -jitter..jitter
- * @param turnsWithoutCheckpoint a player none of whose pods passes a checkpoint for this many turns is eliminated
+ * @param turnsWithoutCheckpoint a player none of whose pods passes a checkpoint for this many turns, and by live rules
+ *                               one more, is eliminated
  * @param maximumTurns           the race ends after this many turns
  */
 @Internal
-public record PodRaceSettings(int players, int podsPerPlayer, double radius, double mass, double restitution,
-                              int maximumThrust, int laps, double checkpointRadius, List<double[][]> maps,
-                              boolean shift, int jitter, int turnsWithoutCheckpoint, int maximumTurns) {
+public record PodRaceSettings(RulesEdition rules, int players, int podsPerPlayer, double radius, double mass,
+                              double restitution, int maximumThrust, int laps, double checkpointRadius,
+                              List<double[][]> maps, boolean shift, int jitter, int turnsWithoutCheckpoint,
+                              int maximumTurns) {
 
     /** The official greatest ordinary thrust, in u per turn^2; a scene may set another. */
     private static final int OFFICIAL_THRUST = 200;
@@ -39,6 +44,8 @@ public record PodRaceSettings(int players, int podsPerPlayer, double radius, dou
     /** The shield's timer on the turn it is raised: no thrust on this and the next three. */
     public static final int SHIELD_TURNS = 4;
 
+    private static final Map<String, RulesEdition> RULES = Arrays.stream(RulesEdition.values())
+        .collect(Collectors.toMap(RulesEdition::word, edition -> edition));
     private static final int MAXIMUM_CHECKPOINTS = 64;
     private static final double MAXIMUM_COORDINATE = 1e6;
 
@@ -72,6 +79,7 @@ public record PodRaceSettings(int players, int podsPerPlayer, double radius, dou
         int maximumThrust = pods.integer("maximumThrust", 1, BOOST_THRUST, OFFICIAL_THRUST);
         pods.done();
         Block race = scene.root().block("race");
+        RulesEdition rules = race.choice("rules", RULES, RulesEdition.CONTEST);
         int laps = race.integer("laps", 1, 100);
         double checkpointRadius = race.positive("checkpointRadius");
         List<double[][]> maps = readMaps(race);
@@ -80,7 +88,7 @@ public record PodRaceSettings(int players, int podsPerPlayer, double radius, dou
         int turnsWithoutCheckpoint = race.integer("turnsWithoutCheckpoint", 1, 1_000_000);
         int maximumTurns = race.integer("maximumTurns", 1, 1_000_000);
         race.done();
-        return new PodRaceSettings(scene.players(), perPlayer, radius, mass, restitution, maximumThrust, laps,
+        return new PodRaceSettings(rules, scene.players(), perPlayer, radius, mass, restitution, maximumThrust, laps,
             checkpointRadius, maps, shift, jitter, turnsWithoutCheckpoint, maximumTurns);
     }
 

@@ -13,8 +13,8 @@ abstract sealed class RaceRules permits CurrentRules, FormerRules {
     double sin;
 
     /** The edition that goes with these angles; it keeps the last sine and cosine, so each race has its own. */
-    static RaceRules of(Angles angles) {
-        return angles == Angles.FDLIBM ? new FormerRules() : new CurrentRules();
+    static RaceRules of(Angles angles, PodRaceSettings settings) {
+        return angles == Angles.FDLIBM ? new FormerRules(settings.checkpointRadius()) : new CurrentRules(settings);
     }
 
     /** Computes sine and cosine of a heading, in radians. */
@@ -34,7 +34,7 @@ abstract sealed class RaceRules permits CurrentRules, FormerRules {
 
     /** As {@link CheckpointSweep#passes}. */
     abstract boolean passes(TurnLog log, int bodyId, double startX, double startY, double endX, double endY,
-                            double checkpointX, double checkpointY, double radius);
+                            double checkpointX, double checkpointY);
 
     /** Whether one player is ahead of another. */
     abstract boolean isAhead(RaceStanding standing, PodRace race, int one, int other);

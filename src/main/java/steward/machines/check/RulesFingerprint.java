@@ -28,6 +28,7 @@ public final class RulesFingerprint {
     /** 16 hexadecimal digits. */
     public static String of(GameSetup setup) {
         StateHash hash = new StateHash().add(FORM);
+        setup.edition().chars().forEach(hash::add);    // the games may be too short to tell
         for (Pilot.Aim aim : Pilot.Aim.values()) {
             Pilot pilot = setup.pilot(aim);
             for (int seed = 0; seed < SEEDS; seed++) {

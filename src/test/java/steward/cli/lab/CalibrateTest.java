@@ -119,7 +119,7 @@ class CalibrateTest {
             "--bot", bots.driver("a", ShellBots.NOWHERE), "--bot", bots.driver("b", ShellBots.NOWHERE));
         assertEquals(ExitStatus.DONE, match.status(), match.err());
         Files.delete(figures);
-        assertEquals("verified: states of 50 of 50 turns and the result\n",
+        assertEquals("verified: states of 51 of 51 turns and the result\n",
             Cli.run("replay", replay.toString(), "--verify").out());
     }
 

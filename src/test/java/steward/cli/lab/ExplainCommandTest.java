@@ -84,7 +84,7 @@ class ExplainCommandTest {
         String walled = SceneFiles.load("walled-race").text();
         Path odd = Files.writeString(folder.resolve("odd.json"),
             walled.replace("{ \"x\": 13580, \"y\": 7600 }", "{ \"x\": 16580, \"y\": 7600 }"));
-        String warning = odd + ":23:26: race.maps[0].checkpoints[3]: found a checkpoint that no pod can reach at some "
+        String warning = odd + ":24:26: race.maps[0].checkpoints[3]: found a checkpoint that no pod can reach at some "
             + "jitter: what counts is behind or under the right wall, expected a place nearer than 600 u to where pods "
             + "can be";
         Cli cli = Cli.run("explain", odd.toString(), "--json", "--no-prices");

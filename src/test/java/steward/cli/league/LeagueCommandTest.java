@@ -16,7 +16,10 @@ import picocli.CommandLine;
 import steward.cli.Cli;
 import steward.cli.Main;
 import steward.cli.shared.Streams;
+import steward.league.LeagueFolder;
 import steward.league.Season;
+import steward.league.store.GameStore;
+import steward.match.TestScenes;
 
 /** The commands of a league that play nothing. */
 class LeagueCommandTest {
@@ -41,6 +44,12 @@ class LeagueCommandTest {
     private void generated(String name, int games) {
         done("init", "TMP/" + name, "--scene", "duel", "--seed", "1");
         done("generate", "TMP/" + name, "--games", Integer.toString(games), "--bots", "3");
+    }
+
+    private Season season(String name) {
+        try (GameStore store = GameStore.read(new LeagueFolder(folder.resolve(name)))) {
+            return store.lastSeason().orElseThrow();
+        }
     }
 
     @Test
@@ -139,6 +148,33 @@ class LeagueCommandTest {
             one.difference(Season.of("duel", "2", "limits", "rules", 2, false)));
         assertEquals("the scene is another one (crowd, was duel)",
             one.difference(Season.of("crowd", "2", "limits", "rules", 2, false)));
+    }
+
+    /** A league of before: its season is that of the shipped scene without the word of the rules. */
+    @Test
+    void aLeagueWhoseRulesHaveBecomeTheLiveServersGoesOnByTheOldOnesOrBeginsANewSeason() throws IOException {
+        done("init", "TMP/a", "--scene", "duel", "--seed", "1");
+        Path settings = folder.resolve("a/league.json");
+        String named = Files.readString(settings);
+        String before = TestScenes.text("duel").replace("    \"rules\": \"live\",\n", "");
+        Files.writeString(folder.resolve("a/scene.json"), before);
+        Files.writeString(settings, named.replace("\"duel\"", "\"scene.json\""));
+        done("add", "TMP/a", "one=builtin:racer");
+        done("add", "TMP/a", "two=builtin:regular");
+        done("generate", "TMP/a", "--games", "10", "--bots", "2");
+        Season played = season("a");
+        Files.delete(folder.resolve("a/scene.json"));
+        Files.writeString(settings, Files.readString(settings).replace("\"scene.json\"", "\"duel\""));
+
+        assertEquals("steward: TMP/a: the rules of the scene duel are those of the live server now, and the league has "
+            + "10 games of before; expected 'steward league run TMP/a --keep-rules', which goes on by the rules of "
+            + "before, or 'steward league run TMP/a --new-season', which begins a new table and keeps the old games\n",
+            refused("run", "TMP/a", "--games", "10"));
+        assertEquals("steward: TMP/a/scene.json is the scene with the rules of before, and league.json names it\n",
+            league("run", "TMP/a", "--games", "10", "--keep-rules").done().err().replace(folder.toString(), "TMP"));
+        assertEquals(before, Files.readString(folder.resolve("a/scene.json")));
+        assertEquals(played, season("a"));
+        assertTrue(done("run", "TMP/a", "--games", "10", "--keep-rules").startsWith("10 games of duel"), "once more");
     }
 
     @Test

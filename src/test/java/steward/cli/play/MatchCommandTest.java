@@ -33,7 +33,7 @@ class MatchCommandTest {
         bots = new ShellBots(folder);
     }
 
-    /** The first player passes a checkpoint and stays, the second passes none and is out after 50 turns. */
+    /** The first player passes a checkpoint and stays, the second passes none and is out after 51 turns. */
     private Cli duel(String... more) {
         return duel(false, bots.driver("near", ShellBots.CHECKPOINT), bots.driver("far", ShellBots.NOWHERE), more);
     }
@@ -51,20 +51,20 @@ class MatchCommandTest {
         Path file = folder.resolve("x.jsonl");
         Cli cli = duel("--seed", "7", "--out", file.toString());
         assertEquals(ExitStatus.DONE, cli.status(), cli.err());
-        assertTrue(cli.out().startsWith("near wins: the other player is out, 50 turns (duel, seed 7)\n"), cli.out());
-        assertTrue(cli.out().contains("far is out: no checkpoint in 50 turns\n"), cli.out());
+        assertTrue(cli.out().startsWith("near wins: the other player is out, 51 turns (duel, seed 7)\n"), cli.out());
+        assertTrue(cli.out().contains("far is out: no checkpoint in 51 turns\n"), cli.out());
         assertTrue(cli.out().contains("steward replay " + file), cli.out());
         assertEquals("", cli.err());
-        assertEquals("verified: states of 50 of 50 turns and the result\n",
+        assertEquals("verified: states of 50 of 51 turns and the result\n",
             Cli.run("replay", file.toString(), "--verify").out());
     }
 
     @Test
     void theReplayGoesToTheStandardOutput() throws IOException {
         Cli cli = duel("--seed", "7", "--out", "-");
-        assertTrue(cli.err().startsWith("near wins: the other player is out, 50 turns (duel, seed 7)\n"), cli.err());
+        assertTrue(cli.err().startsWith("near wins: the other player is out, 51 turns (duel, seed 7)\n"), cli.err());
         Path file = Files.writeString(folder.resolve("piped.jsonl"), cli.out());
-        assertEquals("verified: states of 50 of 50 turns and the result\n",
+        assertEquals("verified: states of 50 of 51 turns and the result\n",
             Cli.run("replay", file.toString(), "--verify").out());
         duel("--out", "-", "--json").assertRefused("--json is printed to the standard output, expected a file");
         duel("--out", "-", "--games", "2").assertRefused("--out: found -, expected a folder");
@@ -82,7 +82,7 @@ class MatchCommandTest {
     @Test
     void aSeedIsDrawnAndPrinted() {
         Cli cli = duel("--quiet");
-        assertTrue(cli.out().matches("near wins: the other player is out, 50 turns \\(duel, seed \\d+\\)\n"),
+        assertTrue(cli.out().matches("near wins: the other player is out, 51 turns \\(duel, seed \\d+\\)\n"),
             cli.out());
     }
 
@@ -94,7 +94,7 @@ class MatchCommandTest {
         JsonNode json = cli.json();
         assertEquals("-9223372036854775808", json.get("seed").stringValue());
         assertEquals("duel", json.get("scene").stringValue());
-        assertEquals(50, json.get("turns").intValue());
+        assertEquals(51, json.get("turns").intValue());
         assertEquals("all others are out", json.get("ending").stringValue());
         assertEquals(0, json.get("winner").intValue());
         assertEquals(file.toString(), json.get("replay").stringValue());
@@ -109,7 +109,7 @@ class MatchCommandTest {
         assertTrue(near.get("answerMs").get("first").doubleValue() > 0);
         assertEquals(0, near.get("warnings").size());
         JsonNode far = json.get("players").get(1);
-        assertEquals("no checkpoint in 50 turns", far.get("out").stringValue());
+        assertEquals("no checkpoint in 51 turns", far.get("out").stringValue());
         assertTrue(far.get("fault").isNull());
         assertEquals(1, far.get("rank").intValue());
     }

@@ -94,8 +94,8 @@ class SeriesReportTest {
         assertEquals(2, json.get("list").get(1).get("scores").size());
         assertTrue(json.get("bots").get(1).get("meanScore").isNumber());
         JsonNode me = json.get("times").get(0);
-        // Two games end in turn 3: one answer and the failure each without the first; two others last 50 turns.
-        assertEquals(2 * 2 + 2 * 49, me.get("answers").intValue());
+        // Two games end in turn 3: one answer and the failure each without the first; two others last 51 turns.
+        assertEquals(2 * 2 + 2 * 50, me.get("answers").intValue());
         assertTrue(me.get("mean").doubleValue() <= me.get("worst").doubleValue());
         assertTrue(me.get("p99").doubleValue() <= me.get("worst").doubleValue());
         assertTrue(me.get("worstGame").intValue() >= 1 && me.get("worstTurn").intValue() >= 2);

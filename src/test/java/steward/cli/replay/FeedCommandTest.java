@@ -44,14 +44,14 @@ class FeedCommandTest {
           echo "{\\"pods\\":[{\\"x\\":10500,\\"y\\":3500,\\"thrust\\":$thrust}]}"
         done
         """;
-    private static final int TURNS = 50;
+    private static final int TURNS = 51;
 
     @TempDir
     private Path folder;
     private Path replay;
     private String script;
 
-    /** A match of 50 turns: "near" always says the same, "far" is out at its end. */
+    /** A match of 51 turns: "near" always says the same, "far" is out at its end. */
     @BeforeEach
     void match() throws IOException {
         assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
@@ -98,7 +98,7 @@ class FeedCommandTest {
         assertTrue(lines.get(0).matches("process \\d+ is player 0 of .*x\\.jsonl, speaks json: sh .*bot\\.sh 100 0 ''"),
             cli.out());
         assertEquals("turn    1  same", lines.get(1));
-        assertEquals("50 turns compared: 50 the same, 0 different", lines.get(TURNS + 1));
+        assertEquals("51 turns compared: 51 the same, 0 different", lines.get(TURNS + 1));
         assertEquals(TURNS + 2, lines.size());
     }
 
@@ -107,9 +107,9 @@ class FeedCommandTest {
         Cli cli = feed("--quiet", bot("100", "7", "thrust=50"));
         assertEquals(ExitStatus.FAILED, cli.status());
         assertEquals(List.of("turn    7  differs: command[0].thrust recorded 100, now 50",
-            "50 turns compared: 49 the same, 1 different (turn 7)"), cli.out().lines().skip(1).toList());
+            "51 turns compared: 50 the same, 1 different (turn 7)"), cli.out().lines().skip(1).toList());
         Cli all = feed("--quiet", bot("50"));
-        assertTrue(all.out().endsWith("0 the same, 50 different (turns 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, ...)\n"));
+        assertTrue(all.out().endsWith("0 the same, 51 different (turns 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, ...)\n"));
     }
 
     @Test
@@ -164,7 +164,7 @@ class FeedCommandTest {
         Cli cli = feed("--protocol codingame", "sh", "-c",
             "while read -r own; do read -r other; echo 10500 3500 100; done");
         assertEquals(ExitStatus.DONE, cli.status(), cli.err());
-        assertTrue(cli.out().contains(", speaks codingame: sh -c ") && cli.out().contains("50 the same"), cli.out());
+        assertTrue(cli.out().contains(", speaks codingame: sh -c ") && cli.out().contains("51 the same"), cli.out());
     }
 
     @Test
@@ -183,8 +183,8 @@ class FeedCommandTest {
         assertTrue(cli.out().contains("turn   30  played, differs: command[0].thrust recorded 100, now 90\n"
             + "turn   31  played\n"), cli.out());
         assertTrue(cli.out().contains("19 turns compared: 19 the same, 0 different\n31 turns played by the bot\n"
-            + "bot.sh wins: the other player is out, 50 turns (duel, seed 7)\n"), cli.out());
-        assertEquals("verified: states of 50 of 50 turns and the result\n",
+            + "bot.sh wins: the other player is out, 51 turns (duel, seed 7)\n"), cli.out());
+        assertEquals("verified: states of 51 of 51 turns and the result\n",
             Cli.run("replay", file.toString(), "--verify").out());
         Cli early = feed("--from-turn 20 --replace --overwrite --quiet --out " + file, bot("100", "3", "exit 1"));
         assertEquals(ExitStatus.FAILED, early.status());
@@ -206,7 +206,7 @@ class FeedCommandTest {
         words[0] = "far=sh";
         assertEquals(ExitStatus.DONE, feed(call, words).status());
         assertTrue(Files.readString(file).contains("\"players\":[{\"name\":\"far-0\",\"bot\":\"far=sh "), "header");
-        assertEquals("verified: states of 50 of 50 turns and the result\n",
+        assertEquals("verified: states of 51 of 51 turns and the result\n",
             Cli.run("replay", file.toString(), "--verify").out());
     }
 
@@ -237,14 +237,14 @@ class FeedCommandTest {
     void programsReadOneObject() {
         Cli same = feed("--json", bot("100"));
         assertEquals("{\"player\":0,\"name\":\"near\",\"bot\":\"sh " + script + " 100 0 ''\",\"protocol\":\"json\","
-            + "\"compared\":50,\"same\":50,\"differing\":[],\"played\":null}\n", same.out());
+            + "\"compared\":51,\"same\":51,\"differing\":[],\"played\":null}\n", same.out());
         assertEquals("", same.err());
         Cli other = feed("--json", bot("100", "7", "thrust=50"));
         assertEquals(ExitStatus.FAILED, other.status());
         assertEquals("[{\"turn\":7,\"recordedFault\":null,\"fault\":null,\"fields\":[{\"field\":\"command[0].thrust\","
             + "\"recorded\":\"100\",\"now\":\"50\"}]}]", other.json().get("differing").toString());
         Cli played = feed("--json --from-turn 20 --replace --out " + folder.resolve("new.jsonl"), bot("100"));
-        assertEquals("{\"turns\":31,\"turnsInAll\":50,\"ending\":\"all others are out\",\"noResultBecause\":null,"
+        assertEquals("{\"turns\":31,\"turnsInAll\":51,\"ending\":\"all others are out\",\"noResultBecause\":null,"
             + "\"ahead\":[\"bot.sh\"],\"replay\":\"" + folder.resolve("new.jsonl") + "\"}",
             played.json().get("played").toString());
     }
@@ -262,7 +262,7 @@ class FeedCommandTest {
         ByteArrayOutputStream verified = new ByteArrayOutputStream();
         Main.run(new Streams(new ByteArrayInputStream(out.toByteArray()), false, verified, err, false, false),
             "replay", "-", "--verify");
-        assertEquals("verified: states of 50 of 50 turns and the result\n",
+        assertEquals("verified: states of 51 of 51 turns and the result\n",
             verified.toString(StandardCharsets.UTF_8));
     }
 
@@ -302,10 +302,10 @@ class FeedCommandTest {
             player.err());
         assertEquals(ExitStatus.UNUSABLE, player.status());
         refused("there is no program 'no-such-program'", "", "no-such-program");
-        refused("--until: found 51, expected 1 to 50", "--until 51", bot);
-        refused("--until: found 0, expected 1 to 50", "--until 0", bot);
-        refused("--pause: found 99, expected 1 to 50", "--pause=99", bot);
-        refused("--from-turn: found 51, expected 1 to 50", "--from-turn 51 --replace --out y", bot);
+        refused("--until: found 52, expected 1 to 51", "--until 52", bot);
+        refused("--until: found 0, expected 1 to 51", "--until 0", bot);
+        refused("--pause: found 99, expected 1 to 51", "--pause=99", bot);
+        refused("--from-turn: found 52, expected 1 to 51", "--from-turn 52 --replace --out y", bot);
         refused("--replace: expected --from-turn and --out", "--replace --out y", bot);
         refused("--from-turn is for --replace", "--from-turn 3", bot);
         refused("--out is for --replace", "--out y", bot);

@@ -12,6 +12,9 @@ import steward.game.TurnEvent;
 /** When a checkpoint counts as passed. */
 class CheckpointsTest {
 
+    /** Checkpoint 1 at (5000, 0). */
+    private static final double[][] AHEAD = {{0, 90_000}, {5000, 0}};
+
     /**
      * <pre>
      *   start o=========> end        at height d above the checkpoint
@@ -22,9 +25,18 @@ class CheckpointsTest {
      * </pre>
      */
     @ParameterizedTest
+    @CsvSource({"600, 0", "601, 0", "-600, 0", "-599, 1", "599, 1", "0, 1"})
+    void byLiveRulesAPathHasToComeNearerThanTheRadius(double height, int passed) {
+        pass(Races.official(AHEAD), height, passed);
+    }
+
+    @ParameterizedTest
     @CsvSource({"600, 1", "601, 0", "-600, 1", "-601, 0", "0, 1"})
-    void aPathThatTouchesTheCircleCounts(double height, int passed) {
-        PodRace race = Races.official(new double[][] {{0, 90_000}, {5000, 0}});
+    void byTheRulesOfTheContestAPathThatTouchesTheCircleCounts(double height, int passed) {
+        pass(Races.contest(AHEAD), height, passed);
+    }
+
+    private static void pass(PodRace race, double height, int passed) {
         Races.put(race, 0, 4000, height, 2000, 0);
         race.play();
 
@@ -35,18 +47,49 @@ class CheckpointsTest {
     @ParameterizedTest
     @CsvSource({"4400, 1", "4399, 0", "5600, 1", "5601, 0"})
     void aPodAtRestPassesWhenItStandsNearEnough(double x, int passed) {
-        PodRace race = Races.official(new double[][] {{0, 90_000}, {5000, 0}});
-        Races.put(race, 0, x, 0, 0, 0);
-        race.play();
+        for (PodRace race : List.of(Races.official(AHEAD), Races.contest(AHEAD))) {
+            Races.put(race, 0, x, 0, 0, 0);
+            race.play();
 
-        assertEquals(passed, race.pod(0).passed());
+            assertEquals(passed, race.pod(0).passed());
+        }
+    }
+
+    /** Away from the circle, from its edge: the start of a path counts by the rules of the contest only. */
+    @Test
+    void aStartAtTheRadiusCountsByTheRulesOfTheContestOnly() {
+        PodRace live = Races.official(AHEAD);
+        PodRace contest = Races.contest(AHEAD);
+        for (PodRace race : List.of(live, contest)) {
+            Races.put(race, 0, 5600, 0, 100, 0);
+            race.play();
+        }
+
+        assertEquals(0, live.pod(0).passed());
+        assertEquals(1, contest.pod(0).passed());
+    }
+
+    @Test
+    void whoHasFinishedGoesOnToShowCheckpointZeroByLiveRules() {
+        double[][] map = {{0, 0}, {9000, 0}};
+        PodRace live = Races.official(map);
+        PodRace contest = Races.contest(map);
+        for (PodRace race : List.of(live, contest)) {
+            Races.put(race, 0, 100, 0, 5);
+            race.play();
+            assertEquals("finished after 3 laps", race.ending());
+        }
+
+        assertEquals(0, live.nextCheckpoint(0));
+        assertEquals(1, contest.nextCheckpoint(0));
+        assertEquals(8900, live.toNext(0), "to the one behind the finish, which decides between two who finish");
     }
 
     /** The path ends at the rounded place: 600.4 before the checkpoint becomes 600, which counts, 600.6 becomes 601. */
     @ParameterizedTest
     @CsvSource({"99.6, 4400, 1", "99.4, 4399, 0"})
     void theEndOfThePathIsRounded(double speed, double end, int passed) {
-        PodRace race = Races.official(new double[][] {{0, 90_000}, {5000, 0}});
+        PodRace race = Races.official(AHEAD);
         Races.put(race, 0, 4300, 0, speed, 0);
         race.play();
 
@@ -121,7 +164,7 @@ class CheckpointsTest {
 
     @Test
     void aPlayersTurnsStartAnewWhenEitherPodPasses() {
-        PodRace race = Races.official(new double[][] {{0, 90_000}, {5000, 0}});
+        PodRace race = Races.official(AHEAD);
         Races.coast(race, 10);
         assertEquals(90, race.turnsLeft(0));
         Races.put(race, 1, 5000, 0, 0, 0);
@@ -134,7 +177,7 @@ class CheckpointsTest {
     /** Pods of a player who is out pass nothing any more. */
     @Test
     void whoIsOutPassesNothing() {
-        PodRace race = Races.duel(3, new double[][] {{0, 90_000}, {5000, 0}});
+        PodRace race = Races.duel(3, AHEAD);
         Races.put(race, 0, 5000, 0, 0, 0);
         race.eliminate(0, "for a test");
         race.play();

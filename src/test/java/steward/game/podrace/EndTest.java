@@ -17,15 +17,22 @@ class EndTest {
     /** On this map checkpoint 1 is at the origin; the duel has one lap and lets 50 turns pass without a checkpoint. */
     private static final double[][] MAP = {{90_000, 0}, {0, 0}};
 
+    /** By live rules a player with 0 turns left is asked once more. */
     @Test
-    void aPlayerIsOutAfterAHundredTurnsWithoutACheckpoint() {
-        PodRace race = Races.official(MAP);
+    void aPlayerIsOutAfterAHundredTurnsWithoutACheckpointAndByLiveRulesAfterOneMore() {
+        isOutAfter(101, Races.official(MAP));
+        isOutAfter(100, Races.contest(MAP));
+    }
+
+    private static void isOutAfter(int turns, PodRace race) {
+        Races.coast(race, 1);
         Races.put(race, 3, 0, 0, 0, 0);
-        Races.coast(race, 99);
+        Races.coast(race, turns - 2);
         assertTrue(race.isIn(0));
         race.play();
 
-        assertEquals("no checkpoint in 100 turns", race.eliminationReason(0));
+        assertEquals(100 - turns, race.turnsLeft(0));
+        assertEquals("no checkpoint in " + turns + " turns", race.eliminationReason(0));
         assertNull(race.eliminationReason(1));
         assertTrue(race.isOver());
         assertEquals("all others are out", race.ending());
@@ -36,7 +43,7 @@ class EndTest {
     @Test
     void bothOutInOneTurnIsADraw() {
         PodRace race = Races.official(MAP);
-        Races.coast(race, 100);
+        Races.coast(race, 101);
 
         assertEquals("all are out", race.ending());
         assertArrayEquals(new int[] {0, 0}, race.ranks());
@@ -45,13 +52,28 @@ class EndTest {
     @Test
     void aCheckpointInTheLastTurnSaves() {
         PodRace race = Races.official(MAP);
-        Races.coast(race, 99);
+        Races.coast(race, 100);
+        assertEquals(0, race.turnsLeft(0));
         Races.put(race, 0, 0, 0, 0, 0);
         race.play();
 
         assertTrue(race.isIn(0));
         assertFalse(race.isIn(1));
         assertEquals(100, race.turnsLeft(0));
+    }
+
+    /** The server's game 891670242: of two, one at -1 and one at 0, only the first is out. */
+    @Test
+    void byLiveRulesOnlyTheOneWithLessThanNoTurnsLeftIsOut() {
+        PodRace race = Races.official(MAP);
+        race.setTurnsLeft(0, 0);
+        race.setTurnsLeft(1, 1);
+        race.play();
+
+        assertEquals(-1, race.turnsLeft(0));
+        assertEquals(0, race.turnsLeft(1));
+        assertEquals("all others are out", race.ending());
+        assertArrayEquals(new int[] {1, 0}, race.ranks());
     }
 
     @Test
@@ -278,13 +300,13 @@ class EndTest {
         PodRace race = Races.duel(2, MAP);
         Races.put(race, 0, 50_000, 0, 0);
         Races.put(race, 1, 50_000, 5000, 0);
-        Races.coast(race, 49);
+        Races.coast(race, 50);
         race.eliminate(0, "fault");
         race.play();
 
         assertEquals("all are out", race.ending());
         assertEquals("fault", race.eliminationReason(0));
-        assertEquals("no checkpoint in 50 turns", race.eliminationReason(1));
+        assertEquals("no checkpoint in 51 turns", race.eliminationReason(1));
         assertArrayEquals(new int[] {0, 0}, race.ranks());
     }
 
@@ -309,11 +331,11 @@ class EndTest {
     @Test
     void noTurnIsPlayedAfterTheEnd() {
         PodRace race = Races.official(MAP);
-        Races.coast(race, 100);
+        Races.coast(race, 101);
 
         assertEquals("the game is over: all are out",
             assertThrows(IllegalStateException.class, race::play).getMessage());
-        assertEquals(100, race.turn());
+        assertEquals(101, race.turn());
     }
 
     @Test

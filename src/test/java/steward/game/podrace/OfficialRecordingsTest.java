@@ -39,14 +39,14 @@ class OfficialRecordingsTest {
         List<String> differences = new ArrayList<>();
         int rounds = 0;
         for (Recording recording : Recordings.all()) {
-            PodRace race = Recordings.official().create(recording.checkpoints());
+            PodRace race = Recordings.contest().create(recording.checkpoints());
             for (int r = 0; r < recording.rounds().size(); r++) {
                 Round round = recording.rounds().get(r);
                 for (int pod = 0; pod < 4; pod++) {
                     race.setPod(pod, state(round.before()[pod], recording.checkpoints().length));
                 }
                 playRound(race, recording, r, differences);
-                race = race.isOver() ? Recordings.official().create(recording.checkpoints()) : race;
+                race = race.isOver() ? Recordings.contest().create(recording.checkpoints()) : race;
                 rounds++;
             }
         }
@@ -58,7 +58,7 @@ class OfficialRecordingsTest {
         List<String> differences = new ArrayList<>();
         int rounds = 0;
         for (Recording recording : Recordings.all()) {
-            PodRace race = Recordings.official().create(recording.checkpoints());
+            PodRace race = Recordings.contest().create(recording.checkpoints());
             for (int r = 0; r < recording.rounds().size(); r++) {
                 playRound(race, recording, r, differences);
                 rounds++;

@@ -11,9 +11,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import steward.game.podrace.protocol.PodRaceType;
-import steward.scene.SceneFiles;
-import steward.scene.SceneReader;
-import steward.scene.SceneText;
+import steward.match.TestScenes;
 
 /** Official recordings: where they are, how they are read, and the race they are compared with. */
 public final class Recordings {
@@ -107,9 +105,13 @@ public final class Recordings {
         return points;
     }
 
-    /** The shipped official scene. */
+    /** The shipped official scene, which has the rules of the live server. */
     public static PodRaceType.PodRaceSetup official() {
-        SceneText text = SceneFiles.load("config/scenes/mad-pod-racing.json");
-        return new PodRaceType().open(SceneReader.read(text.text(), text.source()));
+        return (PodRaceType.PodRaceSetup) TestScenes.open("mad-pod-racing");
+    }
+
+    /** The same with the rules of the contest of 2016. */
+    public static PodRaceType.PodRaceSetup contest() {
+        return (PodRaceType.PodRaceSetup) TestScenes.contest("mad-pod-racing");
     }
 }

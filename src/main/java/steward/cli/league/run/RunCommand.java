@@ -39,6 +39,8 @@ import steward.league.rating.Ratings;
 import steward.league.rating.Results;
 import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
+import steward.league.store.RulesBefore;
+import steward.league.store.SeasonOpening;
 import steward.text.TextFormat;
 
 /** {@code steward league run}: plays. */
@@ -87,6 +89,10 @@ public final class RunCommand implements Callable<Integer> {
         + "old games stay.")
     private boolean anew;
 
+    @Option(names = "--keep-rules", description = "Goes on by the rules of before where those of a shipped scene have "
+        + "become the live server's: writes the scene as it was into the folder.")
+    private boolean keepRules;
+
     @Mixin
     private final WatchOptions watch = new WatchOptions();
 
@@ -108,18 +114,24 @@ public final class RunCommand implements Callable<Integer> {
         threads.check();
         watch.check();
         StopRule rule = until.rule();
+        check.that(!anew || !keepRules,
+            "--keep-rules: expected no --new-season with it: it goes on with the old table");
         check.range("--games", games, 1, Integer.MAX_VALUE);
         LeagueRun.Limits limits = new LeagueRun.Limits(threads.count(streams), games == null ? Long.MAX_VALUE : games,
             nanos(time));
         LeagueFolder folder = league.open();
         LeagueFolder.refuseRemote(folder.path());
+        if (keepRules && RulesBefore.keep(folder)) {
+            streams.err().println("steward: " + folder.path().resolve(LeagueFolder.SCENE)
+                + " is the scene with the rules of before, and " + LeagueFolder.SETTINGS + " names it");
+        }
         LeagueSettings settings = folder.read();
         Contest contest = LeagueOpening.contest(folder, settings, streams);
         Season season = Season.of(contest.setup(), settings);
         try (FolderLock lock = FolderLock.take(folder);
              GameStore store = durable ? GameStore.durable(folder) : GameStore.write(folder);
              GameStore viewed = GameStore.read(folder)) {
-            int number = LeagueOpening.season(folder, store, season, anew);
+            int number = SeasonOpening.open(folder, settings, store, season, anew);
             EarlierFacts.add(folder, store, Games.types());
             return play(folder, settings, store, new GameQueries(viewed, number, season), season, number, contest,
                 limits, rule);

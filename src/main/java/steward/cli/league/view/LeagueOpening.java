@@ -27,7 +27,6 @@ import steward.league.rating.Results;
 import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
 import steward.text.NearestName;
-import steward.text.TextFormat;
 
 /** Opens what the settings of a league name. */
 public final class LeagueOpening {
@@ -76,26 +75,6 @@ public final class LeagueOpening {
         return settings.bot(name).orElseThrow(() -> new InputException("found no bot '" + name + "' in the league, "
             + "expected " + (names.isEmpty() ? "one that was added" : "one of " + String.join(", ", names)
                 + NearestName.question(name, names, "'"))));
-    }
-
-    /**
-     * The season that the settings mean, opened.
-     *
-     * @param anew whether a table may be begun beside one that has games
-     * @return its number in the store
-     * @throws InputException if the games so far are another season's
-     */
-    public static int season(LeagueFolder folder, GameStore store, Season season, boolean anew) {
-        Optional<Season> last = store.lastSeason();
-        if (last.isPresent() && !last.get().key().equals(season.key()) && !anew) {
-            long games = store.games(store.season(last.get()).orElseThrow());
-            if (games > 0) {
-                throw new InputException(folder.path() + ": " + last.get().difference(season) + ", and the league has "
-                    + TextFormat.count(games, "game") + " of before; expected it as it was, or "
-                    + "--new-season, which begins a new table and keeps the old games");
-            }
-        }
-        return store.open(season);
     }
 
     /** All versions that can have a row of the table. */

@@ -5,6 +5,7 @@ import steward.game.DrawingJson;
 import steward.game.JsonNumbers;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodRaceSettings;
+import steward.game.podrace.RulesEdition;
 import steward.scene.Bumper;
 import steward.scene.Field;
 import steward.scene.Scene;
@@ -52,6 +53,9 @@ final class PodRaceFrames implements BotFrames {
         JsonNumbers.write(out, "drag", scene.drag());
         out.writeNumberProperty("maximumThrust", settings.maximumThrust());
         out.writeNumberProperty("boostThrust", PodRaceSettings.BOOST_THRUST);
+        if (settings.rules() == RulesEdition.LIVE) {
+            out.writeStringProperty("rules", settings.rules().word());
+        }
         out.writeNumberProperty("turnsWithoutCheckpoint", settings.turnsWithoutCheckpoint());
         out.writeNumberProperty("maximumTurns", settings.maximumTurns());
         if (scene.field().isPresent()) {

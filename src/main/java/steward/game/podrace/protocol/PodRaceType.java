@@ -15,6 +15,7 @@ import steward.game.TextCodec;
 import steward.game.podrace.PlaceCheck;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodRaceSettings;
+import steward.game.podrace.RulesEdition;
 import steward.physics.Arena;
 import steward.physics.Contacts;
 import steward.physics.Wall;
@@ -83,6 +84,11 @@ public final class PodRaceType implements GameType {
         /** A race on a given map, {@code [n][x, y]}, for tests against recordings and for simulators. */
         public PodRace create(double[][] checkpoints) {
             return new PodRace(settings, scene, plan, checkpoints);
+        }
+
+        @Override
+        public String edition() {
+            return settings.rules() == RulesEdition.LIVE ? RulesEdition.LIVE.word() : "";
         }
 
         @Override

@@ -2,6 +2,7 @@ package steward.game.podrace.simulator;
 
 import java.util.Arrays;
 import steward.game.podrace.CheckpointSweep;
+import steward.game.podrace.RulesEdition;
 import steward.physics.TurnLog;
 import steward.physics.TurnSink;
 import steward.physics.event.OfficialAdvance;
@@ -19,6 +20,8 @@ final class PodPaths implements TurnSink {
 
     private final TurnLog log;
     private final double radius;
+    private final double reachOfPath;
+    private final double reachOfEnd;
     private boolean recorded;
 
     private int[] pods = new int[32];
@@ -35,12 +38,15 @@ final class PodPaths implements TurnSink {
      * @param pods   how many there are
      * @param log    receives everything while it is recorded
      * @param radius of checkpoints
+     * @param rules  say which distances pass one
      */
-    PodPaths(int pods, TurnLog log, double radius) {
+    PodPaths(int pods, TurnLog log, double radius, RulesEdition rules) {
         last = new int[pods];
         Arrays.fill(last, -1);
         this.log = log;
         this.radius = radius;
+        reachOfPath = rules.reachOfPath(radius);
+        reachOfEnd = rules.reachOfEnd(radius);
     }
 
     boolean areRecorded() {
@@ -137,7 +143,8 @@ final class PodPaths implements TurnSink {
                 fromY = y[k];
             }
         }
-        return passes(fromX, fromY, endX, endY, checkpointX, checkpointY);
+        return passes(fromX, fromY, endX, endY, checkpointX, checkpointY)
+            || CheckpointSweep.distance(checkpointX, checkpointY, endX, endY) <= reachOfEnd;
     }
 
     /** How near the path of a pod comes to a checkpoint, in u; infinite if it stays farther away by a tenth. */
@@ -165,6 +172,6 @@ final class PodPaths implements TurnSink {
     private boolean passes(double fromX, double fromY, double toX, double toY, double checkpointX,
                            double checkpointY) {
         return mayPass(fromX, fromY, toX, toY, checkpointX, checkpointY)
-            && CheckpointSweep.distance(checkpointX, checkpointY, fromX, fromY, toX, toY) <= radius;
+            && CheckpointSweep.distance(checkpointX, checkpointY, fromX, fromY, toX, toY) <= reachOfPath;
     }
 }

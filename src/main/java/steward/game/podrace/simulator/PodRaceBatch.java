@@ -2,6 +2,7 @@ package steward.game.podrace.simulator;
 
 import java.util.Arrays;
 import java.util.Objects;
+import steward.game.podrace.RulesEdition;
 
 /**
  * Many independent official pod races of four pods on one map, played together: one call plays a turn of every game.
@@ -21,6 +22,7 @@ public final class PodRaceBatch {
     private static final int MOST_GAMES = 100_000_000;
 
     private final double[][] checkpoints;
+    private final RulesEdition rules;
     private final PodRaceSimulator start;
     private final double[][] states;
     private final int[][] counts;
@@ -92,8 +94,18 @@ public final class PodRaceBatch {
      * @throws IllegalArgumentException if the number is out of range, and as there
      */
     public PodRaceBatch(double[][] checkpoints, int games) {
+        this(checkpoints, games, RulesEdition.LIVE);
+    }
+
+    /**
+     * The same for another edition of the rules.
+     *
+     * @throws IllegalArgumentException as above
+     */
+    public PodRaceBatch(double[][] checkpoints, int games, RulesEdition rules) {
         checkGames(games);
-        start = new PodRaceSimulator(checkpoints);
+        this.rules = rules;
+        start = new PodRaceSimulator(checkpoints, PLAYERS, PODS / PLAYERS, LAPS, rules);
         this.checkpoints = Arrays.stream(checkpoints).map(double[]::clone).toArray(double[][]::new);
         states = new double[games][PodTurn.NUMBERS * PODS];
         counts = new int[games][PodTurn.COUNTS * PODS + PLAYERS];
@@ -111,7 +123,7 @@ public final class PodRaceBatch {
 
     /** The working memory of one thread. */
     PodTurn kernel() {
-        return new PodTurn(checkpoints, PODS, PODS / PLAYERS, LAPS);
+        return new PodTurn(checkpoints, PODS, PODS / PLAYERS, LAPS, rules);
     }
 
     /** The number of games. */

@@ -5,6 +5,7 @@ import java.util.Objects;
 import steward.game.podrace.Headings;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodRaceSettings;
+import steward.game.podrace.RulesEdition;
 import steward.game.podrace.StartPlaces;
 import steward.numerics.SineCosine;
 import steward.physics.TurnLog;
@@ -13,7 +14,7 @@ import steward.physics.event.OfficialAdvance;
 /**
  * The official pod race for search programs: states are set and copied, turns are played, nothing is allocated, and
  * every bit is that of {@link PodRace} on the scene {@code mad-pod-racing}: positions, speeds, headings, timers,
- * checkpoints and, if recorded, impacts.
+ * checkpoints and, if recorded, impacts. The rules are those of the live server unless others are asked for.
  *
  * <pre>{@code
  * PodRaceSimulator now = new PodRaceSimulator(checkpoints), trial = new PodRaceSimulator(checkpoints);
@@ -25,11 +26,11 @@ import steward.physics.event.OfficialAdvance;
  * double worth = 50_000.0 * trial.passed(0) - trial.toNext(0);
  * }</pre>
  *
- * <p>Not simulated: elimination, the end of a race, marks. A bot sees headings as degrees and knows neither the shield
- * timers nor the boosts of others. Degrees converted with {@code Math.toRadians} are the referee's radians except for
- * the last digits (and for whole turns, which do not matter): the next positions differ in about one pod-turn of a
- * million. Bots with the line protocol see whole degrees; they should set a heading once and then simulate their own
- * commands.
+ * <p>Not simulated: elimination, the end of a race, marks; checkpoints are counted on behind the finish. A bot sees
+ * headings as degrees and knows neither the shield timers nor the boosts of others. Degrees converted with {@code
+ * Math.toRadians} are the referee's radians except for the last digits (and for whole turns, which do not matter): the
+ * next positions differ in about one pod-turn of a million. Bots with the line protocol see whole degrees; they should
+ * set a heading once and then simulate their own commands.
  *
  * <p>Caveat: far outside of any map, from about 2^36 u on, the push-out of touching pods is lost in the rounding of
  * their places, so that they react until the turn reaches its bound on impacts, 10,000 and 1,000 per pod, and takes
@@ -84,6 +85,15 @@ public final class PodRaceSimulator {
      * @throws IllegalArgumentException as above, and if a number is out of range
      */
     public PodRaceSimulator(double[][] checkpoints, int players, int podsPerPlayer, int laps) {
+        this(checkpoints, players, podsPerPlayer, laps, RulesEdition.LIVE);
+    }
+
+    /**
+     * The same for another edition of the rules.
+     *
+     * @throws IllegalArgumentException as above
+     */
+    public PodRaceSimulator(double[][] checkpoints, int players, int podsPerPlayer, int laps, RulesEdition rules) {
         checkMap(checkpoints);
         require(players >= 1 && podsPerPlayer >= 1 && (long) players * podsPerPlayer <= MOST_PODS,
             players + " players with " + podsPerPlayer + " pods, expected at least one of each and at most " + MOST_PODS
@@ -92,7 +102,7 @@ public final class PodRaceSimulator {
         pods = players * podsPerPlayer;
         perPlayer = podsPerPlayer;
         this.checkpoints = checkpoints.length;
-        turn = new PodTurn(checkpoints, pods, podsPerPlayer, laps);
+        turn = new PodTurn(checkpoints, pods, podsPerPlayer, laps, rules);
         state = new double[PodTurn.NUMBERS * pods];
         counts = new int[PodTurn.COUNTS * pods + players];
         double[][] places = StartPlaces.of(checkpoints, pods);
@@ -368,7 +378,10 @@ public final class PodRaceSimulator {
         return Math.sqrt(dx * dx + dy * dy);
     }
 
-    /** The number of turns that the player has left to pass a checkpoint; the race eliminates a player at 0. */
+    /**
+     * The number of turns that the player has left to pass a checkpoint; a race by live rules eliminates a player at
+     * -1, by those of the contest at 0.
+     */
     public int turnsLeft(int player) {
         return counts[PodTurn.COUNTS * pods + player];
     }

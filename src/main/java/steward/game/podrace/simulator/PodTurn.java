@@ -3,6 +3,7 @@ package steward.game.podrace.simulator;
 import java.util.Arrays;
 import steward.game.podrace.Headings;
 import steward.game.podrace.PodRaceSettings;
+import steward.game.podrace.RulesEdition;
 import steward.physics.Bodies;
 import steward.physics.TurnLog;
 import steward.physics.event.OfficialAdvance;
@@ -93,7 +94,7 @@ final class PodTurn {
     private double[] state;
     private int[] counts;
 
-    PodTurn(double[][] checkpoints, int pods, int perPlayer, int laps) {
+    PodTurn(double[][] checkpoints, int pods, int perPlayer, int laps, RulesEdition rules) {
         this.pods = pods;
         this.perPlayer = perPlayer;
         this.checkpoints = checkpoints.length;
@@ -101,7 +102,7 @@ final class PodTurn {
         checkpointX = Arrays.stream(checkpoints).mapToDouble(place -> place[0]).toArray();
         checkpointY = Arrays.stream(checkpoints).mapToDouble(place -> place[1]).toArray();
         bodies = new Bodies(pods);
-        paths = new PodPaths(pods, log, CHECKPOINT_RADIUS);
+        paths = new PodPaths(pods, log, CHECKPOINT_RADIUS, rules);
         impacts = new CertifiedImpacts(pods, paths);
         speed = new double[SPEED * pods];
         for (int pod = 0; pod < pods; pod++) {

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
+import steward.game.podrace.RulesEdition;
 import steward.numerics.SplitMix64;
 import steward.physics.Arithmetic;
 import steward.physics.Bodies;
@@ -27,7 +28,7 @@ class CertifiedImpactsTest {
 
     private final SplitMix64 random = new SplitMix64(17);
     private final TurnLog log = new TurnLog();
-    private final PodPaths paths = new PodPaths(4, log, PodTurn.CHECKPOINT_RADIUS);
+    private final PodPaths paths = new PodPaths(4, log, PodTurn.CHECKPOINT_RADIUS, RulesEdition.LIVE);
     private final CertifiedImpacts certified = new CertifiedImpacts(PODS, paths);
     private final EventAdvance game =
         new EventAdvance(new PhysicsParts(ImpactLaw.OFFICIAL_POD_RACE, Arithmetic.OFFICIAL));

@@ -4,6 +4,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import steward.game.Comparison;
 import steward.game.podrace.PodState;
+import steward.game.podrace.RulesEdition;
 import steward.game.podrace.simulator.PodCommands;
 import steward.game.podrace.simulator.PodRaceSimulator;
 import tools.jackson.databind.JsonNode;
@@ -28,7 +29,7 @@ final class SimulatedVectors {
 
     Comparison compare() {
         PodRaceSimulator race = new PodRaceSimulator(match.checkpoints(), match.players(), match.podsPerPlayer(),
-            match.header().get("laps").asInt());
+            match.header().get("laps").asInt(), RulesEdition.CONTEST);
         PodCommands commands = new PodCommands(race.pods());
         JsonNode before = match.start();
         for (JsonNode turn : match.turns()) {

@@ -62,9 +62,10 @@ record VectorMatch(String name, JsonNode header, JsonNode start, List<JsonNode> 
         return header.get("injectedEachTurn").asBoolean();
     }
 
-    /** The official scene with this match's numbers. */
+    /** The official scene with this match's numbers and the rules of the contest. */
     PodRaceType.PodRaceSetup setup() {
         String scene = SceneFiles.load("mad-pod-racing").text()
+            .replace("\"rules\": \"live\"", "\"rules\": \"contest\"")
             .replace("\"players\": 2", "\"players\": " + players())
             .replace("\"perPlayer\": 2", "\"perPlayer\": " + podsPerPlayer())
             .replace("\"laps\": 3", "\"laps\": " + header.get("laps").asInt())
