@@ -1,14 +1,17 @@
 package steward.contest;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.regex.Pattern;
 import steward.bot.FaultMessages;
 import steward.bot.TimeSpent;
+import steward.bot.command.CommandLine;
 import steward.bot.isolation.Isolation;
 import steward.bot.isolation.SandboxLevel;
 import steward.match.Protocol;
+import steward.text.TextFormat;
 
 /** Hints for beginners: the likely cause, guessed from how a bot failed. */
 final class FailureHints {
@@ -25,8 +28,8 @@ final class FailureHints {
 
     static final String LIGHT = "it failed at once, in a sandbox without network and without sight of other processes; "
         + "does it run with --sandbox off?";
-    static final String STRICT = "it failed at once, in a sandbox that hides home and temporary files and allows no "
-        + "writing; --visible FOLDER lets it read more; does it run with --sandbox light?";
+    static final String STRICT = "it failed at once, in a sandbox that shows system programs, its interpreter and its "
+        + "own folder, and allows no writing; --visible FOLDER lets it read more; does it run with --sandbox light?";
     static final String MEMORY = "it may have needed more memory than --memory allows";
 
     private static final int NOT_EXECUTABLE_STATUS = 126;
@@ -83,6 +86,12 @@ final class FailureHints {
             }
         }
         return hints;
+    }
+
+    /** The hint for a path that the bot lacked, as it seems. */
+    static String missing(Path path) {
+        return "strict does not show it what it seems to need; try --visible "
+            + TextFormat.plain(CommandLine.quote(List.of(path.toString())));
     }
 
     /** Whether it exited at its first input, or answered in the form of the other protocol. */

@@ -5,6 +5,10 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import steward.Internal;
+import steward.bot.FaultMessages;
+import steward.bot.isolation.Isolation;
+import steward.bot.isolation.MissingFiles;
+import steward.bot.isolation.SandboxLevel;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.match.MatchListener;
@@ -100,10 +104,15 @@ public final class GameLog implements MatchListener {
     private Failure failure(int player, Turn turn) {
         List<String> lines = lastLines(stderr[player]);
         String received = turn.answer(player) == null ? "" : turn.answer(player);
-        return new Failure(player, turn.number(), turn.fault(player), lines, FailureHints.of(
-            contest.entrants().get(contest.entrantOf(player, rotation)).protocol(), contest::hasBothProtocols,
-            answers[player], turn.fault(player), received, lines, turn.timeSpent(player), contest.isolation().get()),
-            turn.timeSpent(player));
+        Contest.Entrant entrant = contest.entrants().get(contest.entrantOf(player, rotation));
+        Isolation sandbox = contest.isolation().get();
+        List<String> hints = new ArrayList<>(FailureHints.of(entrant.protocol(), contest::hasBothProtocols,
+            answers[player], turn.fault(player), received, lines, turn.timeSpent(player), sandbox));
+        if (answers[player] == 0 && sandbox.level() == SandboxLevel.STRICT
+            && FaultMessages.isExit(turn.fault(player))) {
+            MissingFiles.of(entrant.words(), lines, sandbox).forEach(path -> hints.add(FailureHints.missing(path)));
+        }
+        return new Failure(player, turn.number(), turn.fault(player), lines, hints, turn.timeSpent(player));
     }
 
     private static List<String> lastLines(String[] texts) {

@@ -12,6 +12,9 @@ import java.nio.file.OpenOption;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.PosixFilePermission;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.Set;
 import steward.Internal;
 
 /** Opens the files that replays and pages are written to, before the match is played. */
@@ -88,6 +91,24 @@ public final class OutputFiles {
             }
         } catch (FileAlreadyExistsException problem) {
             throw new InputException(folder + ": found a file, expected a folder, there or to be made");
+        } catch (IOException problem) {
+            throw new InputException(folder + ": cannot be made: " + reason(folder, problem));
+        }
+    }
+
+    /**
+     * Makes a folder, with those above it, if it is not there, and takes the permissions of others away from it.
+     *
+     * @throws InputException if it cannot be made
+     */
+    public static void privateFolder(Path folder) {
+        try {
+            Files.createDirectories(folder);
+            Set<PosixFilePermission> mine = PosixFilePermissions.fromString("rwx------");
+            if (folder.getFileSystem().supportedFileAttributeViews().contains("posix")
+                && !Files.getPosixFilePermissions(folder).equals(mine)) {
+                Files.setPosixFilePermissions(folder, mine);
+            }
         } catch (IOException problem) {
             throw new InputException(folder + ": cannot be made: " + reason(folder, problem));
         }

@@ -1,6 +1,7 @@
 package steward.bot.isolation;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -11,10 +12,12 @@ import java.util.List;
  * @param limits       what a bot may use at most; none at {@link SandboxLevel#OFF}
  * @param environment  which variables it inherits
  * @param visible      files and folders that {@link SandboxLevel#STRICT} lets it see besides its own; absolute
+ * @param hidden       files and folders that it hides also in folders that it shows, unless the bot's command names
+ *                     them; absolute
  * @param pauseWaiting whether it is stopped while it is not asked
  */
 public record Isolation(SandboxLevel level, boolean network, ResourceLimits limits, BotEnvironment environment,
-                        List<Path> visible, boolean pauseWaiting) {
+                        List<Path> visible, List<Path> hidden, boolean pauseWaiting) {
 
     /** Nothing but a process group of its own, and an environment without secrets. */
     public static final Isolation OFF = at(SandboxLevel.OFF);
@@ -22,6 +25,7 @@ public record Isolation(SandboxLevel level, boolean network, ResourceLimits limi
     /** @throws IllegalArgumentException if there are limits and nothing that holds them */
     public Isolation {
         visible = List.copyOf(visible);
+        hidden = List.copyOf(hidden);
         if (level == SandboxLevel.OFF && !limits.isNone()) {
             throw new IllegalArgumentException("limits at level off, expected light or strict with them");
         }
@@ -30,7 +34,7 @@ public record Isolation(SandboxLevel level, boolean network, ResourceLimits limi
     /** The usual at a level. */
     public static Isolation at(SandboxLevel level) {
         return new Isolation(level, false, level == SandboxLevel.STRICT ? ResourceLimits.STRICT : ResourceLimits.NONE,
-            BotEnvironment.USUAL, List.of(), false);
+            BotEnvironment.USUAL, List.of(), List.of(), false);
     }
 
     /** The usual at the level that is usual on this machine; the first call may try it, which starts a program. */
@@ -40,6 +44,19 @@ public record Isolation(SandboxLevel level, boolean network, ResourceLimits limi
 
     /** The same without a limit of memory. */
     public Isolation withoutMemoryLimit() {
-        return new Isolation(level, network, limits.withoutMemory(), environment, visible, pauseWaiting);
+        return new Isolation(level, network, limits.withoutMemory(), environment, visible, hidden, pauseWaiting);
+    }
+
+    /** The same, hiding these files and folders as well. */
+    public Isolation hiding(List<Path> paths) {
+        List<Path> all = new ArrayList<>(hidden);
+        all.addAll(paths);
+        return new Isolation(level, network, limits, environment, visible, all, pauseWaiting);
+    }
+
+    /** The same, hiding what other bots have brought: the files that their commands name. */
+    public Isolation hidingFilesOf(List<List<String>> commands) {
+        return hiding(commands.stream().flatMap(command -> OwnFiles.brought(command).stream())
+            .filter(path -> !SystemFiles.isCommon(path)).toList());
     }
 }

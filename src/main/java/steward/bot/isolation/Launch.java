@@ -85,7 +85,8 @@ public record Launch(List<String> command, Isolation isolation, List<List<String
                     words.addAll(NativeLauncher.options(ResourceLimits.NONE, join));
                     words.add(END);
                 }
-                words.addAll(StrictSandbox.words(isolation, command, others, program));
+                words.addAll(StrictSandbox.words(isolation, command, others, program,
+                    controlGroup != null && controlGroup.limits() ? join.getParent() : null));
                 if (program == null) {
                     words.addAll(ShellLauncher.inside(limits));
                 } else {

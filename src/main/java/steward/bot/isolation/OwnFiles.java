@@ -9,6 +9,8 @@ import java.nio.file.Path;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import steward.bot.command.ProgramFinder;
 
 /**
@@ -16,7 +18,7 @@ import steward.bot.command.ProgramFinder;
  * installation; folders and files that its arguments name, class paths included; the interpreter that a script names
  * in its first line; and what symbolic links on the way lead to.
  *
- * <p>A folder that is the home directory, or holds it, is not a bot's own: then only the file is.
+ * <p>A folder that is the home directory, or holds it, or is a league's, is not a bot's own: then only the file is.
  */
 final class OwnFiles {
 
@@ -27,7 +29,14 @@ final class OwnFiles {
     private static final Set<String> MIXED = Set.of(".local", ".cargo", ".config", ".cache");
 
     private static final int MOST_LINKS = 20;
-    private static final int FIRST_LINE = 256;
+    /** As much of a file as is read for its first lines, in bytes. */
+    private static final int BEGINNING = 1024;
+
+    /** Programs in its folder are the machine's, and not the whole of it is an installation. */
+    private static final Path LOCAL = Path.of("/usr/local");
+    private static final Pattern HOME = Pattern.compile("home\\s*=\\s*(/.*\\S)\\s*");
+    /** The file that makes a folder that of a league, which holds games, keys and other bots. */
+    private static final String LEAGUE = "league.json";
 
     private final Set<Path> found = new LinkedHashSet<>();
 
@@ -46,6 +55,17 @@ final class OwnFiles {
             }
         }
         return own.found;
+    }
+
+    /**
+     * Files and folders that somebody brought: of arguments, and of the program unless it is in a folder of programs,
+     * as an interpreter is.
+     */
+    static Set<Path> brought(List<String> command) {
+        Path program = ProgramFinder.find(command.get(0));
+        boolean installed = program == null || program.getParent() == null || program.getParent().getFileName() == null
+            || PROGRAM_FOLDERS.contains(program.getParent().getFileName().toString());
+        return named(installed ? command.subList(1, command.size()) : command);
     }
 
     /** The files and folders that words name, also several in one word with colons between. */
@@ -106,9 +126,13 @@ final class OwnFiles {
     }
 
     private static String firstLine(Path script) {
-        try (InputStream file = Files.newInputStream(script)) {
-            String text = new String(file.readNBytes(FIRST_LINE), StandardCharsets.ISO_8859_1);
-            return text.startsWith("#!") ? text.substring(2).lines().findFirst().orElse("").strip() : "";
+        String text = beginning(script);
+        return text.startsWith("#!") ? text.substring(2).lines().findFirst().orElse("").strip() : "";
+    }
+
+    private static String beginning(Path text) {
+        try (InputStream file = Files.newInputStream(text)) {
+            return new String(file.readNBytes(BEGINNING), StandardCharsets.UTF_8);
         } catch (IOException unreadable) {
             return "";
         }
@@ -125,10 +149,24 @@ final class OwnFiles {
         boolean installed = PROGRAM_FOLDERS.contains(folder.getFileName().toString());
         if (!installed) {
             found.add(folder);
-        } else if (above == null || isWide(above) || MIXED.contains(above.getFileName().toString())) {
+        } else if (above == null || isWide(above) || above.equals(LOCAL)
+            || MIXED.contains(above.getFileName().toString())) {
             found.add(file);
-        } else {
-            found.add(above);
+        } else if (found.add(above)) {
+            baseOf(above, file);
+        }
+    }
+
+    /** A virtual environment of Python whose interpreter is a copy: its file names the folder of the original. */
+    private void baseOf(Path environment, Path program) {
+        Path settings = environment.resolve("pyvenv.cfg");
+        if (Files.isRegularFile(settings)) {
+            for (String line : beginning(settings).split("\n")) {
+                Matcher home = HOME.matcher(line);
+                if (home.matches()) {
+                    add(Path.of(home.group(1)).resolve(program.getFileName()));
+                }
+            }
         }
     }
 
@@ -138,9 +176,9 @@ final class OwnFiles {
         }
     }
 
-    /** Whether a folder is the home directory or holds it, or others' folders. */
+    /** True if a folder is the home directory or holds it, or others' folders, or is a league's. */
     private static boolean isWide(Path folder) {
-        return home().startsWith(folder) || folder.getNameCount() < 2
+        return home().startsWith(folder) || folder.getNameCount() < 2 || Files.exists(folder.resolve(LEAGUE))
             || folder.equals(Path.of(System.getProperty("java.io.tmpdir")));
     }
 }

@@ -1,6 +1,5 @@
 package steward.bot.isolation;
 
-import java.nio.file.Path;
 import java.util.List;
 import steward.bot.command.ProgramFinder;
 import steward.bot.command.ProgramTrial;
@@ -54,16 +53,6 @@ public final class SandboxSupport {
     /** Whether this program runs as root, whose files are a bot's own at level light. */
     public static boolean isRoot() {
         return UserNumbers.isRoot();
-    }
-
-    /**
-     * The folders hidden at {@link SandboxLevel#STRICT} that are inside another, which cannot be shown as a whole;
-     * empty for one that is itself hidden, or in a hidden one, or has none in it.
-     *
-     * @param folder absolute
-     */
-    public static List<Path> hiddenInside(Path folder) {
-        return StrictView.hiddenInside(folder);
     }
 
     private static String tried(List<String> programs, SandboxLevel level) {

@@ -3,7 +3,6 @@ package steward.bot.isolation;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import steward.bot.command.ProgramFinder;
 import steward.bot.command.ProgramTrial;
 
@@ -45,14 +44,16 @@ final class StrictSandbox {
      *
      * @param launcher the program that is the first process inside, or {@code null} if that is bwrap itself; a bot can
      *                 attach to bwrap and so outlive a referee that is killed, while it cannot attach to the launcher
+     * @param group    the control group that limits the bot, shown so that a JVM knows its memory; or {@code null}
      */
-    static List<String> words(Isolation isolation, List<String> command, List<List<String>> others, Path launcher) {
+    static List<String> words(Isolation isolation, List<String> command, List<List<String>> others, Path launcher,
+                              Path group) {
         Path bwrap = ProgramFinder.find("bwrap");
         List<String> words = new ArrayList<>(List.of(bwrap == null ? "bwrap" : bwrap.toString(),
             "--unshare-user", "--uid", "" + UserNumbers.userInside(), "--gid", "" + UserNumbers.groupInside(),
             "--unshare-pid", "--unshare-net", "--unshare-ipc", "--unshare-uts", "--cap-drop", "ALL",
             "--die-with-parent", "--new-session",
-            "--ro-bind", "/", "/", "--proc", "/proc", "--dev", "/dev",
+            "--proc", "/proc", "--dev", "/dev",
             "--size", "" + SHARED_BYTES, "--tmpfs", "/dev/shm", "--remount-ro", "/dev",
             "--size", "" + TEMPORARY_BYTES, "--tmpfs", TEMPORARY));
         if (launcher != null) {
@@ -61,32 +62,28 @@ final class StrictSandbox {
         if (NoUserNamespaces.POSSIBLE) {
             words.add("--disable-userns");
         }
-        StrictView view = StrictView.of(command, others, isolation.visible());
-        for (Path hidden : view.hidden()) {
-            words.addAll(List.of("--tmpfs", hidden.toString()));
-        }
-        for (Map.Entry<Path, StrictView.Treatment> each : view.treated().entrySet()) {
-            String path = each.getKey().toString();
-            words.addAll(switch (each.getValue()) {
+        List<String> hidden = new ArrayList<>();
+        StrictView.of(command, others, isolation).entries().forEach((file, entry) -> {
+            String path = file.toString();
+            words.addAll(switch (entry.treatment()) {
                 case SHOW -> List.of("--ro-bind", path, path);
+                case LINK -> List.of("--symlink", entry.target().toString(), path);
+                case EMPTY_FOLDER -> List.of("--dir", path);
                 case HIDE_FOLDER -> List.of("--tmpfs", path);
                 case HIDE_FILE -> List.of("--ro-bind", "/dev/null", path);
             });
-        }
+            if (entry.treatment() == StrictView.Treatment.HIDE_FOLDER) {
+                hidden.addAll(List.of("--remount-ro", path));
+            }
+        });
         if (launcher != null) {
             words.addAll(List.of("--ro-bind", launcher.toString(), LAUNCHER));
         }
-        String here = Path.of("").toAbsolutePath().toString();
-        words.addAll(List.of("--dir", here));
-        for (Path hidden : view.hidden()) {
-            words.addAll(List.of("--remount-ro", hidden.toString()));
+        if (group != null) {
+            words.addAll(List.of("--unshare-cgroup-try", "--ro-bind", group.toString(), "/sys/fs/cgroup"));
         }
-        view.treated().forEach((path, treatment) -> {
-            if (treatment == StrictView.Treatment.HIDE_FOLDER) {
-                words.addAll(List.of("--remount-ro", path.toString()));
-            }
-        });
-        words.addAll(List.of("--chdir", here, "--"));
+        words.addAll(hidden);
+        words.addAll(List.of("--remount-ro", "/", "--chdir", Path.of("").toAbsolutePath().toString(), "--"));
         return words;
     }
 }

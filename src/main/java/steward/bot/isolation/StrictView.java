@@ -1,101 +1,169 @@
 package steward.bot.isolation;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 
 /**
- * What a bot sees of the file system at {@link SandboxLevel#STRICT}: all of it but homes, folders for temporary files
- * and what runs, and the files of other bots; and of these its own files, and its interpreter, all the same.
+ * The file system that a bot sees at {@link SandboxLevel#STRICT}: an empty one, in which are shown the programs and
+ * libraries of the machine, the bot's interpreter, its own files, and what it is shown by name. Symbolic links on the
+ * way to these are made anew. In what is shown, files of other bots and what the isolation names are hidden.
  *
- * @param hidden  folders that are empty inside but for what is shown in them
- * @param treated what is shown or hidden, folders before what is in them
+ * @param entries what is made, by path; folders before what is in them
  */
-record StrictView(List<Path> hidden, Map<Path, Treatment> treated) {
+record StrictView(Map<Path, Entry> entries) {
 
-    /** Homes, foreign disks, sockets of what runs, temporary files of others. */
-    private static final List<String> PRIVATE =
-        List.of("/home", "/root", "/run", "/mnt", "/media", "/var/tmp", StrictSandbox.TEMPORARY);
+    /** Folders before what is in them. */
+    private static final Comparator<Path> ORDER = Comparator.comparingInt(Path::getNameCount)
+        .thenComparing(Comparator.naturalOrder());
+    private static final int MOST_LINKS = 40;
 
-    /** What belongs to the machine is never hidden, though another bot uses it. */
-    private static final List<String> SYSTEM =
-        List.of("/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64", "/libx32", "/etc", "/opt", "/nix", "/snap",
-            "/dev", "/proc", "/sys");
+    /** Ways to make a path inside. */
+    enum Treatment { SHOW, LINK, EMPTY_FOLDER, HIDE_FOLDER, HIDE_FILE }
 
-    /** What is done to a file or folder. */
-    enum Treatment { SHOW, HIDE_FOLDER, HIDE_FILE }
+    /**
+     * A path inside.
+     *
+     * @param target of a link, as it is written; otherwise {@code null}
+     */
+    record Entry(Treatment treatment, Path target) {
+    }
 
-    static StrictView of(List<String> command, List<List<String>> others, List<Path> visible) {
-        List<Path> hidden = hiddenFolders();
-        List<Path> covers = new ArrayList<>(hidden);
-        covers.add(Path.of(StrictSandbox.TEMPORARY));
+    /** Collects paths without symbolic links, and the links that led to them. */
+    private static final class Resolver {
+
+        private final Map<Path, Path> links = new TreeMap<>(ORDER);
+
+        /** The path that the system would find, or {@code null} if there is none that this user may look at. */
+        Path resolve(Path path) {
+            Path rest = path.toAbsolutePath().normalize();
+            Path found = rest.getRoot();
+            for (int links = 0; rest.getNameCount() > 0;) {
+                Path next = found.resolve(rest.getName(0));
+                rest = rest.getNameCount() > 1 ? rest.subpath(1, rest.getNameCount()) : Path.of("");
+                if (!Files.isSymbolicLink(next)) {
+                    found = next;
+                } else if (++links <= MOST_LINKS) {
+                    Path target = read(next);
+                    if (target == null) {
+                        return null;
+                    }
+                    this.links.put(next, target);
+                    rest = found.resolve(target).resolve(rest).normalize();
+                    found = rest.getRoot();
+                } else {
+                    return null;
+                }
+                if (rest.toString().isEmpty()) {
+                    break;
+                }
+            }
+            return Files.exists(found) ? found : null;
+        }
+
+        private static Path read(Path link) {
+            try {
+                return Files.readSymbolicLink(link);
+            } catch (IOException gone) {
+                return null;
+            }
+        }
+    }
+
+    /**
+     * The view of a bot.
+     *
+     * @param others the commands of bots whose files it is not to see
+     */
+    static StrictView of(List<String> command, List<List<String>> others, Isolation isolation) {
+        Resolver resolver = new Resolver();
+        Set<Path> shown = new TreeSet<>(ORDER);
         Set<Path> own = new LinkedHashSet<>(OwnFiles.of(command));
-        own.addAll(visible);
-        Map<Path, Treatment> treated = new TreeMap<>(Comparator.comparingInt(Path::getNameCount)
-            .thenComparing(Comparator.naturalOrder()));
+        own.addAll(isolation.visible());
+        Set<Path> mine = new TreeSet<>(ORDER);
+        own.forEach(path -> add(new Resolver().resolve(path), mine));
+        OwnFiles.named(command).forEach(path -> add(new Resolver().resolve(path), mine));
+        SystemFiles.shown().forEach(path -> add(resolver.resolve(path), shown));
+        own.stream().filter(path -> !path.startsWith("/dev") && !path.startsWith("/proc"))
+            .forEach(path -> add(resolver.resolve(path), shown));
+        Map<Path, Path> links = new TreeMap<>(resolver.links);
+        Set<Path> folders = new TreeSet<>(ORDER);
+        for (Path folder : List.of(OwnFiles.home(), Path.of("").toAbsolutePath())) {
+            Path real = resolver.resolve(folder);
+            folders.add(real == null ? folder : real);
+        }
+        links.putAll(resolver.links);
+        Set<Path> hidden = new TreeSet<>(ORDER);
+        for (Path path : hidden(others, isolation)) {
+            Path real = new Resolver().resolve(path);
+            if (real != null && !mine.contains(real)) {
+                add(real, hidden);
+            }
+        }
+        return of(shown, hidden, links, folders);
+    }
+
+    private static void add(Path path, Set<Path> paths) {
+        if (path != null && path.getNameCount() > 0) {
+            paths.add(path);
+        }
+    }
+
+    /** Paths that are hidden also in folders that are shown. */
+    private static Set<Path> hidden(List<List<String>> others, Isolation isolation) {
+        Set<Path> hidden = new LinkedHashSet<>(isolation.hidden());
         for (List<String> other : others) {
-            for (Path path : OwnFiles.of(other)) {
-                boolean seen = covers.stream().noneMatch(path::startsWith) || own.stream().anyMatch(path::startsWith);
-                if (seen && !own.contains(path) && path.getNameCount() > 0 && !isSystem(path)) {
-                    hide(path, treated);
+            OwnFiles.of(other).stream().filter(path -> !SystemFiles.holds(path)).forEach(hidden::add);
+            OwnFiles.brought(other).stream().filter(path -> !SystemFiles.isCommon(path)).forEach(hidden::add);
+        }
+        return hidden;
+    }
+
+    /** Leaves out what a folder above it shows or hides in the same way. */
+    private static StrictView of(Set<Path> shown, Set<Path> hidden, Map<Path, Path> links, Set<Path> folders) {
+        Set<Path> all = new TreeSet<>(ORDER);
+        List.of(shown, hidden, links.keySet(), folders).forEach(all::addAll);
+        StrictView view = new StrictView(new TreeMap<>(ORDER));
+        for (Path path : all) {
+            boolean seen = view.shows(path);
+            if (shown.contains(path)) {
+                if (!seen) {
+                    view.put(path, Treatment.SHOW, null);
                 }
-            }
-            for (Path file : OwnFiles.named(other)) {
-                if (own.contains(file.getParent()) && !OwnFiles.named(command).contains(file) && !isSystem(file)) {
-                    hide(file, treated);
+            } else if (hidden.contains(path)) {
+                if (seen) {
+                    view.put(path, Files.isDirectory(path) ? Treatment.HIDE_FOLDER : Treatment.HIDE_FILE, null);
                 }
+            } else if (links.containsKey(path)) {
+                if (!seen) {
+                    view.put(path, Treatment.LINK, links.get(path));
+                }
+            } else if (!seen && path.getNameCount() > 0) {
+                view.put(path, Treatment.EMPTY_FOLDER, null);
             }
         }
-        for (Path path : own) {
-            boolean covered = covers.stream().anyMatch(path::startsWith)
-                || treated.keySet().stream().anyMatch(path::startsWith);
-            if (covered && Files.exists(path)) {
-                treated.put(path, Treatment.SHOW);
+        return view;
+    }
+
+    private void put(Path path, Treatment treatment, Path target) {
+        entries.put(path, new Entry(treatment, target));
+    }
+
+    /** True if a path without symbolic links is there inside as it is outside. */
+    boolean shows(Path path) {
+        for (Path above = path; above != null; above = above.getParent()) {
+            Entry entry = entries.get(above);
+            if (entry != null && entry.treatment() != Treatment.EMPTY_FOLDER) {
+                return entry.treatment() == Treatment.SHOW;
             }
         }
-        return new StrictView(hidden, treated);
-    }
-
-    private static void hide(Path path, Map<Path, Treatment> treated) {
-        if (Files.exists(path)) {
-            treated.put(path, Files.isDirectory(path) ? Treatment.HIDE_FOLDER : Treatment.HIDE_FILE);
-        }
-    }
-
-    /** See {@link SandboxSupport#hiddenInside}. */
-    static List<Path> hiddenInside(Path folder) {
-        List<Path> hidden = new ArrayList<>(hiddenFolders());
-        hidden.add(Path.of(StrictSandbox.TEMPORARY));
-        return hidden.stream().anyMatch(folder::startsWith) ? List.of()
-            : hidden.stream().filter(each -> each.startsWith(folder)).sorted().toList();
-    }
-
-    /** Without the private folder for temporary files, which has a size of its own. */
-    private static List<Path> hiddenFolders() {
-        Set<Path> folders = new LinkedHashSet<>();
-        for (String folder : PRIVATE) {
-            folders.add(Path.of(folder));
-        }
-        folders.add(OwnFiles.home());
-        folders.add(Path.of(System.getProperty("java.io.tmpdir")).toAbsolutePath().normalize());
-        List<Path> kept = new ArrayList<>();
-        for (Path folder : folders) {
-            boolean inside = folders.stream().anyMatch(each -> !each.equals(folder) && folder.startsWith(each));
-            boolean real = Files.isDirectory(folder) && !Files.isSymbolicLink(folder) && folder.getNameCount() > 0;
-            if (real && !inside && !folder.equals(Path.of(StrictSandbox.TEMPORARY))) {
-                kept.add(folder);
-            }
-        }
-        return kept;
-    }
-
-    private static boolean isSystem(Path path) {
-        return SYSTEM.stream().anyMatch(path::startsWith);
+        return false;
     }
 }

@@ -123,5 +123,6 @@ final class InitCommand implements Callable<Integer> {
         } catch (IOException problem) {
             throw new InputException(path + ": cannot be read: " + OutputFiles.reason(path, problem));
         }
+        OutputFiles.privateFolder(path);
     }
 }

@@ -60,7 +60,7 @@ final class LeagueDemoCommand implements Callable<Integer> {
         if (Files.exists(path)) {
             throw new InputException(path + ": exists already, and is kept; expected a new folder");
         }
-        Files.createDirectories(path);
+        OutputFiles.privateFolder(path);
         LeagueSettings settings = LeagueSettings.usual(SCENE, 1).with(null, TIME_FACTOR, KeptReplays.LOST)
             .withBots(BOTS.stream().map(name -> new LeagueBot(name, "builtin:" + name, null, false, false)).toList());
         new LeagueFolder(path).write(settings);

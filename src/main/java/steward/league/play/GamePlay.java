@@ -5,12 +5,16 @@ import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.LongSupplier;
+import steward.bot.command.BotCommand;
+import steward.bot.isolation.Isolation;
+import steward.bot.isolation.SandboxLevel;
 import steward.contest.Contest;
 import steward.contest.Failure;
 import steward.contest.GameLog;
 import steward.contest.Hiccups;
 import steward.files.InputException;
 import steward.league.GameName;
+import steward.league.LeagueBot;
 import steward.league.LeagueSettings;
 import steward.league.Schedule;
 import steward.league.Season;
@@ -57,7 +61,8 @@ public record GamePlay(Season season, Contest contest, Recordings recordings, St
             throws InterruptedException {
         List<StoredGame> attempts = new ArrayList<>();
         for (int attempt = 1; attempt <= 2; attempt++) {
-            Contest match = contest.between(members.stream().map(Member::entrant).toList());
+            Contest match = contest.between(members.stream().map(Member::entrant).toList())
+                .isolatedBy(() -> isolation(settings));
             GameLog log = new GameLog(match, 0);
             ByteArrayOutputStream recording = recordings.isAny(settings) ? new ByteArrayOutputStream() : null;
             MatchResult result = null;
@@ -75,6 +80,16 @@ public record GamePlay(Season season, Contest contest, Recordings recordings, St
             }
         }
         return attempts;
+    }
+
+    /** At strict no bot sees the files of another bot of the league, whoever plays. */
+    private Isolation isolation(LeagueSettings settings) {
+        Isolation isolation = contest.isolation().get();
+        if (isolation.level() != SandboxLevel.STRICT) {
+            return isolation;
+        }
+        return isolation.hidingFilesOf(settings.active().stream().map(LeagueBot::parsed)
+            .filter(bot -> bot.prefix() != BotCommand.Prefix.BUILTIN).map(BotCommand::words).toList());
     }
 
     private StoredGame stored(Schedule.Task task, LeagueSettings settings, List<Member> members, int attempt,

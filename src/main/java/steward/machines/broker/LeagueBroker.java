@@ -140,7 +140,7 @@ public final class LeagueBroker implements AutoCloseable {
         tls.put(TransportConstants.PORT_PROP_NAME, Integer.toString(address.getPort()));
         tls.put(TransportConstants.SSL_ENABLED_PROP_NAME, "true");
         tls.put(TransportConstants.KEYSTORE_PATH_PROP_NAME, key.store().toAbsolutePath().toString());
-        tls.put(TransportConstants.KEYSTORE_PASSWORD_PROP_NAME, BrokerKey.PASSWORD);
+        tls.put(TransportConstants.KEYSTORE_PASSWORD_PROP_NAME, key.password());
         tls.put(TransportConstants.KEYSTORE_TYPE_PROP_NAME, "PKCS12");
         tls.put(TransportConstants.ENABLED_PROTOCOLS_PROP_NAME, "TLSv1.3");
         tls.put(TransportConstants.PROTOCOLS_PROP_NAME, "CORE");

@@ -1,5 +1,6 @@
 package steward.machines.token;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
@@ -10,6 +11,7 @@ import java.security.KeyStore;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.security.PublicKey;
+import java.security.SecureRandom;
 import java.security.cert.Certificate;
 import java.util.ArrayList;
 import java.util.HexFormat;
@@ -25,17 +27,20 @@ import steward.league.LeagueFolder;
  */
 public final class BrokerKey {
 
-    /** What the store of keys is locked with. It protects nothing: that is done by the file's permissions. */
-    public static final String PASSWORD = "steward";
+    /** The password that stores of earlier versions were locked with; it stood in our sources. */
+    private static final char[] FORMER = "steward".toCharArray();
+    private static final int PASSWORD_BYTES = 32;
     private static final String ALIAS = "broker";
     private static final String DAYS = "3650";
     private static final long PATIENCE_S = 60;
 
     private final Path store;
+    private final Path secret;
 
     /** The key of a league; it need not be there. */
     public BrokerKey(LeagueFolder folder) {
         store = WorkerList.folder(folder).resolve("broker.p12");
+        secret = store.resolveSibling("broker.password");
     }
 
     /** The store of keys, of type PKCS12. */
@@ -43,14 +48,55 @@ public final class BrokerKey {
         return store;
     }
 
-    /** Makes a key and a certificate, if they are not there. */
+    /** The password of the store, from a file of the owner's alone. */
+    public String password() {
+        return PrivateFile.read(secret, "the password of " + store.getFileName()).strip();
+    }
+
+    /** Makes a key and a certificate, if they are not there; locks a store of an earlier version anew. */
     public void make() {
         PrivateFile.alone(store.getParent(), () -> {
-            if (!Files.exists(store)) {
+            if (Files.exists(store)) {
+                lockAnew();
+            } else {
+                makePassword();
                 generate();
+                PrivateFile.close(store);
             }
             return store;
         });
+    }
+
+    private void makePassword() {
+        if (!Files.exists(secret)) {
+            byte[] random = new byte[PASSWORD_BYTES];
+            new SecureRandom().nextBytes(random);
+            PrivateFile.write(secret, HexFormat.of().formatHex(random) + "\n", false);
+        }
+    }
+
+    /** Gives a store with the former password one of its own; key, certificate and so all tokens are kept. */
+    private void lockAnew() {
+        try {
+            KeyStore keys = KeyStore.getInstance("PKCS12");
+            try (InputStream in = Files.newInputStream(store)) {
+                keys.load(in, FORMER);
+            } catch (IOException locked) {
+                if (!Files.exists(secret)) {
+                    throw new InputException(secret + ": found no such file, expected the password of "
+                        + store.getFileName() + "; without both a new key is made, and workers need new tokens");
+                }
+                return;
+            }
+            makePassword();
+            char[] own = password().toCharArray();
+            keys.setKeyEntry(ALIAS, keys.getKey(ALIAS, FORMER), own, keys.getCertificateChain(ALIAS));
+            ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+            keys.store(bytes, own);
+            PrivateFile.write(store, bytes.toByteArray(), true);
+        } catch (IOException | GeneralSecurityException problem) {
+            throw new InputException(store + ": cannot be read: " + problem.getMessage());
+        }
     }
 
     private void generate() {
@@ -75,11 +121,11 @@ public final class BrokerKey {
         }
     }
 
-    private static void keytool(List<String> options) {
+    private void keytool(List<String> options) {
         List<String> words = new ArrayList<>();
         words.add(Path.of(System.getProperty("java.home"), "bin", "keytool").toString());
         words.addAll(options);
-        words.addAll(List.of("-storepass", PASSWORD));
+        words.addAll(List.of("-storepass:file", secret.toString()));
         try {
             Process process = new ProcessBuilder(words).redirectErrorStream(true).start();
             process.getOutputStream().close();
@@ -101,7 +147,7 @@ public final class BrokerKey {
     Certificate certificate() {
         try (InputStream in = Files.newInputStream(store)) {
             KeyStore keys = KeyStore.getInstance("PKCS12");
-            keys.load(in, PASSWORD.toCharArray());
+            keys.load(in, password().toCharArray());
             Certificate certificate = keys.getCertificate(ALIAS);
             if (certificate == null) {
                 throw new InputException(store + ": found no key '" + ALIAS + "', expected the broker's");

@@ -21,6 +21,8 @@ public final class PrivateFile {
 
     private static final Set<PosixFilePermission> OTHERS = PosixFilePermissions.fromString("---rwxrwx");
 
+    private static final String OWNER = "rw-------";
+
     /** A process has one lock on a file; its threads wait here. */
     private static final ReentrantLock ALONE = new ReentrantLock();
 
@@ -29,14 +31,17 @@ public final class PrivateFile {
 
     /** Makes a folder, if it is not there. */
     static void folder(Path folder) {
+        OutputFiles.privateFolder(folder);
+    }
+
+    /** Takes the permissions of others away from a file that a program has made. */
+    static void close(Path file) {
         try {
-            Files.createDirectories(folder);
-            Set<PosixFilePermission> mine = PosixFilePermissions.fromString("rwx------");
-            if (isPosix(folder) && !Files.getPosixFilePermissions(folder).equals(mine)) {
-                Files.setPosixFilePermissions(folder, mine);
+            if (isPosix(file)) {
+                Files.setPosixFilePermissions(file, PosixFilePermissions.fromString(OWNER));
             }
         } catch (IOException problem) {
-            throw new InputException(folder + ": cannot be made: " + OutputFiles.reason(folder, problem));
+            throw new InputException(file + ": cannot be written: " + OutputFiles.reason(file, problem));
         }
     }
 
@@ -63,6 +68,11 @@ public final class PrivateFile {
 
     /** Writes a file as a whole: it is never there with other permissions, nor in part. */
     static void write(Path file, String text, boolean replace) {
+        write(file, text.getBytes(StandardCharsets.UTF_8), replace);
+    }
+
+    /** The same of bytes. */
+    static void write(Path file, byte[] bytes, boolean replace) {
         Path part = file.resolveSibling(file.getFileName() + ".part");
         try {
             if (!replace && Files.exists(file)) {
@@ -71,11 +81,11 @@ public final class PrivateFile {
             Files.deleteIfExists(part);
             if (isPosix(file.toAbsolutePath().getParent())) {
                 Files.createFile(part, PosixFilePermissions.asFileAttribute(
-                    PosixFilePermissions.fromString("rw-------")));
+                    PosixFilePermissions.fromString(OWNER)));
             } else {
                 Files.createFile(part);
             }
-            Files.writeString(part, text);
+            Files.write(part, bytes);
             Files.move(part, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
         } catch (IOException problem) {
             throw new InputException(file + ": cannot be written: " + OutputFiles.reason(file, problem));

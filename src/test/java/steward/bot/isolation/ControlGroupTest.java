@@ -28,7 +28,7 @@ class ControlGroupTest {
 
     private static Isolation strict(long memory) {
         return new Isolation(SandboxLevel.STRICT, false, new ResourceLimits(memory, 64, 0, 0), BotEnvironment.USUAL,
-            List.of(), true);
+            List.of(), List.of(), true);
     }
 
     @Test

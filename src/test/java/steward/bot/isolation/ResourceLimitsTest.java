@@ -21,7 +21,7 @@ class ResourceLimitsTest {
         assertThrows(IllegalArgumentException.class, () -> new ResourceLimits(0, 0, 0, 3));
         assertThrows(IllegalArgumentException.class, () -> new ResourceLimits(-1, 0, 0, 0));
         assertThrows(IllegalArgumentException.class, () -> new Isolation(SandboxLevel.OFF, false,
-            new ResourceLimits(1L << 30, 0, 0, 0), BotEnvironment.USUAL, List.of(), false));
+            new ResourceLimits(1L << 30, 0, 0, 0), BotEnvironment.USUAL, List.of(), List.of(), false));
     }
 
     @Test

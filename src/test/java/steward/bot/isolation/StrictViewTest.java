@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -74,23 +75,38 @@ class StrictViewTest {
         assertFalse(own.contains(home) || own.contains(Path.of("/")) || own.contains(home.getParent()), own.toString());
     }
 
-    /** In a folder that is hidden anyway there is nothing to hide. */
+    private static StrictView view(Path mine, Path other, Path... visible) {
+        Isolation usual = Isolation.at(SandboxLevel.STRICT);
+        return StrictView.of(List.of(mine.toString()), List.of(List.of(other.toString())),
+            new Isolation(SandboxLevel.STRICT, false, usual.limits(), usual.environment(), List.of(visible), List.of(),
+                false));
+    }
+
+    /** What is made below the folder of the test, by path. */
+    private Map<Path, StrictView.Treatment> made(StrictView view) {
+        Map<Path, StrictView.Treatment> made = new LinkedHashMap<>();
+        view.entries().forEach((path, entry) -> {
+            if (path.startsWith(folder)) {
+                made.put(path, entry.treatment());
+            }
+        });
+        return made;
+    }
+
+    /** In a folder that is not shown there is nothing to hide. */
     @Test
     void itsOwnFolderIsShownAndNoOther() throws IOException {
         Path mine = program("bots/mine/bot", "");
         Path other = program("bots/other/bot", "");
-        StrictView view = StrictView.of(List.of(mine.toString()), List.of(List.of(other.toString())), List.of());
-        assertEquals(Map.of(mine.getParent(), StrictView.Treatment.SHOW), view.treated());
+        assertEquals(Map.of(mine.getParent(), StrictView.Treatment.SHOW), made(view(mine, other)));
     }
 
     @Test
     void foldersOfOtherBotsAreHiddenInWhatIsShown() throws IOException {
         Path mine = program("bots/mine/bot", "");
         Path other = program("bots/other/bot", "");
-        StrictView view = StrictView.of(List.of(mine.toString()), List.of(List.of(other.toString())), List.of(folder));
-        assertEquals(StrictView.Treatment.HIDE_FOLDER, view.treated().get(other.getParent()));
-        assertEquals(StrictView.Treatment.SHOW, view.treated().get(mine.getParent()));
-        assertEquals(folder, view.treated().keySet().iterator().next());
+        assertEquals(Map.of(folder, StrictView.Treatment.SHOW, other.getParent(), StrictView.Treatment.HIDE_FOLDER),
+            made(view(mine, other, folder)));
     }
 
     /** A bot inside the folder of another is shown in it, and not hidden with it. */
@@ -98,29 +114,71 @@ class StrictViewTest {
     void aFolderInsideAnothersIsShown() throws IOException {
         Path other = program("bots/bot", "");
         Path mine = program("bots/mine/bot", "");
-        StrictView view = StrictView.of(List.of(mine.toString()), List.of(List.of(other.toString())), List.of(folder));
-        assertEquals(List.of(folder, other.getParent(), mine.getParent()), List.copyOf(view.treated().keySet()));
+        Map<Path, StrictView.Treatment> made = made(view(mine, other, folder));
+        assertEquals(List.of(folder, other.getParent(), mine.getParent()), List.copyOf(made.keySet()));
         assertEquals(List.of(StrictView.Treatment.SHOW, StrictView.Treatment.HIDE_FOLDER, StrictView.Treatment.SHOW),
-            List.copyOf(view.treated().values()));
+            List.copyOf(made.values()));
     }
 
     @Test
     void inOneFolderTheOthersProgramIsHidden() throws IOException {
         Path mine = program("bots/mine", "");
         Path other = program("bots/other", "");
-        StrictView view = StrictView.of(List.of(mine.toString()), List.of(List.of(other.toString())), List.of());
-        assertEquals(StrictView.Treatment.HIDE_FILE, view.treated().get(other));
-        assertEquals(StrictView.Treatment.SHOW, view.treated().get(mine.getParent()));
-        assertFalse(view.treated().containsKey(mine));
+        assertEquals(Map.of(mine.getParent(), StrictView.Treatment.SHOW, other, StrictView.Treatment.HIDE_FILE),
+            made(view(mine, other)));
+    }
+
+    @Test
+    void inTheFolderOfALeagueABotHasOnlyItsFile() throws IOException {
+        Path mine = program("night/bot", "");
+        Path other = program("night/other", "");
+        Files.writeString(folder.resolve("night/league.json"), "{}");
+        assertEquals(Map.of(mine, StrictView.Treatment.SHOW), made(view(mine, other)));
+        assertEquals(Set.of(), OwnFiles.of(List.of(folder.resolve("night").toString())));
+    }
+
+    /** The folder of the bot holds that of the league, in which is another bot of it. */
+    @Test
+    void whatTheIsolationHidesIsHiddenInItsOwnFolder() throws IOException {
+        Path mine = program("bots/bot", "");
+        Path league = program("bots/night/other", "").getParent();
+        Path third = program("bots/third", "");
+        StrictView view = StrictView.of(List.of(mine.toString()), List.of(),
+            Isolation.at(SandboxLevel.STRICT).hiding(List.of(league, third, mine)));
+        assertEquals(Map.of(mine.getParent(), StrictView.Treatment.SHOW, league, StrictView.Treatment.HIDE_FOLDER,
+            third, StrictView.Treatment.HIDE_FILE), made(view));
+    }
+
+    @Test
+    void linksOnTheWayAreMadeAnew() throws IOException {
+        Path real = program("real/mine/bot", "");
+        Path link = Files.createSymbolicLink(folder.resolve("link"), Path.of("real"));
+        Path file = Files.createSymbolicLink(folder.resolve("bot"), link.resolve("mine/bot"));
+        assertEquals(Map.of(link, StrictView.Treatment.LINK, real.getParent(), StrictView.Treatment.SHOW),
+            made(view(link.resolve("mine/bot"), real)));
+        Map<Path, StrictView.Treatment> made = made(view(file, real, folder.resolve("bot")));
+        assertEquals(StrictView.Treatment.SHOW, made.get(folder));
+    }
+
+    /** A copied interpreter finds its libraries beside the original, which {@code pyvenv.cfg} names. */
+    @Test
+    void aVirtualEnvironmentHasItsBase() throws IOException {
+        Path base = program("python/bin/python3", "");
+        Path copy = program("venv/bin/python3", "");
+        Files.writeString(folder.resolve("venv/pyvenv.cfg"), "home = " + base.getParent() + "\nversion = 3.11\n");
+        assertEquals(Set.of(folder.resolve("venv"), folder.resolve("python")), OwnFiles.of(List.of(copy.toString())));
     }
 
     @Test
     void whatBelongsToTheMachineIsNeverHidden() throws IOException {
         Path mine = program("mine/bot", "");
         StrictView view = StrictView.of(List.of(mine.toString()), List.of(List.of("/bin/sh", "/etc/passwd")),
-            List.of());
-        assertEquals(Set.of(mine.getParent()), view.treated().keySet());
-        assertTrue(view.hidden().contains(Path.of("/root")) || view.hidden().contains(Path.of("/home")));
-        assertFalse(view.hidden().contains(Path.of("/tmp")));
+            Isolation.at(SandboxLevel.STRICT));
+        assertTrue(view.entries().values().stream().noneMatch(entry -> entry.treatment()
+            == StrictView.Treatment.HIDE_FILE || entry.treatment() == StrictView.Treatment.HIDE_FOLDER));
+        assertTrue(view.shows(Path.of("/usr/bin/env")) && view.shows(Path.of("/etc/passwd")));
+        for (String place : List.of("/srv", "/opt", "/var", "/home", "/etc/shadow", "/usr/local/src", "/sys", "/")) {
+            assertFalse(view.shows(Path.of(place)), place);
+        }
     }
 }

@@ -252,7 +252,8 @@ class SandboxAttackTest {
             + " unshare -UrmC sh -c 'mount -t cgroup2 none /mnt && [ -w /mnt/cgroup.procs ]' 2>/dev/null"
             + " && echo yes || echo no; read -r l";
         Isolation usual = Isolation.at(level);
-        Isolation pausing = new Isolation(level, false, usual.limits(), usual.environment(), List.of(), true);
+        Isolation pausing = new Isolation(level, false, usual.limits(), usual.environment(), List.of(), List.of(),
+            true);
         try (BotProcess bot = new BotProcess("bot", new Launch(List.of("sh", "-c", script), pausing, List.of()),
                 BotProcess.DEFAULT_GRACE_MS)) {
             assertEquals("no", ScriptedBots.reply(bot, "a\n"), "writes to control groups");
@@ -266,7 +267,7 @@ class SandboxAttackTest {
     private static Isolation visiblePython(SandboxLevel level) {
         Isolation usual = Isolation.at(level);
         Path prefix = ProgramFinder.find("python3").toAbsolutePath().getParent().getParent();
-        return new Isolation(level, false, usual.limits(), usual.environment(), List.of(prefix),
+        return new Isolation(level, false, usual.limits(), usual.environment(), List.of(prefix), List.of(),
             false);
     }
 

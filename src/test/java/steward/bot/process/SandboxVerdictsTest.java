@@ -186,7 +186,8 @@ class SandboxVerdictsTest {
     void aBotThatIsPausedWhileItWaits(SandboxLevel level) {
         ScriptedBots.assumeWorks(level);
         Isolation usual = Isolation.at(level);
-        Isolation pausing = new Isolation(level, false, usual.limits(), usual.environment(), List.of(), true);
+        Isolation pausing = new Isolation(level, false, usual.limits(), usual.environment(), List.of(), List.of(),
+            true);
         BotProcess bot = new BotProcess("bot", new Launch(List.of("sh", "-c",
             "read -r l; n=0; echo 0; while :; do n=$((n + 1)); done & while read -r l; do echo \"$l\"; done; kill $!"),
             pausing, List.of()), 60_000);

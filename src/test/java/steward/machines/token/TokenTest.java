@@ -7,9 +7,12 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.security.KeyStore;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -72,6 +75,43 @@ class TokenTest {
         assertEquals(fingerprint, key.fingerprint());
         assertNotEquals(before, key.certificate());
         assertTrue(fingerprint.matches("[0-9a-f]{64}"));
+    }
+
+    /** As earlier versions made it, with the password that stood in the sources, readable by all. */
+    @Test
+    void aStoreOfAnEarlierVersionIsLockedAnewAndKeepsItsKey() throws Exception {
+        LeagueFolder league = new LeagueFolder(folder);
+        WorkerList.add(league, "a", folder.resolve("a.token"));
+        BrokerKey key = new BrokerKey(league);
+        var certificate = key.certificate();
+        Path secret = folder.resolve("machines/broker.password");
+        KeyStore keys = KeyStore.getInstance("PKCS12");
+        char[] own = key.password().toCharArray();
+        char[] former = "steward".toCharArray();
+        try (InputStream in = Files.newInputStream(key.store())) {
+            keys.load(in, own);
+        }
+        keys.setKeyEntry("broker", keys.getKey("broker", own), former, keys.getCertificateChain("broker"));
+        Files.delete(secret);
+        try (OutputStream out = Files.newOutputStream(key.store())) {
+            keys.store(out, former);
+        }
+        key.make();
+        assertEquals(certificate, key.certificate());
+        assertEquals(key.fingerprint(), WorkerToken.read(folder.resolve("a.token")).broker());
+        assertTrue(key.password().matches("[0-9a-f]{64}") && !key.password().equals(new String(own)));
+        for (Path file : List.of(secret, key.store())) {
+            assertEquals("rw-------", PosixFilePermissions.toString(Files.getPosixFilePermissions(file)));
+        }
+        assertThrows(IOException.class, () -> {
+            try (InputStream in = Files.newInputStream(key.store())) {
+                keys.load(in, former);
+            }
+        });
+        key.renew();
+        assertNotEquals(certificate, key.certificate());
+        Files.delete(secret);
+        assertTrue(assertThrows(InputException.class, key::make).getMessage().contains("found no such file"));
     }
 
     /** The first ones to need the broker's key may be several at once: a worker is added while the league begins. */

@@ -49,8 +49,9 @@ public final class LeagueOpening {
 
     private static Supplier<Isolation> isolation(LeagueFolder folder, LeagueSettings settings, Streams streams) {
         try {
-            return CommandLine.populateCommand(new SandboxOptions(), settings.sandbox().toArray(new String[0]))
-                .isolation(streams);
+            Supplier<Isolation> named = CommandLine.populateCommand(new SandboxOptions(),
+                settings.sandbox().toArray(new String[0])).isolation(streams);
+            return () -> named.get().hiding(List.of(folder.path().toAbsolutePath().normalize()));
         } catch (CallException | InputException | CommandLine.ParameterException problem) {
             throw new InputException(folder.settings() + ": sandbox, as an option of 'steward match': "
                 + problem.getMessage());
