@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.concurrent.TimeUnit;
 import steward.cli.BrokenInputs.Kind;
+import steward.cli.league.BrokenRows;
 import steward.machines.check.BrokenTranscripts;
 import steward.machines.wire.IncomingBytes;
 import steward.match.Protocol;
@@ -86,6 +87,8 @@ public final class Fuzz {
         targets.add(new Named("answer in words", number -> inputs.answer(Protocol.CODINGAME, "1000 2000 100 hello",
             number)));
         targets.add(new Named("command of a bot", number -> inputs.command(COMMAND, number)));
+        BrokenRows rows = new BrokenRows(Files.createDirectory(folder.resolve("rows")), seed);
+        targets.add(new Named("row of a league's database", rows::check));
         IncomingBytes incoming = new IncomingBytes(Files.createDirectory(folder.resolve("incoming")), seed);
         targets.add(new Named("message of a worker", incoming::word));
         targets.add(new Named("message of a league", incoming::league));

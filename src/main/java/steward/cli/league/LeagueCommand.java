@@ -75,6 +75,7 @@ public final class LeagueCommand implements Callable<Integer> {
         commands.put("export", new ExportCommand(streams));
         commands.put("import", new ImportGamesCommand(streams));
         commands.put("backup", new BackupCommand(streams));
+        commands.put("verify", new VerifyCommand(streams));
         commands.put("prune", new PruneCommand(streams));
         commands.put("sprt", new LeagueSprtCommand(streams));
         commands.put("demo", new LeagueDemoCommand(streams));

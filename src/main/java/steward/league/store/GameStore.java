@@ -45,23 +45,44 @@ public final class GameStore implements AutoCloseable {
 
     /** For reading alone; other programs may write meanwhile. */
     public static GameStore read(LeagueFolder folder) {
-        return new GameStore(Database.open(folder, false, false));
+        return checked(Database.open(folder, false, false));
+    }
+
+    /** The same with rows that may be bad: to look for them, or because they have just been looked for. */
+    public static GameStore unchecked(LeagueFolder folder, boolean write) {
+        return new GameStore(Database.open(folder, write, write));
+    }
+
+    /** Refuses a database in which a row cannot be used, before anything is computed from it. */
+    static GameStore checked(Database database) {
+        GameStore store = new GameStore(database);
+        try {
+            List<BadRow> rows = store.badRows(1);
+            if (!rows.isEmpty()) {
+                throw new InputException(database.file() + ": " + rows.get(0)
+                    + "; 'steward league verify' lists such rows and sets them aside");
+            }
+            return store;
+        } catch (InputException bad) {
+            database.close();
+            throw bad;
+        }
     }
 
     /** For reading, where nobody else uses it, on a disk of any machine; {@code null} if there are no games yet. */
     public static GameStore unused(LeagueFolder folder) {
         Database database = Database.unused(folder);
-        return database == null ? null : new GameStore(database);
+        return database == null ? null : checked(database);
     }
 
     /** For reading and writing; made if it is not there. */
     public static GameStore write(LeagueFolder folder) {
-        return new GameStore(Database.open(folder, true, false));
+        return checked(Database.open(folder, true, false));
     }
 
     /** As {@link #write}; each game is on the disk before the next, also if the power fails. */
     public static GameStore durable(LeagueFolder folder) {
-        return new GameStore(Database.open(folder, true, true));
+        return checked(Database.open(folder, true, true));
     }
 
     Database database() {
@@ -338,6 +359,35 @@ public final class GameStore implements AutoCloseable {
             }
             return database.update("UPDATE game SET transcript = ? WHERE id = ?", facts.transcript(), game);
         });
+    }
+
+    /** Rows that no version of the program writes, at most so many. */
+    public List<BadRow> badRows(int most) {
+        return database.with(() -> RowCheck.of(database, most));
+    }
+
+    /**
+     * Deletes bad rows, and those that need them, until none is left.
+     *
+     * @return how many
+     */
+    public long dropBadRows() {
+        return database.inTransaction(() -> {
+            long dropped = 0;
+            for (List<BadRow> rows = RowCheck.of(database, Integer.MAX_VALUE); !rows.isEmpty();
+                 rows = RowCheck.of(database, Integer.MAX_VALUE)) {
+                for (BadRow row : rows) {
+                    database.execute("DELETE FROM " + row.table() + " WHERE " + row.key());
+                    dropped++;
+                }
+            }
+            return dropped;
+        });
+    }
+
+    /** How many games there are, of all seasons. */
+    public long games() {
+        return database.with(() -> ((Number) database.value("SELECT count(*) FROM game")).longValue());
     }
 
     /** Whether the file is whole, as SQLite sees it: {@code ok}, or what is wrong. */

@@ -101,7 +101,7 @@ public final class PartStore implements AutoCloseable {
     public static PartStore read(Path file) {
         Database database = Database.part(file, false);
         try {
-            GameStore games = new GameStore(database);
+            GameStore games = GameStore.checked(database);
             Optional<Season> season = games.lastSeason();
             Optional<Head> head = season.isEmpty() ? Optional.empty() : database.with(() -> head(database));
             if (head.isEmpty()) {

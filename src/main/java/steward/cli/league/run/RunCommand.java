@@ -130,7 +130,7 @@ public final class RunCommand implements Callable<Integer> {
         Season season = Season.of(contest.setup(), settings);
         try (FolderLock lock = FolderLock.take(folder);
              GameStore store = durable ? GameStore.durable(folder) : GameStore.write(folder);
-             GameStore viewed = GameStore.read(folder)) {
+             GameStore viewed = GameStore.unchecked(folder, false)) {
             int number = SeasonOpening.open(folder, settings, store, season, anew);
             EarlierFacts.add(folder, store, Games.types());
             return play(folder, settings, store, new GameQueries(viewed, number, season), season, number, contest,

@@ -1,0 +1,18 @@
+package steward.league.store;
+
+/**
+ * A row of a league's database that cannot be used.
+ *
+ * @param table    its table
+ * @param key      a condition of SQL that selects it
+ * @param column   the first of its columns that is wrong
+ * @param value    of the column, as SQL writes it
+ * @param expected in its place
+ */
+public record BadRow(String table, String key, String column, String value, String expected) {
+
+    @Override
+    public String toString() {
+        return "table " + table + ", row " + key + ", column " + column + ": found " + value + ", expected " + expected;
+    }
+}
