@@ -33,25 +33,26 @@ class VerifyTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
-        UPDATE seat SET score = 'abc' WHERE game = 2 AND seat = 1     | column score: found 'abc', expected a finite number
-        UPDATE seat SET score = 9e999 WHERE game = 2 AND seat = 1     | column score: found 9.0e+999, expected a finite
-        DELETE FROM version WHERE id = 2                              | table identity, row hash = '00000000000000000000000000000002', column version
-        DELETE FROM seat WHERE game = 3 AND seat = 0                  | table game, row id = 3, column lineup: found
-        DELETE FROM game WHERE id = 4                                 | AND game = 4 AND seat = 0, column game: found 4
-        UPDATE game SET ranks = '0 x' WHERE id = 5                    | table game, row id = 5, column ranks: found '0 x'
-        UPDATE game SET lineup = 99 WHERE id = 5                      | column lineup: found 99, expected a row of the
-        UPDATE lineup SET versions = '1 y' WHERE id = 1               | column versions: found '1 y', expected numbers of
-        UPDATE season SET players = 0                                 | table season, row id = 1, column players: found 0
-        UPDATE season SET limits = 'none'                             | table season, row id = 1, column key: found '
-        UPDATE version SET bot = x'00' WHERE id = 1                   | table version, row id = 1, column bot: found X'00'
-        UPDATE game SET seed = 0.5 WHERE id = 6                       | table game, row id = 6, column seed: found 0.5
+        UPDATE seat SET score = 'abc' WHERE game = 2 | column score: found 'abc', expected a finite number
+        UPDATE seat SET score = 9e999 WHERE game = 2 | column score: found 9.0e+999, expected a finite
+        DELETE FROM version WHERE id = 2 | table identity, row hash = '0000
+        DELETE FROM seat WHERE game = 3 AND seat = 0 | table game, row id = 3, column lineup: found
+        DELETE FROM game WHERE id = 4 | AND game = 4 AND seat = 0, column game: found 4
+        UPDATE game SET ranks = '0 x' WHERE id = 5 | table game, row id = 5, column ranks: found '0 x'
+        UPDATE game SET lineup = 99 WHERE id = 5 | column lineup: found 99, expected a row of the
+        UPDATE lineup SET versions = '1 y' WHERE id = 1 | column versions: found '1 y', expected numbers of
+        UPDATE season SET players = 0 | table season, row id = 1, column players: found 0
+        UPDATE season SET limits = 'none' | table season, row id = 1, column key: found '
+        UPDATE version SET bot = x'00' WHERE id = 1 | table version, row id = 1, column bot: found X'00'
+        UPDATE game SET seed = 0.5 WHERE id = 6 | table game, row id = 6, column seed: found 0.5
         """)
     void aBadRowIsRefusedByItsName(String change, String message) throws IOException {
         rows.table(change).assertRefused("league.db: table ");
         assertTrue(rows.table(change).err().contains(message), rows.table(change).err());
         Cli listed = Cli.run("league", "verify", league.toString());
         assertEquals(1, listed.status());
-        assertTrue(listed.out().contains(message) && listed.out().contains("cannot be used; --drop sets "), listed.out());
+        assertTrue(listed.out().contains(message) && listed.out().contains("cannot be used; --drop sets "),
+            listed.out());
     }
 
     /** Of six games one has lost a seat: the table counts five. */
