@@ -28,10 +28,13 @@ public final class BrokerClient implements AutoCloseable {
 
     /** How the error begins that says that the broker has another key. */
     static final String OTHER_KEY = "the broker has another key than the token says";
+    /** Signs of life within the time after which silence ends a connection. */
+    private static final int SIGNS = 4;
     private static final long CALL_MS = 20_000;
     private static final int CONNECT_MS = 10_000;
 
     private final WorkerToken token;
+    private final String process;
     private final ServerLocator locator;
     private final ClientSessionFactory factory;
     private final ClientSession session;
@@ -57,9 +60,15 @@ public final class BrokerClient implements AutoCloseable {
         }
     }
 
-    /** @throws BrokenException if there is no connection */
-    public BrokerClient(String host, int port, WorkerToken token) throws BrokenException {
+    /**
+     * Connects.
+     *
+     * @param process unlike that of any other worker: of those with one token the broker keeps the newest
+     * @throws BrokenException if there is no connection
+     */
+    public BrokerClient(String host, int port, WorkerToken token, String process) throws BrokenException {
         this.token = token;
+        this.process = process;
         Map<String, Object> options = new HashMap<>();
         options.put(TransportConstants.HOST_PROP_NAME, host);
         options.put(TransportConstants.PORT_PROP_NAME, Integer.toString(port));
@@ -72,7 +81,7 @@ public final class BrokerClient implements AutoCloseable {
         locator = ActiveMQClient.createServerLocatorWithoutHA(new TransportConfiguration(
             NettyConnectorFactory.class.getName(), options));
         locator.setReconnectAttempts(0).setInitialConnectAttempts(1).setConsumerWindowSize(0)
-            .setConnectionTTL(LeagueBroker.TTL_MS).setClientFailureCheckPeriod(LeagueBroker.TTL_MS)
+            .setConnectionTTL(LeagueBroker.TTL_MS).setClientFailureCheckPeriod(LeagueBroker.TTL_MS / SIGNS)
             .setMinLargeMessageSize(Integer.MAX_VALUE).setCallTimeout(CALL_MS).setBlockOnNonDurableSend(false)
             .setProducerWindowSize(-1)
             .setUseGlobalPools(false);
@@ -121,17 +130,16 @@ public final class BrokerClient implements AutoCloseable {
     }
 
     private ClientSession session(boolean alone) throws ActiveMQException {
-        return factory.createSession(token.worker(), token.secret(), false, alone, alone, false, 0);
+        return factory.createSession(token.worker(), token.secret() + BrokerSecurity.PROCESS + process, false, alone,
+            alone, false, 0);
     }
 
     private static BrokenException broken(ActiveMQException problem) {
         ActiveMQExceptionType type = problem.getType();
         boolean refused = type == ActiveMQExceptionType.SECURITY_EXCEPTION
-            || type == ActiveMQExceptionType.MAX_CONSUMER_LIMIT_EXCEEDED;
+            || type == ActiveMQExceptionType.SESSION_CREATION_REJECTED;
         String what = type == ActiveMQExceptionType.SECURITY_EXCEPTION
-            ? "the league refuses the token: it is wrong or revoked"
-            : type == ActiveMQExceptionType.MAX_CONSUMER_LIMIT_EXCEEDED
-                ? "another worker plays with this token, expected one at a time" : inOurWords(type, problem);
+            ? "the league refuses the token: it is wrong or revoked" : inOurWords(type, problem);
         return new BrokenException(what, refused);
     }
 
@@ -141,6 +149,8 @@ public final class BrokerClient implements AutoCloseable {
             case OBJECT_CLOSED, NOT_CONNECTED, DISCONNECTED, CONNECTION_TIMEDOUT, UNBLOCKED ->
                 "the connection is closed";
             case ADDRESS_FULL -> "too much waits at the league";
+            case SESSION_CREATION_REJECTED -> "another worker plays with this token, expected one at a time";
+            case MAX_CONSUMER_LIMIT_EXCEEDED -> "the league still holds the connection before this one";
             default -> String.valueOf(problem.getMessage()).replaceFirst("^AMQ[0-9]+: *", "");
         };
     }

@@ -17,6 +17,12 @@ import org.apache.activemq.artemis.spi.core.security.jaas.UserPrincipal;
  */
 final class BrokerSecurity implements ActiveMQSecurityManager5 {
 
+    /**
+     * Mark between a worker's secret and the name of its process in a password, so that the process is known when the
+     * first session is made. Artemis has a client's id for that, but sends it only once it knows the broker's version.
+     */
+    static final String PROCESS = " ";
+
     private final String league;
     private final String secret;
     private final BiPredicate<String, String> admits;
@@ -36,10 +42,14 @@ final class BrokerSecurity implements ActiveMQSecurityManager5 {
     public Subject authenticate(String user, String password, RemotingConnection connection, String domain)
             throws NoCacheLoginException {
         boolean inside = connection != null && connection.getTransportConnection() instanceof InVMConnection;
+        String[] parts = password == null ? new String[] {null} : password.split(PROCESS, 2);
         boolean known = inside ? league.equals(user) && secret.equals(password)
-            : !league.equals(user) && admits.test(user, password);
+            : !league.equals(user) && admits.test(user, parts[0]);
         if (!known) {
             throw new NoCacheLoginException("unknown, or revoked");
+        }
+        if (!inside && connection != null) {
+            connection.setClientID(parts.length > 1 ? parts[1] : "");
         }
         Subject subject = new Subject();
         subject.getPrincipals().add(new UserPrincipal(user));

@@ -30,7 +30,6 @@ import org.apache.activemq.artemis.core.config.impl.ConfigurationImpl;
 import org.apache.activemq.artemis.core.filter.impl.FilterImpl;
 import org.apache.activemq.artemis.core.remoting.impl.invm.InVMAcceptorFactory;
 import org.apache.activemq.artemis.core.remoting.impl.invm.InVMConnectorFactory;
-import org.apache.activemq.artemis.core.remoting.impl.netty.NettyAcceptorFactory;
 import org.apache.activemq.artemis.core.remoting.impl.netty.TransportConstants;
 import org.apache.activemq.artemis.core.server.ServerSession;
 import org.apache.activemq.artemis.core.server.impl.ActiveMQServerImpl;
@@ -47,14 +46,22 @@ import steward.machines.wire.WireMessage;
  */
 public final class LeagueBroker implements AutoCloseable {
 
-    /** After so long without a sign of life a connection is closed, and its jobs go to others; in milliseconds. */
+    /**
+     * Time without a sign of life after which a worker's connection is closed and its jobs go to others, in ms. It is
+     * kept by the acceptor: Artemis would apply it to the league's own connection, too, which is silent for minutes
+     * while long games are played.
+     */
     static final long TTL_MS = 10_000;
     private static final String LEAGUE = "the league";
-    private static final long MOST_WAITING = 256L << 20;
+    /** Bytes that may wait in a queue: a quarter of the heap at most. */
+    private static final long MOST_WAITING = Math.min(256L << 20, Runtime.getRuntime().maxMemory() / 4);
+    /** Bytes of one worker's reports that may wait: a longest one, or a quarter of all. */
+    private static final long QUOTA = Math.max(WireMessage.LONGEST + (1 << 16), MOST_WAITING / 4);
     private static final int CONNECTIONS = 2000;
 
     private final ActiveMQServerImpl server;
     private final LeasePlugin leases = new LeasePlugin();
+    private final WorkerSessions sessions = new WorkerSessions(QUOTA);
     private final ServerLocator locator;
     private final ClientSessionFactory factory;
     private final ClientSession sending;
@@ -90,6 +97,7 @@ public final class LeagueBroker implements AutoCloseable {
         server = new ActiveMQServerImpl(configuration(address, key, id), null,
             new BrokerSecurity(LEAGUE, secret, admits));
         server.registerBrokerPlugin(leases);
+        server.registerBrokerPlugin(sessions);
         try {
             server.start();
             if (!server.getRemotingService().isStarted() || server.getRemotingService().getAcceptor("workers") == null
@@ -153,7 +161,6 @@ public final class LeagueBroker implements AutoCloseable {
         Configuration configuration = new ConfigurationImpl().setName("steward").setPersistenceEnabled(false)
             .setSecurityEnabled(true).setJMXManagementEnabled(false).setPopulateValidatedUser(true)
             .setSecurityInvalidationInterval(0).setMaxDiskUsage(-1).setGracefulShutdownEnabled(false)
-            .setConnectionTTLOverride(TTL_MS).setConnectionTtlCheckInterval(TTL_MS / 10)
             .setJournalDirectory(folder.resolve("none/journal").toString())
             .setBindingsDirectory(folder.resolve("none/bindings").toString())
             .setPagingDirectory(folder.resolve("none/paging").toString())
@@ -161,7 +168,7 @@ public final class LeagueBroker implements AutoCloseable {
             .addAddressSetting("#", settings)
             .addAcceptorConfiguration(new TransportConfiguration(InVMAcceptorFactory.class.getName(),
                 Map.of("serverId", Integer.toString(id)), "inside"))
-            .addAcceptorConfiguration(new TransportConfiguration(NettyAcceptorFactory.class.getName(), tls,
+            .addAcceptorConfiguration(new TransportConfiguration(GuardedAcceptorFactory.class.getName(), tls,
                 "workers"));
         for (String queue : List.of(Queues.JOBS, Queues.REPORTS)) {
             configuration.addQueueConfiguration(queue(queue));
@@ -228,6 +235,9 @@ public final class LeagueBroker implements AutoCloseable {
             int size = Math.min(message.getBodySize(), WireMessage.LONGEST + 1);
             byte[] bytes = new byte[size];
             message.getBodyBuffer().readBytes(bytes);
+            if (worker != null) {
+                sessions.read(worker, message.getEncodeSize());
+            }
             return new Report(worker == null ? "" : worker, bytes);
         } catch (ActiveMQException problem) {
             if (problem.getCause() instanceof InterruptedException) {
@@ -255,12 +265,7 @@ public final class LeagueBroker implements AutoCloseable {
 
     /** Offers a job no more; whoever has it may go on. */
     public void withdraw(String job) {
-        try {
-            server.locateQueue(SimpleString.of(Queues.JOBS)).deleteMatchingReferences(
-                FilterImpl.createFilter(Queues.JOB + " = '" + job + "'"));
-        } catch (Exception stays) {
-            return;                                    // somebody will play it for nothing
-        }
+        delete(Queues.JOBS, Queues.JOB + " = '" + job + "'");
     }
 
     /** The workers that are connected, by name. */
@@ -274,12 +279,22 @@ public final class LeagueBroker implements AutoCloseable {
         return workers;
     }
 
-    /** Closes the connections of a worker; jobs that it had go to others. */
+    /** Closes the connections of a worker and removes what waits of it and for it; its jobs go to others. */
     public void disconnect(String worker) {
         for (ServerSession session : server.getSessions()) {
             if (worker.equals(session.getUsername())) {
                 session.getRemotingConnection().fail(new ActiveMQException("revoked"));
             }
+        }
+        delete(Queues.REPORTS, Message.HDR_VALIDATED_USER + " = '" + worker + "'");
+        delete(Queues.TO + worker, null);
+    }
+
+    private void delete(String queue, String filter) {
+        try {
+            server.locateQueue(SimpleString.of(queue)).deleteMatchingReferences(FilterImpl.createFilter(filter));
+        } catch (Exception stays) {
+            return;                                    // it is bounded, and of no consequence
         }
     }
 

@@ -3,17 +3,13 @@ package steward.machines.broker;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import org.apache.activemq.artemis.api.core.ActiveMQException;
-import org.apache.activemq.artemis.api.core.ActiveMQIllegalStateException;
-import org.apache.activemq.artemis.api.core.Message;
 import org.apache.activemq.artemis.core.server.ActiveMQServer;
 import org.apache.activemq.artemis.core.server.MessageReference;
 import org.apache.activemq.artemis.core.server.ServerConsumer;
 import org.apache.activemq.artemis.core.server.ServerSession;
 import org.apache.activemq.artemis.core.server.plugin.ActiveMQServerPlugin;
-import org.apache.activemq.artemis.core.transaction.Transaction;
-import steward.machines.wire.WireMessage;
 
-/** Notes which worker each job was handed to last, and refuses messages that are too long. */
+/** Notes which worker each job was handed to last. */
 final class LeasePlugin implements ActiveMQServerPlugin {
 
     private final Map<String, String> leases = new ConcurrentHashMap<>();
@@ -34,15 +30,6 @@ final class LeasePlugin implements ActiveMQServerPlugin {
                 leases.put(job, session.getUsername());
                 since.put(job, System.nanoTime());
             }
-        }
-    }
-
-    @Override
-    public void beforeSend(ServerSession session, Transaction transaction, Message message, boolean direct,
-                           boolean noAutoCreateQueue) throws ActiveMQException {
-        if (message.getEncodeSize() > WireMessage.LONGEST + (1 << 16) || message.isLargeMessage()) {
-            throw new ActiveMQIllegalStateException("found a message of " + message.getEncodeSize()
-                + " bytes, expected at most " + WireMessage.LONGEST);
         }
     }
 

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.UUID;
 import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
@@ -42,6 +43,7 @@ public final class Worker {
     private final GameTypes types;
     private final Consumer<String> teller;
     private final long end;
+    private final String process = UUID.randomUUID().toString();
     private final AtomicLong begun = new AtomicLong();
     private final AtomicLong played = new AtomicLong();
     /** Bundles that do not run here, and why. */
@@ -107,7 +109,8 @@ public final class Worker {
         String told = "";
         while (!isOver()) {
             long before = played.get();
-            try (BrokerClient client = new BrokerClient(options.host(), options.port(), options.token())) {
+            try (BrokerClient client = new BrokerClient(options.host(), options.port(), options.token(),
+                    process)) {
                 session(client);
             } catch (BrokenException problem) {
                 if (problem.isRefused() && played.get() == before) {

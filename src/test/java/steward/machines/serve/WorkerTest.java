@@ -142,7 +142,7 @@ class WorkerTest {
     static BrokerClient join(int port, WorkerToken token) throws BrokenException, InterruptedException {
         for (int tries = 0; ; tries++) {
             try {
-                return new BrokerClient("127.0.0.1", port, token);
+                return new BrokerClient("127.0.0.1", port, token, "process of " + token.worker());
             } catch (BrokenException notYet) {
                 if (notYet.isRefused() || tries == 300) {
                     throw notYet;
@@ -418,8 +418,10 @@ class WorkerTest {
         String fingerprint = key.fingerprint();
         done("worker", "renew", "TMP/many");
         assertEquals(fingerprint, key.fingerprint(), "the key stays");
-        try (RemoteGames games = served("many"); BrokerClient client = client(good)) {
+        try (RemoteGames games = served("many"); BrokerClient older = client(good);
+             BrokerClient client = new BrokerClient("127.0.0.1", port, good, "a newer process")) {
             assertTrue(games.seen().isEmpty());
+            assertThrows(BrokenException.class, () -> listen(older), "the newer one has taken over");
             assertTrue(refused(new WorkerToken("good", "x".repeat(43), good.broker())).contains("wrong or revoked"));
             assertTrue(refused(new WorkerToken("nobody", good.secret(), good.broker())).contains("wrong or revoked"));
             assertTrue(refused(new WorkerToken("good", good.secret(), "0".repeat(64))).contains("has another key"));
@@ -434,13 +436,17 @@ class WorkerTest {
             assertEquals("TLSv1.3", TrustingClient.shakeHands(port, "TLSv1.3"),
                 "the same client in the version that is wanted");
             done("worker", "revoke", "TMP/many", "good");
-            assertThrows(BrokenException.class, () -> {
-                for (;;) {
-                    client.listen(100);
-                }
-            });
+            assertThrows(BrokenException.class, () -> listen(client));
             assertTrue(refused(good).contains("wrong or revoked"));
         }
+    }
+
+    private static byte[] listen(BrokerClient client) throws BrokenException {
+        byte[] answer = null;
+        while (answer == null) {
+            answer = client.listen(500);
+        }
+        return answer;
     }
 
     /** A league that serves and gives no games out. */
@@ -458,7 +464,7 @@ class WorkerTest {
 
     private String refused(WorkerToken token) {
         BrokenException problem = assertThrows(BrokenException.class,
-            () -> new BrokerClient("127.0.0.1", port, token).close());
+            () -> new BrokerClient("127.0.0.1", port, token, "process of " + token.worker()).close());
         assertTrue(problem.isRefused(), problem.getMessage());
         return problem.getMessage();
     }
@@ -472,11 +478,7 @@ class WorkerTest {
             assertTrue(games.seen().isEmpty());
             client.say(WireMessage.bytes(new HeaderText().put("type", "hello").put("version", "0.0.9")
                 .put("bits", "0123456789abcdef").put("machine", "an old machine").put("slots", 1)));
-            byte[] answer = null;
-            while (answer == null) {
-                answer = client.listen(500);
-            }
-            WireMessage message = WireMessage.read(answer, "the league");
+            WireMessage message = WireMessage.read(listen(client), "the league");
             assertEquals("refused", message.header().text("type"));
             String reason = message.header().text("reason");
             assertEquals("found Steward 0.0.9 (results 0123456789abcdef) on worker old and Steward 1 (results "
