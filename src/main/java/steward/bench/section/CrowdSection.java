@@ -8,7 +8,6 @@ import steward.bench.Effort;
 import steward.bench.Meter;
 import steward.bench.Row;
 import steward.bench.Section;
-import steward.bench.textbook.TextbookCrowd;
 import steward.lab.trial.Gas;
 import steward.physics.Advance;
 import steward.physics.Arithmetic;
@@ -16,6 +15,7 @@ import steward.physics.Bodies;
 import steward.physics.Contacts;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
+import steward.physics.TextbookSimulator;
 import steward.physics.event.EventAdvance;
 import steward.physics.queue.QueueAdvance;
 
@@ -114,7 +114,8 @@ final class CrowdSection implements Section {
 
     private static double textbook(Gas gas, long impacts) {
         Meter meter = new Meter();
-        TextbookCrowd crowd = new TextbookCrowd(gas.bodies(), gas.side());
+        TextbookSimulator crowd = new TextbookSimulator(gas.bodies(), gas.side(), (time, a, b) -> {
+        });
         long before = crowd.impacts();
         long start = meter.cpu(false);
         crowd.play(impacts);
