@@ -9,6 +9,7 @@ import steward.physics.TurnSink;
 import steward.physics.Wall;
 import steward.physics.impulse.Collision;
 import steward.physics.impulse.ContactResponse;
+import steward.physics.time.Magnitudes;
 import steward.physics.time.PairTime;
 import steward.physics.time.TimeOfImpact;
 
@@ -27,6 +28,9 @@ import steward.physics.time.TimeOfImpact;
  * and wall; the law's batch window and bound on impacts have no effect. After a {@link Reaction} that has changed the
  * bodies the step searches once more, at most once per body.
  *
+ * <p>A turn with numbers whose squares leave the range of doubles is computed as on the event rungs, see
+ * {@link Magnitudes}.
+ *
  * <p>Caveats: a contact at the start of a turn reacts only after the first step. Momentum is conserved as in other
  * advances; energy is conserved by the impulses, but positions are moved.
  */
@@ -38,6 +42,7 @@ public final class StepAdvance implements Advance {
     /** Scans list impacts up to the end of the turn; from the end itself, only present contacts. */
     private static final double END = 1;
 
+    private final PhysicsParts parts;
     private final int steps;
     private final Wall[] walls;
     private final PairTime overlap;
@@ -54,6 +59,7 @@ public final class StepAdvance implements Advance {
         if (steps < 1 || steps > MOST_STEPS) {
             throw new IllegalArgumentException(steps + " steps, expected 1.." + MOST_STEPS);
         }
+        this.parts = parts;
         this.steps = steps;
         walls = parts.walls().toArray(new Wall[0]);
         ImpactLaw law = parts.law();
@@ -66,6 +72,10 @@ public final class StepAdvance implements Advance {
 
     @Override
     public void turn(Bodies bodies, TurnSink sink) {
+        if (!Magnitudes.fitPlainArithmetic(bodies)) {
+            EventAdvance.inExactArithmetic(parts).turn(bodies, sink);
+            return;
+        }
         double step = 1.0 / steps;
         for (int k = 1; k <= steps; k++) {
             EventAdvance.fly(bodies, step);

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import steward.physics.Advance;
 import steward.physics.Arithmetic;
 import steward.physics.Bodies;
@@ -24,6 +25,7 @@ import steward.physics.TurnLog;
 import steward.physics.TurnSink;
 import steward.physics.Wall;
 import steward.physics.event.EventAdvance;
+import steward.physics.event.StepAdvance;
 import steward.physics.queue.QueueAdvance;
 
 /** Numbers whose squares no double can hold: computed right, or refused by name. */
@@ -129,5 +131,27 @@ class MagnitudesTest {
             new Segment(0, 0, 1, 1, 1)).turn(pair(1e100), TurnSink.NONE));
         assertEquals("body 0: x -4.0E100, expected 0 or a magnitude of 6.223015277861142E-61..1.6069380442589903E60 "
             + "where walls are segments", refusal.getMessage());
+    }
+
+    /** Steps refuse what event rungs refuse, and compute the others as these do. */
+    @ParameterizedTest
+    @ValueSource(doubles = {Double.NaN, Double.POSITIVE_INFINITY, 1e302, 1e300, -1e200, 1e-70})
+    void stepsTreatNumbersOutOfRangeAsEventRungsDo(double value) {
+        PhysicsParts parts = new PhysicsParts(ImpactLaw.PHYSICS, Arithmetic.DOUBLE);
+        assertEquals(outcome(new EventAdvance(parts), value), outcome(new StepAdvance(parts, 4), value));
+    }
+
+    private static String outcome(Advance advance, double value) {
+        Bodies bodies = new Bodies(2);
+        bodies.add(0, 0, 1, 1);
+        bodies.add(10, 0, 1, 1);
+        bodies.x[1] = value;
+        bodies.vx[0] = 5;
+        try {
+            advance.turn(bodies, TurnSink.NONE);
+            return bodies.x[0] + " " + bodies.x[1] + " " + bodies.vx[0];
+        } catch (IllegalArgumentException refusal) {
+            return refusal.getMessage();
+        }
     }
 }
