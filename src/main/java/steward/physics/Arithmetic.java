@@ -31,6 +31,30 @@ public enum Arithmetic {
     /** Those that a scene can ask for, in the order of accuracy. */
     public static final List<Arithmetic> OF_SCENES = List.of(OFFICIAL, DOUBLE, COMPENSATED, EXACT);
 
+    /** True if decisions are exact. */
+    public boolean isExact() {
+        return switch (this) {
+            case EXACT -> true;
+            case OFFICIAL, FORMER_OFFICIAL, DOUBLE, COMPENSATED -> false;
+        };
+    }
+
+    /** True if times come from the expressions of official referees, in which official games bring their own. */
+    public boolean isOfficial() {
+        return switch (this) {
+            case OFFICIAL -> true;
+            case FORMER_OFFICIAL, DOUBLE, COMPENSATED, EXACT -> false;
+        };
+    }
+
+    /** True if rounding errors are added back in doubles. */
+    public boolean isCompensated() {
+        return switch (this) {
+            case COMPENSATED -> true;
+            case OFFICIAL, FORMER_OFFICIAL, DOUBLE, EXACT -> false;
+        };
+    }
+
     /** Its name in a scene. */
     public String text() {
         return name().toLowerCase(Locale.ROOT);

@@ -13,7 +13,9 @@ package steward.physics;
  * @param separatingPairsReact  whether two bodies that touch while they separate react (the official games; needs a
  *                              minimum impulse). Walls react only to approach
  * @param batchWindow           impacts up to this long after the earliest react together, in turns. 0: one at a time,
- *                              ties going to the lowest pair of ids, and all is looked at anew after each
+ *                              ties going to the lowest pair of ids, and all is looked at anew after each. On
+ *                              {@code exact} the impacts of an instant are decided before its first one reacts; other
+ *                              arithmetics see a tie where two times are equal as doubles
  * @param scanOrder             the order in which pairs are scanned; decides ties within a batch
  * @param pushOut               positional correction; {@code NaN} for none. Otherwise bodies that touch after an impact
  *                              are moved apart, each by half of the overlap plus this much (against infinite mass, the

@@ -45,6 +45,6 @@ public record PhysicsParts(ImpactLaw law, Arithmetic arithmetic, Contacts contac
 
     /** Whether a turn from impact to impact is the game's own way to advance. */
     public boolean usesExpressionsOfGame() {
-        return official != null && arithmetic == Arithmetic.OFFICIAL;
+        return official != null && arithmetic.isOfficial();
     }
 }

@@ -139,7 +139,7 @@ public final class Plan {
 
     private Arithmetic arithmetic() {
         Arithmetic asked = scene.accuracy().arithmetic();
-        return asked == Arithmetic.OFFICIAL && scene.angles() == Angles.FDLIBM ? Arithmetic.FORMER_OFFICIAL : asked;
+        return asked.isOfficial() && scene.angles() == Angles.FDLIBM ? Arithmetic.FORMER_OFFICIAL : asked;
     }
 
     private Part pairImpacts() {
@@ -219,7 +219,7 @@ public final class Plan {
 
     private Part broadPhase() {
         Accuracy rung = scene.accuracy();
-        if (own.official() != null && rung.way() == Accuracy.Way.EVENT && arithmetic() == Arithmetic.OFFICIAL) {
+        if (own.official() != null && rung.way() == Accuracy.Way.EVENT && arithmetic().isOfficial()) {
             return new Part(Part.BROAD_PHASE, false, "the referee's own loop looks at all pairs"
                 + (bodies == 0 ? "" : " of " + count(bodies, "body", "bodies")));
         }

@@ -26,13 +26,13 @@ public enum RungLaw {
     /** {@code event/double}, where they can. */
     DOUBLE_WITH_REST(1, "b388cce0fad5a075"),
     /** {@code event/compensated}, where bodies cannot come to rest. */
-    COMPENSATED(1, "bc93fa2472e83b15"),
+    COMPENSATED(2, "40397a35ed557add"),
     /** {@code event/compensated}, where they can. */
-    COMPENSATED_WITH_REST(1, "0c63e057b046f68b"),
+    COMPENSATED_WITH_REST(2, "dede8c658f5c7b34"),
     /** {@code event/exact}, where bodies cannot come to rest. */
-    EXACT(1, "89b189c8e7e197ec"),
+    EXACT(2, "645d2e6a31ecc31a"),
     /** {@code event/exact}, where they can. */
-    EXACT_WITH_REST(1, "4fda083b651e65f2");
+    EXACT_WITH_REST(2, "d435b2a346abf238");
 
     /** The fingerprint of the whole ladder that programs had before laws had versions: law 1 of every rung. */
     public static final String WHOLE_LADDER = "b8309ca632eecf63";

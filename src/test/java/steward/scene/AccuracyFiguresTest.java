@@ -12,12 +12,16 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.numerics.SplitMix64;
+import steward.physics.ImpactLaw;
 import steward.scene.json.Block;
 import steward.scene.json.JsonTree;
 import steward.scene.json.SceneException;
@@ -61,16 +65,30 @@ class AccuracyFiguresTest {
         return Files.writeString(folder.resolve("s.json"), scene);
     }
 
-    private String figures(String key, String physics, String... rungs) {
+    private static String figures(String key, String physics, String... rungs) {
         return "{ \"format\": 2, \"key\": \"" + key + "\", \"physics\": \"" + physics
             + "\", \"sample\": \"0\", \"states\": 100000, \"rungs\": [ " + String.join(", ", rungs) + " ] }";
+    }
+
+    /** Each rung as measured by its present law. */
+    private static String presentFigures(String key, String... rungs) {
+        String of = Arrays.stream(rungs).map(AccuracyFiguresTest::ofPresentLaw).collect(Collectors.joining(", "));
+        return "{ \"format\": 2, \"key\": \"" + key + "\", \"sample\": \"0\", \"states\": 100000, \"rungs\": [ "
+            + of + " ] }";
+    }
+
+    private static String ofPresentLaw(String rung) {
+        Matcher name = Pattern.compile("\"rung\": \"([a-z/0-9]+)\"").matcher(rung);
+        assertTrue(name.find());
+        RungLaw law = RungLaw.of(Accuracy.parse(name.group(1)), ImpactLaw.PHYSICS);
+        return rung.replace("\"cost\"", "\"physics\": \"" + law.fingerprint() + "\", \"cost\"");
     }
 
     /** The figures of the scene above. */
     private Path calibrated() throws IOException {
         String key = SceneKey.of(SceneReader.read(text("\"advance\": \"step\", \"steps\": 1"), "s"));
         return Files.writeString(folder.resolve("s.accuracy.json"),
-            figures(key, RungLaw.WHOLE_LADDER, EXACT, BEATEN, HARDLY_CHEAPER, EVENT, STEP));
+            presentFigures(key, EXACT, BEATEN, HARDLY_CHEAPER, EVENT, STEP));
     }
 
     private static Scene load(Path file) {
@@ -147,6 +165,16 @@ class AccuracyFiguresTest {
             refusal(file));
     }
 
+    /** Figures of before laws had versions are of the first law: event/exact has a second. */
+    @Test
+    void figuresOfTheFirstLawHoldOnRungsThatStillHaveIt() throws IOException {
+        String key = SceneKey.of(SceneReader.read(text("\"advance\": \"step\", \"steps\": 1"), "s"));
+        Files.writeString(folder.resolve("s.accuracy.json"), figures(key, "b8309ca632eecf63", EXACT, EVENT, STEP));
+        assertEquals("event/double", load(write(demand("0.01", "0.999"))).accuracy().text());
+        String refused = refusal(write(demand("1e-11", "0.999")));
+        assertTrue(refused.endsWith(", without those whose law has changed since"), refused);
+    }
+
     /** No sample shows that nothing exceeds an error. */
     @Test
     void aDemandBeyondWhatASampleShowsIsRefused() throws IOException {
@@ -159,7 +187,7 @@ class AccuracyFiguresTest {
     @Test
     void aShareThatTooFewStatesShowIsSaidToBeUnknown() throws IOException {
         String key = SceneKey.of(SceneReader.read(text("\"advance\": \"step\", \"steps\": 1"), "s"));
-        Path kept = Files.writeString(folder.resolve("s.accuracy.json"), figures(key, RungLaw.WHOLE_LADDER,
+        Path kept = Files.writeString(folder.resolve("s.accuracy.json"), presentFigures(key,
             EVENT.replace("2e-5", "\"unknown\"")));
         Path file = write(demand("1", "0.9995"));
         assertEquals(file + ":3:48: accuracy.share: found 0.9995, expected a smaller one: nothing is known of this "

@@ -12,11 +12,13 @@ import steward.lab.stability.crowds.NewtonsCradleCase;
 import steward.lab.stability.crowds.OfficialHeapsCase;
 import steward.lab.stability.crowds.RandomCradlesCase;
 import steward.lab.stability.crowds.RestCase;
+import steward.lab.stability.crowds.SimultaneousCase;
 import steward.lab.stability.crowds.TiesCase;
 import steward.lab.stability.crowds.TimeReversalCase;
 import steward.lab.stability.crowds.TruePathCase;
 import steward.lab.stability.pairs.ContactCase;
 import steward.lab.stability.pairs.CornerCase;
+import steward.lab.stability.pairs.EndOfTurnCase;
 import steward.lab.stability.pairs.ExtremeSpeedsCase;
 import steward.lab.stability.pairs.GrazingCase;
 import steward.lab.stability.pairs.LateTimesCase;
@@ -53,6 +55,7 @@ public final class StabilityCases {
             new BulletCase(),
             new RadiusRatioCase(),
             new LateTimesCase(),
+            new EndOfTurnCase(),
             new CornerCase(),
             new SlidingCase(),
             new NewtonsCradleCase(),
@@ -62,6 +65,7 @@ public final class StabilityCases {
             new InelasticCollapseCase(),
             new LatticeCase(),
             new TiesCase(),
+            new SimultaneousCase(),
             new OfficialHeapsCase(),
             new OfficialEdgesCase(),
             new DensePackingCase(),

@@ -2,7 +2,6 @@ package steward.lab.trial;
 
 import java.util.Locale;
 import steward.physics.Advance;
-import steward.physics.Arithmetic;
 import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 import steward.physics.TurnSink;
@@ -70,7 +69,7 @@ public final class CrowdCheck {
     /** The same with given bodies in the box of a gas. */
     static Result run(Bodies bodies, Gas gas, Rung rung, long impacts, Progress progress) {
         Advance advance = rung.crowdAdvance(ImpactLaw.PHYSICS.withMaximumImpacts(Integer.MAX_VALUE), gas.walls());
-        Watch watch = new Watch(bodies, gas.side(), rung.arithmetic() == Arithmetic.OFFICIAL);
+        Watch watch = new Watch(bodies, gas.side(), rung.arithmetic().isOfficial());
         while (watch.impacts < impacts && watch.idle < IDLE_TURNS) {
             long before = watch.impacts;
             advance.turn(bodies, watch);

@@ -43,7 +43,7 @@ public record Rung(String name, boolean isEvent, boolean isExact, Arithmetic ari
                 parts -> new StepAdvance(parts, steps)));
         }
         for (Arithmetic arithmetic : Arithmetic.OF_SCENES) {
-            rungs.add(new Rung(arithmetic.text(), true, arithmetic == Arithmetic.EXACT, arithmetic,
+            rungs.add(new Rung(arithmetic.text(), true, arithmetic.isExact(), arithmetic,
                 EventAdvance::new, QueueAdvance::new));
         }
         return List.copyOf(rungs);
@@ -57,7 +57,7 @@ public record Rung(String name, boolean isEvent, boolean isExact, Arithmetic ari
 
     /** Whether its expressions are chosen by us; the official ones are the server's, with their cancellation. */
     public boolean isOurs() {
-        return isEvent && arithmetic != Arithmetic.OFFICIAL;
+        return isEvent && !arithmetic.isOfficial();
     }
 
     /** An advance for bodies of one kind with finite masses among walls. */

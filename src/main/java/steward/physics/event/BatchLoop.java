@@ -31,7 +31,7 @@ final class BatchLoop {
         Wall[] walls = parts.walls().toArray(new Wall[0]);
         law = parts.law();
         Collision collision;
-        if (parts.arithmetic() == Arithmetic.EXACT) {
+        if (parts.arithmetic().isExact()) {
             ExactPairs pairs = new ExactPairs(law);
             ExactWalls wallTimes = new ExactWalls(walls);
             RefiningQueue refining = new RefiningQueue(law, pairs, wallTimes, parts.contacts());
@@ -45,7 +45,7 @@ final class BatchLoop {
                 : PairTime.of(law, parts.arithmetic()));
             queue = ImpactQueue.of(law);
             flight = new Flight.Plain();
-            collision = Collision.of(law, former && parts.arithmetic() == Arithmetic.COMPENSATED ? Arithmetic.DOUBLE
+            collision = Collision.of(law, former && parts.arithmetic().isCompensated() ? Arithmetic.DOUBLE
                 : parts.arithmetic(), walls);
         }
         response = ContactResponse.of(parts, former ? collision.ofFormerReplays() : collision, walls);

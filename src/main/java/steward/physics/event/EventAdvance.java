@@ -54,7 +54,7 @@ public final class EventAdvance implements Advance {
     @Override
     public void turn(Bodies bodies, TurnSink sink) {
         if (!Magnitudes.fitPlainArithmetic(bodies)) {
-            if (parts.arithmetic() != Arithmetic.EXACT) {
+            if (!parts.arithmetic().isExact()) {
                 inExactArithmetic(parts).turn(bodies, sink);
                 return;
             }

@@ -1,6 +1,5 @@
 package steward.physics.event;
 
-import steward.physics.Arithmetic;
 import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
@@ -12,6 +11,7 @@ import steward.physics.impulse.Rest;
 import steward.physics.time.ExactPairs;
 import steward.physics.time.ExactWalls;
 import steward.physics.time.LowParts;
+import steward.physics.time.SimultaneousImpacts;
 
 /**
  * The event loop for laws in which one impact happens at a time. Each body has a local clock and is moved only at its
@@ -35,7 +35,7 @@ final class FlightLoop {
         Wall[] walls = parts.walls().toArray(new Wall[0]);
         law = parts.law();
         descending = law.scanOrder() == ImpactLaw.ScanOrder.DESCENDING;
-        if (parts.arithmetic() == Arithmetic.EXACT) {
+        if (parts.arithmetic().isExact()) {
             ExactPairs pairs = new ExactPairs(law);
             ExactWalls wallTimes = new ExactWalls(walls);
             LowParts lows = new LowParts();
@@ -70,9 +70,17 @@ final class FlightLoop {
                 response.releaseSeparatedPairs(bodies);
                 return;
             }
-            last = search.time[row];
+            SimultaneousImpacts together = search.simultaneous(bodies, search.time[row]);
+            if (together != null) {
+                flights.setNowLow(together.timeLow());
+            }
+            last = together == null ? search.time[row] : together.time();
             lastLow = flights.nowLow();
-            react(bodies, row, search.partner[row], last, sink);
+            if (together == null) {
+                react(bodies, row, search.partner[row], last, sink);
+            } else {
+                left = reactInOrder(bodies, together, last, left, sink);
+            }
             if (rest != null && rest.isSqueezed()) {
                 left = 0;
             }
@@ -89,17 +97,57 @@ final class FlightLoop {
     }
 
     private void react(Bodies bodies, int row, int partner, double now, TurnSink sink) {
-        boolean swapped = descending && partner >= 0;
-        int a = swapped ? partner : row;
-        int b = swapped ? row : partner;
+        fly(bodies, row, partner, now);
+        if (reactAlone(bodies, row, partner, now, sink)) {
+            search.searchAfter(bodies, row, partner, now);
+        }
+    }
+
+    /**
+     * Impacts of one instant, decided from the states before the first of them, each on the velocities that those
+     * before have left; where these separate a pair, it has no impact.
+     *
+     * @return how many more impacts the turn may have
+     */
+    private int reactInOrder(Bodies bodies, SimultaneousImpacts together, double now, int most, TurnSink sink) {
+        int left = most;
+        int done = 0;
+        for (; done < together.size() && (done == 0 || left > 0); done++) {
+            int row = together.a(done);
+            int partner = together.b(done);
+            fly(bodies, row, partner, now);
+            if (done > 0) {
+                if (!search.areApproaching(bodies, row, partner)) {
+                    continue;
+                }
+                left--;
+            }
+            if (!reactAlone(bodies, row, partner, now, sink)) {
+                return left;
+            }
+        }
+        for (int k = 0; k < done; k++) {
+            search.searchAfter(bodies, together.a(k), together.b(k), now);
+        }
+        return left;
+    }
+
+    private void fly(Bodies bodies, int a, int b, double now) {
         if (b < 0) {
             flights.flyTo(bodies, a, now);
         } else {
             flights.flyToContact(bodies, a, b, now);
         }
+    }
+
+    /** Responds to an impact. @return false if all flights began anew and were searched */
+    private boolean reactAlone(Bodies bodies, int row, int partner, double now, TurnSink sink) {
+        boolean swapped = descending && partner >= 0;
+        int a = swapped ? partner : row;
+        int b = swapped ? row : partner;
         if (rest != null && rest.isAbout(bodies, a, b) && rest.mayRest(bodies, a, b) && settle(bodies, a, b, now,
             sink)) {
-            return;
+            return false;
         }
         if (!respond(bodies, a, b, now, sink)) {
             if (rest != null) {
@@ -107,9 +155,9 @@ final class FlightLoop {
             }
             flights.startAll(bodies, now);
             search.searchAll(bodies, now);
-            return;
+            return false;
         }
-        search.searchAfter(bodies, a, b, now);
+        return true;
     }
 
     /**

@@ -5,6 +5,7 @@ import steward.physics.PhysicsParts;
 import steward.physics.Wall;
 import steward.physics.time.CircleTime;
 import steward.physics.time.ContactDistance;
+import steward.physics.time.SimultaneousImpacts;
 import steward.physics.time.TimeOfImpact;
 
 /**
@@ -114,11 +115,16 @@ sealed class FlightSearch permits PreciseFlightSearch {
 
     private void searchRow(Bodies bodies, int i, double now) {
         clear();
+        offerRow(bodies, i, now);
+        keep(i);
+    }
+
+    /** Offers all impacts of a row. */
+    final void offerRow(Bodies bodies, int i, double now) {
         for (int j = i + 1; bodiesMeet && j < bodies.size(); j++) {
             offerIfPossible(bodies, i, j, now);
         }
         offerWalls(bodies, i, now);
-        keep(i);
     }
 
     private void offerWalls(Bodies bodies, int i, double now) {
@@ -157,6 +163,19 @@ sealed class FlightSearch permits PreciseFlightSearch {
             }
         }
         return first;
+    }
+
+    /**
+     * The impacts at the time of the earliest one, where that has to be decided by other means than the order of times:
+     * {@code null} for one alone.
+     */
+    SimultaneousImpacts simultaneous(Bodies bodies, double now) {
+        return null;
+    }
+
+    /** Whether the partners of an impact approach; both have been moved to it. */
+    boolean areApproaching(Bodies bodies, int a, int b) {
+        return true;
     }
 
     /** Keeps the impact of a pair, i below j, both flights of which start now, if it is earlier than the row's best. */
@@ -201,8 +220,8 @@ sealed class FlightSearch permits PreciseFlightSearch {
 
     private void offer(int j, double xi, double xj, double yi, double yj, double vxi, double vxj, double vyi,
                        double vyj, double ri, double rj, double start, double now) {
-        double until = circles.until(xi, xj, yi, yj, vxi, vxj, vyi, vyj, ri, rj, false);
-        if (until <= 1 - start) {
+        double until = circles.untilInTurn(xi, xj, yi, yj, vxi, vxj, vyi, vyj, ri, rj, start);
+        if (until < NEVER) {
             double at = Math.max(now, start + until);
             if (at < best || at == best && isLower(j)) {
                 best = at;

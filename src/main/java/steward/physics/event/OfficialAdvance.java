@@ -95,7 +95,7 @@ public final class OfficialAdvance implements Advance {
 
     /** Whether this class can replace the {@link EventAdvance} of these parts. */
     public static boolean fits(PhysicsParts parts) {
-        return parts.law().equals(ImpactLaw.OFFICIAL_POD_RACE) && parts.arithmetic() == Arithmetic.OFFICIAL
+        return parts.law().equals(ImpactLaw.OFFICIAL_POD_RACE) && parts.arithmetic().isOfficial()
             && parts.contacts().allBounce() && parts.walls().isEmpty() && !parts.infiniteMasses();
     }
 

@@ -7,8 +7,12 @@ import steward.physics.Wall;
 import steward.physics.time.ExactPairs;
 import steward.physics.time.ExactWalls;
 import steward.physics.time.PreciseFlight;
+import steward.physics.time.SimultaneousImpacts;
 
-/** The search with exact decisions, and with times in double-double. */
+/**
+ * The search with exact decisions, and with times in double-double. Where two of these are so near that they may be the
+ * same time, {@link SimultaneousImpacts} decides.
+ */
 final class PreciseFlightSearch extends FlightSearch {
 
     /** Coordinates in flight for at most a turn are off by less than this share of place and velocity. */
@@ -21,7 +25,15 @@ final class PreciseFlightSearch extends FlightSearch {
     private final PreciseFlight flight = new PreciseFlight();
     private final DoubleDouble until = new DoubleDouble();
     private final DoubleDouble at = new DoubleDouble();
+    private final SimultaneousImpacts together;
     private double bestLow;
+    /** Of each row, and of the row in work: whether another impact of it is near its best in time. */
+    private boolean[] doubtful = new boolean[0];
+    private boolean bestDoubtful;
+    /** Whether another impact is near the earliest. */
+    private boolean earliestDoubtful;
+    /** The row whose impacts are collected, or -1 while the earliest are searched for. */
+    private int collected = -1;
 
     PreciseFlightSearch(PhysicsParts parts, Flights.Precise flights, Wall[] walls, ExactPairs pairs,
                         ExactWalls exactWalls) {
@@ -29,42 +41,78 @@ final class PreciseFlightSearch extends FlightSearch {
         this.flights = flights;
         this.pairs = pairs;
         this.exactWalls = exactWalls;
+        together = new SimultaneousImpacts(walls);
     }
 
     @Override
     void grow(int capacity) {
         super.grow(capacity);
         timeLow = new double[capacity];
+        doubtful = new boolean[capacity];
     }
 
     @Override
     void clear() {
         super.clear();
         bestLow = 0;
+        bestDoubtful = false;
     }
 
     @Override
     void load(int i) {
         super.load(i);
         bestLow = timeLow[i];
+        bestDoubtful = doubtful[i];
     }
 
     @Override
     void keep(int i) {
         super.keep(i);
         timeLow[i] = bestLow;
+        doubtful[i] = bestDoubtful;
     }
 
     @Override
     int earliest(int rows) {
-        int first = super.earliest(rows);
-        for (int i = first + 1; first >= 0 && i < rows; i++) {
-            if (time[i] == time[first] && timeLow[i] < timeLow[first]) {
+        int first = -1;
+        double earliest = NEVER;
+        double second = NEVER;
+        for (int i = 0; i < rows; i++) {
+            if (time[i] < earliest) {
+                second = earliest;
+                earliest = time[i];
                 first = i;
+            } else if (time[i] < second) {
+                second = time[i];
             }
         }
+        earliestDoubtful = first >= 0 && (second - earliest <= SimultaneousImpacts.NEAR || doubtful[first]);
         flights.setNowLow(first < 0 ? 0 : timeLow[first]);
         return first;
+    }
+
+    @Override
+    SimultaneousImpacts simultaneous(Bodies bodies, double now) {
+        if (!earliestDoubtful) {
+            return null;
+        }
+        together.clear();
+        double limit = now + SimultaneousImpacts.NEAR;
+        for (int i = 0; i < bodies.size(); i++) {
+            if (time[i] <= limit) {
+                collected = i;
+                best = limit;
+                offerRow(bodies, i, now);
+            }
+        }
+        collected = -1;
+        together.decide();
+        return together;
+    }
+
+    @Override
+    boolean areApproaching(Bodies bodies, int a, int b) {
+        return b < 0 ? exactWalls.areApproaching(bodies, a, ~b) : pairs.areApproaching(bodies, a, b);
     }
 
     @Override
@@ -145,7 +193,13 @@ final class PreciseFlightSearch extends FlightSearch {
                        double vyj, double ri, double rj, double start, double startLow, double now) {
         if (start + pairs.lowerBound(xi, xj, yi, yj, vxi, vxj, vyi, vyj, ri, rj) <= Math.min(best, 1)
             && pairs.exactTime(xi, xj, yi, yj, vxi, vxj, vyi, vyj, ri, rj, until)) {
-            keepIfEarlier(j, start, startLow, now);
+            boolean isPresent = addTimes(start, startLow, now);
+            if (collected < 0) {
+                keepIfEarlier(j);
+            } else if (isNear()) {
+                together.addPair(collected, j, ImpactQueue.OneAtATime.rank(collected, j), xi, xj, yi, yj, vxi, vxj,
+                    vyi, vyj, ri, rj, start, startLow, until, at, isPresent);
+            }
         }
     }
 
@@ -159,22 +213,43 @@ final class PreciseFlightSearch extends FlightSearch {
         double since = flights.since[i];
         if (since + exactWalls.until(w, x, y, vx, vy, radius) <= Math.min(best, 1)
             && exactWalls.exactTime(w, x, y, vx, vy, radius, until)) {
-            keepIfEarlier(~w, since, flights.sinceLow[i], now);
+            boolean isPresent = addTimes(since, flights.sinceLow[i], now);
+            if (collected < 0) {
+                keepIfEarlier(~w);
+            } else if (isNear()) {
+                together.addWall(i, w, ImpactQueue.OneAtATime.rank(i, ~w), x, y, vx, vy, radius, since,
+                    flights.sinceLow[i], until, at, isPresent);
+            }
         }
     }
 
-    private void keepIfEarlier(int other, double start, double startLow, double now) {
+    /** Computes the time of the turn; one before the present is so only by rounding. @return whether it was */
+    private boolean addTimes(double start, double startLow, double now) {
         at.setSum(start, startLow).add(until);
+        if (at.high() < now) {
+            at.set(now);
+            return true;
+        }
+        return false;
+    }
+
+    private boolean isNear() {
+        return at.high() <= best && isWithinTurn();
+    }
+
+    private boolean isWithinTurn() {
+        return at.high() < 1 || at.high() == 1 && at.low() <= 0;
+    }
+
+    private void keepIfEarlier(int other) {
         double high = at.high();
         double low = at.low();
-        if (high < now) {
-            high = now;                            // only by rounding
-            low = 0;
-        }
-        if (high > 1 || high == 1 && low > 0 || high > best || high == best && low > bestLow) {
+        double later = high - best;
+        if (!isWithinTurn() || later > SimultaneousImpacts.NEAR) {
             return;
         }
-        if (high < best || low < bestLow || other >= 0 && isLower(other)) {
+        bestDoubtful = later >= -SimultaneousImpacts.NEAR;
+        if (high < best || high == best && (low < bestLow || low == bestLow && other >= 0 && isLower(other))) {
             best = high;
             bestLow = low;
             bestPartner = other;

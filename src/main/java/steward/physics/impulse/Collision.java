@@ -52,9 +52,13 @@ public final class Collision {
 
     /** The reactions of an arithmetic other than {@code EXACT}. */
     public static Collision of(ImpactLaw law, Arithmetic arithmetic, Wall[] walls) {
-        return new Collision(law, walls, arithmetic == Arithmetic.OFFICIAL ? new PlainSolver.Official()
-            : arithmetic == Arithmetic.FORMER_OFFICIAL || law.minimumImpulse() > 0 ? new PlainSolver()
-            : new CompensatedSolver(arithmetic == Arithmetic.COMPENSATED));
+        return new Collision(law, walls, switch (arithmetic) {
+            case OFFICIAL -> new PlainSolver.Official();
+            case FORMER_OFFICIAL -> new PlainSolver();
+            case DOUBLE -> law.minimumImpulse() > 0 ? new PlainSolver() : new CompensatedSolver(false);
+            case COMPENSATED -> law.minimumImpulse() > 0 ? new PlainSolver() : new CompensatedSolver(true);
+            case EXACT -> throw new IllegalArgumentException("exact reactions need exact times: ofExact");
+        });
     }
 
     /** The reactions of the arithmetic {@code EXACT}. */

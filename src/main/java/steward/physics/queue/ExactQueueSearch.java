@@ -1,7 +1,9 @@
 package steward.physics.queue;
 
+import static steward.physics.queue.Crowd.EVENT;
 import static steward.physics.queue.Crowd.IMPACT;
 import static steward.physics.queue.Crowd.IMPACT_LOW;
+import static steward.physics.queue.Crowd.PARTNER;
 import static steward.physics.queue.Crowd.RADIUS;
 import static steward.physics.queue.Crowd.SINCE;
 import static steward.physics.queue.Crowd.SINCE_LOW;
@@ -16,6 +18,7 @@ import steward.physics.Wall;
 import steward.physics.event.EventAdvance;
 import steward.physics.time.ExactPairs;
 import steward.physics.time.ExactWalls;
+import steward.physics.time.SimultaneousImpacts;
 
 /**
  * The search with exact decisions and times in double-double. Of a pair, the body whose flight started last is taken at
@@ -28,13 +31,78 @@ final class ExactQueueSearch extends QueueSearch {
     private final ExactWalls exactWalls;
     private final DoubleDouble until = new DoubleDouble();
     private final DoubleDouble time = new DoubleDouble();
+    private final SimultaneousImpacts together;
     private double bestLow;
+    /** Of each body: whether another impact of it is near its prediction in time. */
+    private boolean[] doubtful = new boolean[0];
+    /** Whether impacts near a time are collected in place of the earliest. */
+    private boolean collects;
 
     ExactQueueSearch(Crowd crowd, EventBuckets events, Wall[] walls, QueuePairs pairs, ExactPairs exactPairs,
                      ExactWalls exactWalls) {
         super(crowd, events, Arithmetic.EXACT, walls, pairs);
         this.exactPairs = exactPairs;
         this.exactWalls = exactWalls;
+        together = new SimultaneousImpacts(walls);
+    }
+
+    @Override
+    void begin(int capacity) {
+        super.begin(capacity);
+        if (doubtful.length < capacity) {
+            doubtful = new boolean[capacity];
+        }
+    }
+
+    @Override
+    boolean mayBeSimultaneous(int body, double now) {
+        int partner = crowd.link[8 * body + PARTNER];
+        if (doubtful[body] || partner >= 0 && doubtful[partner] && isNear(partner, now)) {
+            return true;
+        }
+        boolean mirrored = partner >= 0 && crowd.link[8 * partner + PARTNER] == body
+            && crowd.link[8 * partner + EVENT] == 0 && isNear(partner, now);
+        events.remove(body);                               // both are predicted anew after their impact
+        if (mirrored) {
+            events.remove(partner);
+        }
+        int next = events.first();
+        boolean near = next >= 0 && events.time(next) - now <= SimultaneousImpacts.NEAR;
+        if (near) {
+            events.put(body, now);
+            if (mirrored) {
+                events.put(partner, crowd.state[8 * partner + IMPACT]);
+            }
+        }
+        return near;
+    }
+
+    private boolean isNear(int body, double now) {
+        return crowd.state[8 * body + IMPACT] - now <= SimultaneousImpacts.NEAR;
+    }
+
+    @Override
+    SimultaneousImpacts collect(int[] bodies, int count, double now) {
+        together.clear();
+        collects = true;
+        for (int k = 0; k < count; k++) {
+            best = now + SimultaneousImpacts.NEAR;
+            testAll(bodies[k], now);
+        }
+        collects = false;
+        together.decide();
+        return together;
+    }
+
+    @Override
+    boolean areApproaching(int a, int b) {
+        double[] state = crowd.state;
+        int i = 8 * a;
+        int j = 8 * b;
+        return b < 0
+            ? exactWalls.approaches(~b, state[i + X], state[i + Y], state[i + VX], state[i + VY], state[i + RADIUS])
+            : exactPairs.areApproaching(state[i + X], state[j + X], state[i + Y], state[j + Y], state[i + VX],
+                state[j + VX], state[i + VY], state[j + VY]);
     }
 
     @Override
@@ -59,7 +127,13 @@ final class ExactQueueSearch extends QueueSearch {
         double radius = state[at + RADIUS];
         if (since + exactWalls.until(w, x, y, vx, vy, radius) <= Math.min(best, 1)
             && exactWalls.exactTime(w, x, y, vx, vy, radius, until)) {
-            keepIfEarlier(body, ~w, since, crowd.low[4 * body + SINCE_LOW], now);
+            boolean isPresent = addTimes(since, crowd.low[4 * body + SINCE_LOW], now);
+            if (!collects) {
+                keepIfEarlier(body, ~w);
+            } else if (isNear()) {
+                together.addWall(body, w, EventOrder.rank(crowd, body, ~w), x, y, vx, vy, radius, since,
+                    crowd.low[4 * body + SINCE_LOW], until, time, isPresent);
+            }
         }
     }
 
@@ -90,29 +164,45 @@ final class ExactQueueSearch extends QueueSearch {
         }
         if (exactPairs.exactTime(xi, xj, yi, yj, state[i + VX], state[j + VX], state[i + VY], state[j + VY],
             state[i + RADIUS], state[j + RADIUS], until)) {
-            keepIfEarlier(body, other, since, sinceLow, now);
+            boolean isPresent = addTimes(since, sinceLow, now);
+            if (!collects) {
+                keepIfEarlier(body, other);
+            } else if (isNear()) {
+                together.addPair(body, other, EventOrder.rank(crowd, body, other), xi, xj, yi, yj, state[i + VX],
+                    state[j + VX], state[i + VY], state[j + VY], state[i + RADIUS], state[j + RADIUS], since,
+                    sinceLow, until, time, isPresent);
+            }
         }
     }
 
-    private void keepIfEarlier(int body, int other, double since, double sinceLow, double now) {
+    /** Computes the time of the turn; one before the present is so only by rounding. @return whether it was */
+    private boolean addTimes(double since, double sinceLow, double now) {
         time.setSum(since, sinceLow).add(until);
+        if (time.high() < now) {
+            time.set(now);
+            return true;
+        }
+        return false;
+    }
+
+    private boolean isNear() {
+        return time.high() <= best && isWithinTurn();
+    }
+
+    private boolean isWithinTurn() {
+        return time.high() < 1 || time.high() == 1 && time.low() <= 0;
+    }
+
+    private void keepIfEarlier(int body, int other) {
         double high = time.high();
         double low = time.low();
-        if (high < now) {
-            high = now;                                // only by rounding
-            low = 0;
-        }
-        if (high > 1 || high == 1 && low > 0 || high > best || high == best && low > bestLow) {
+        double later = high - best;
+        if (!isWithinTurn() || later > SimultaneousImpacts.NEAR
+            || other >= 0 && high - crowd.state[8 * other + IMPACT] > SimultaneousImpacts.NEAR) {
             return;
         }
-        if (other >= 0) {
-            double others = crowd.state[8 * other + IMPACT];
-            if (high > others || high == others && low > crowd.low[4 * other + IMPACT_LOW]) {
-                return;
-            }
-        }
-        boolean earlier = high < best || low < bestLow;
-        if (earlier || other >= 0 && isLower(body, other)) {
+        doubtful[body] = later >= -SimultaneousImpacts.NEAR;
+        if (high < best || high == best && (low < bestLow || low == bestLow && other >= 0 && isLower(body, other))) {
             best = high;
             bestLow = low;
             partner = other;

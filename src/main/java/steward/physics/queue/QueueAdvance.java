@@ -6,7 +6,6 @@ import static steward.physics.queue.Crowd.PARTNER;
 import static steward.physics.queue.Crowd.PARTNER_CHANGES;
 
 import steward.physics.Advance;
-import steward.physics.Arithmetic;
 import steward.physics.Bodies;
 import steward.physics.Contacts;
 import steward.physics.ImpactLaw;
@@ -22,6 +21,7 @@ import steward.physics.time.ExactPairs;
 import steward.physics.time.ExactWalls;
 import steward.physics.time.LowParts;
 import steward.physics.time.Magnitudes;
+import steward.physics.time.SimultaneousImpacts;
 
 /**
  * The exact event loop for many bodies: the same law and the same impacts as {@link EventAdvance}, at a cost per impact
@@ -60,6 +60,8 @@ public final class QueueAdvance implements Advance {
     private final QueueContactResponse response;
     private final ContactResponse passing;
     private final Rest rest;
+    /** Bodies whose impacts are near one time. */
+    private int[] simultaneous = new int[0];
 
     /** @throws IllegalArgumentException if {@link #refusal} refuses the law */
     public QueueAdvance(PhysicsParts parts) {
@@ -71,7 +73,7 @@ public final class QueueAdvance implements Advance {
         this.parts = parts;
         law = parts.law();
         descending = law.scanOrder() == ImpactLaw.ScanOrder.DESCENDING;
-        boolean exact = parts.arithmetic() == Arithmetic.EXACT;
+        boolean exact = parts.arithmetic().isExact();
         rest = Rest.of(parts, walls);
         crowd = new Crowd(exact, rest == null ? Cells.SLACK : 1 + 2 * ROOM / Rest.WIDEST);
         events = new EventBuckets(new EventOrder(crowd));
@@ -153,7 +155,11 @@ public final class QueueAdvance implements Advance {
             } else if (isStale(body)) {
                 search.predict(body, now);
             } else if (stopped == null && left-- > 0) {
-                react(bodies, body, link[at + PARTNER], now, sink);
+                if (search.mayBeSimultaneous(body, now)) {
+                    left = reactInOrder(bodies, now, left, sink);
+                } else {
+                    react(bodies, body, link[at + PARTNER], now, sink);
+                }
                 last = now;
                 if (rest != null && rest.isSqueezed()) {
                     left = 0;
@@ -200,26 +206,92 @@ public final class QueueAdvance implements Advance {
 
     private void react(Bodies bodies, int body, int partner, double now, TurnSink sink) {
         crowd.setNow(body);
-        double nowLow = crowd.nowLow;
+        fly(body, partner, now);
+        if (reactAlone(bodies, body, partner, now, sink)) {
+            predict(body, partner, now);
+        }
+    }
+
+    /**
+     * Impacts of one instant, decided from the states before the first of them, as {@code FlightLoop} lets them react.
+     *
+     * @return how many more impacts the turn may have
+     */
+    private int reactInOrder(Bodies bodies, double earliest, int most, TurnSink sink) {
+        int left = most;
+        int count = removeNear(bodies.capacity(), earliest);
+        SimultaneousImpacts together = search.collect(simultaneous, count, earliest);
+        double now = together.time();
+        int done = 0;
+        for (; done < together.size() && (done == 0 || left > 0); done++) {
+            int body = together.a(done);
+            int partner = together.b(done);
+            crowd.nowLow = together.timeLow();
+            fly(body, partner, now);
+            if (done > 0) {
+                if (!search.areApproaching(body, partner)) {
+                    continue;
+                }
+                left--;
+            }
+            if (!reactAlone(bodies, body, partner, now, sink)) {
+                return left;
+            }
+        }
+        for (int k = 0; k < count; k++) {
+            search.predict(simultaneous[k], now);
+        }
+        for (int k = 0; k < done; k++) {
+            predict(together.a(k), together.b(k), now);
+        }
+        return left;
+    }
+
+    /** Removes the impacts near a time from the queue, after all other events near it. @return how many */
+    private int removeNear(int capacity, double time) {
+        if (simultaneous.length < crowd.size) {
+            simultaneous = new int[capacity];
+        }
+        int count = 0;
+        for (int body = events.first(); body >= 0 && events.time(body) - time <= SimultaneousImpacts.NEAR;
+             body = events.first()) {
+            if (crowd.link[8 * body + EVENT] != 0) {
+                search.cross(body, events.time(body));
+            } else if (isStale(body)) {
+                search.predict(body, events.time(body));
+            } else {
+                events.remove(body);
+                simultaneous[count++] = body;
+            }
+        }
+        return count;
+    }
+
+    private void fly(int body, int partner, double now) {
+        countChange(body);
         if (partner < 0) {
             crowd.flyTo(body, now);
-            if (!(rest != null && rests(bodies, body, partner, now, sink)) && response.react(body, partner, now)) {
-                countChange(body);
-                search.predict(body, now);
-                return;
-            }
         } else {
+            countChange(partner);
             crowd.flyToContact(body, partner, now);
-            boolean isFirst = crowd.index[body] < crowd.index[partner] != descending;
-            int a = isFirst ? body : partner;
-            int b = isFirst ? partner : body;
-            if (!(rest != null && rests(bodies, a, b, now, sink)) && response.react(a, b, now)) {
-                countChange(body);
-                countChange(partner);
-                search.predict(body, now);
-                search.predict(partner, now);
-                return;
-            }
+        }
+    }
+
+    private void predict(int body, int partner, double now) {
+        search.predict(body, now);
+        if (partner >= 0) {
+            search.predict(partner, now);
+        }
+    }
+
+    /** Responds to an impact. @return false if the flights of all bodies began anew and were predicted */
+    private boolean reactAlone(Bodies bodies, int body, int partner, double now, TurnSink sink) {
+        double nowLow = crowd.nowLow;
+        boolean isFirst = partner < 0 || crowd.index[body] < crowd.index[partner] != descending;
+        int a = isFirst ? body : partner;
+        int b = isFirst ? partner : body;
+        if (!(rest != null && rests(bodies, a, b, now, sink)) && response.react(a, b, now)) {
+            return true;
         }
         crowd.nowLow = nowLow;
         crowd.load(bodies, now);
@@ -227,6 +299,7 @@ public final class QueueAdvance implements Advance {
         if (rest != null) {
             rest.follow(bodies);
         }
+        return false;
     }
 
     /** Lets the heap of an impact rest; then all flights begin anew. @return false if it is an ordinary impact */

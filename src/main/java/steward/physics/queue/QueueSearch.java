@@ -20,6 +20,7 @@ import steward.physics.Arithmetic;
 import steward.physics.HalfPlane;
 import steward.physics.Wall;
 import steward.physics.time.CircleTime;
+import steward.physics.time.SimultaneousImpacts;
 import steward.physics.time.TimeOfImpact;
 
 /*
@@ -103,8 +104,7 @@ sealed class QueueSearch permits ExactQueueSearch {
         int at = 8 * body;
         crowd.link[at + CROSSED] = 0;
         best = NEVER;
-        testPairs(body, crowd.isOutside(body) ? allBodies() : neighbours(at), now);
-        testWalls(body, now);
+        testAll(body, now);
         crowd.state[at + IMPACT] = best;
         storePrediction(body);
         if (best < NEVER) {
@@ -112,6 +112,30 @@ sealed class QueueSearch permits ExactQueueSearch {
             crowd.link[at + PARTNER_CHANGES] = partner >= 0 ? crowd.link[8 * partner + CHANGES] : 0;
         }
         enqueue(body, now);
+    }
+
+    /** Tests a body with all its neighbours and all walls. */
+    final void testAll(int body, double now) {
+        testPairs(body, crowd.isOutside(body) ? allBodies() : neighbours(8 * body), now);
+        testWalls(body, now);
+    }
+
+    /**
+     * Whether another impact may be at the same time as that of a body and its partner, by other means than the order
+     * of times; then {@link #collect} has to decide.
+     */
+    boolean mayBeSimultaneous(int body, double now) {
+        return false;
+    }
+
+    /** Decides the impacts at the time of the earliest one, from all near it of these bodies. */
+    SimultaneousImpacts collect(int[] bodies, int count, double now) {
+        throw new IllegalStateException("times of doubles are in their order");
+    }
+
+    /** Whether the partners of an impact approach; both have been moved to it. */
+    boolean areApproaching(int a, int b) {
+        return true;
     }
 
     private int allBodies() {
@@ -299,11 +323,11 @@ sealed class QueueSearch permits ExactQueueSearch {
         double vyi = state[i + VY];
         double vxj = state[j + VX];
         double vyj = state[j + VY];
-        double until = circles.until(state[i + X] + vxi * flownI, state[j + X] + vxj * flownJ,
+        double until = circles.untilInTurn(state[i + X] + vxi * flownI, state[j + X] + vxj * flownJ,
             state[i + Y] + vyi * flownI, state[j + Y] + vyj * flownJ, vxi, vxj, vyi, vyj, state[i + RADIUS],
-            state[j + RADIUS], false);
+            state[j + RADIUS], since);
         double time = Math.max(now, since + until);
-        if (until <= 1 - since && time <= best && !(time > state[j + IMPACT])
+        if (until < NEVER && time <= best && !(time > state[j + IMPACT])
             && (time < best || isLower(body, other))) {
             best = time;
             partner = other;

@@ -65,7 +65,7 @@ public abstract sealed class CircleTime permits CircleTime.Official, CircleTime.
 
     /** The same for replays of formats 1 and 2, in which the compensated arithmetic rounded differences first. */
     static CircleTime ofFormerReplays(Arithmetic arithmetic) {
-        return arithmetic == Arithmetic.COMPENSATED ? new CompensatedCircles(true) : of(arithmetic);
+        return arithmetic.isCompensated() ? new CompensatedCircles(true) : of(arithmetic);
     }
 
     /**
@@ -88,6 +88,17 @@ public abstract sealed class CircleTime permits CircleTime.Official, CircleTime.
             return 0;
         }
         return separatingReact ? until(dx, dy, dvx, dvy, touch) : untilApproachingMeet(dx, dy, dvx, dvy, touch);
+    }
+
+    /**
+     * As {@link #until} where only approach reacts, but never for an impact after the end of the turn.
+     *
+     * @param start the time of the turn at which the circles are where they are
+     */
+    public double untilInTurn(double x1, double x2, double y1, double y2, double vx1, double vx2, double vy1,
+                              double vy2, double r1, double r2, double start) {
+        double until = until(x1, x2, y1, y2, vx1, vx2, vy1, vy2, r1, r2, false);
+        return until <= 1 - start ? until : NEVER;
     }
 
     /** Time until two circles touch that do not touch now; see {@link TimeOfImpact}. */

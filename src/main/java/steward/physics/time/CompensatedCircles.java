@@ -1,5 +1,6 @@
 package steward.physics.time;
 
+import steward.numerics.DoubleDouble;
 import steward.numerics.ErrorFree;
 import steward.physics.Bodies;
 
@@ -14,6 +15,10 @@ import steward.physics.Bodies;
  * While M / |value| < 2^46, the second terms are below u / 4. Then sqrt D is off by 0.63 u + u, b by 1.25 u, and as
  * both summands of sqrt D - b are positive, that by 1.63 u + u, c by 1.25 u, and with the division t by at most
  * 1.63 + 1 + 1.25 + 1 < 5 u: at most five units in the last place, whatever cancels.
+ *
+ * Whether an impact is before the end of the turn cannot be told from a time that is off by that much. With e = d + v l
+ * after the time l that is left, it is if e.e <= s^2 then, or if they have passed each other, e.v >= 0: signs of sums
+ * of products of double-doubles, as c and b.
  */
 
 /**
@@ -28,7 +33,15 @@ import steward.physics.Bodies;
  */
 public final class CompensatedCircles extends CircleTime {
 
+    /** Times this near the end of the turn are compared with it by the places then. */
+    private static final double NEAR_END = 0x1p-30;
+
     private final boolean roundsDifferences;
+    private final DoubleDouble left = new DoubleDouble();
+    private final DoubleDouble vx = new DoubleDouble();
+    private final DoubleDouble vy = new DoubleDouble();
+    private final DoubleDouble ex = new DoubleDouble();
+    private final DoubleDouble ey = new DoubleDouble();
 
     /** @param roundsDifferences whether differences are always rounded first */
     CompensatedCircles(boolean roundsDifferences) {
@@ -41,6 +54,33 @@ public final class CompensatedCircles extends CircleTime {
         return separatingReact || roundsDifferences
             ? super.until(x1, x2, y1, y2, vx1, vx2, vy1, vy2, r1, r2, separatingReact)
             : circles(x1, x2, y1, y2, vx1, vx2, vy1, vy2, r1, r2);
+    }
+
+    @Override
+    public double untilInTurn(double x1, double x2, double y1, double y2, double vx1, double vx2, double vy1,
+                              double vy2, double r1, double r2, double start) {
+        double until = until(x1, x2, y1, y2, vx1, vx2, vy1, vy2, r1, r2, false);
+        double end = 1 - start;
+        if (!(Math.abs(until - end) <= NEAR_END)) {
+            return until <= end ? until : NEVER;
+        }
+        left.setDifference(1, start);
+        ex.set(vx.setDifference(vx1, vx2)).multiply(left).add(-x2).add(x1);
+        ey.set(vy.setDifference(vy1, vy2)).multiply(left).add(-y2).add(y1);
+        return haveMet(r1, r2) ? Math.min(until, end) : NEVER;
+    }
+
+    /** Whether circles at e with velocity v touch or have passed each other. */
+    private boolean haveMet(double r1, double r2) {
+        double touch = r1 + r2;
+        double xx = ex.high() * ex.high();
+        double yy = ey.high() * ey.high();
+        double ss = touch * touch;
+        double squared = xx + yy;
+        double excess = squared - ss;
+        return excess + CircleSums.excess(ex.high(), ex.low(), ey.high(), ey.low(), touch,
+            ErrorFree.sumError(r1, r2, touch), xx, yy, ss, squared, excess) <= 0
+            || dot(ex.high(), ex.low(), vx.high(), vx.low(), ey.high(), ey.low(), vy.high(), vy.low()) >= 0;
     }
 
     @Override

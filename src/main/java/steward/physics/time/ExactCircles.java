@@ -176,6 +176,11 @@ final class ExactCircles {
         return b.high() < 0;
     }
 
+    /** Whether the two move apart: b > 0. */
+    boolean areSeparating() {
+        return b.high() > 0;
+    }
+
     /**
      * The time at which an approaching pair first touches, 0 if it touches already; a tangent path is a miss.
      *

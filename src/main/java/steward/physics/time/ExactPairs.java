@@ -160,4 +160,10 @@ public final class ExactPairs extends PairTime {
         double b = xvx + yvy;
         return Math.abs(b) > bError ? b < 0 : circles.load(bodies, i, j).areApproaching();
     }
+
+    /** The same for two circles. */
+    public boolean areApproaching(double x1, double x2, double y1, double y2, double vx1, double vx2, double vy1,
+                                  double vy2) {
+        return circles.load(x1, x2, y1, y2, vx1, vx2, vy1, vy2, 0, 0).areApproaching();
+    }
 }

@@ -55,6 +55,17 @@ final class ExactSegment extends ExactWall {
 
     @Override
     boolean time(double x, double y, double dx, double dy, double radius, DoubleDouble until) {
+        if (!approaches(x, y, dx, dy, radius)) {
+            return false;
+        }
+        if (closing.high() > 0 && atSide(radius, until)) {
+            return true;
+        }
+        return atEnds(x, y, dx, dy, radius, until);
+    }
+
+    @Override
+    boolean approaches(double x, double y, double dx, double dy, double radius) {
         px.setDifference(x, segment.ax());
         py.setDifference(y, segment.ay());
         vx.set(dx);
@@ -65,17 +76,11 @@ final class ExactSegment extends ExactWall {
             closing.negate();
         }
         along.clear().addProduct(bx, px).addProduct(by, py);
-        if (!approaches(x, y)) {
-            return false;
-        }
-        if (closing.high() > 0 && atSide(radius, until)) {
-            return true;
-        }
-        return atEnds(x, y, dx, dy, radius, until);
+        return approachesNearest(x, y);
     }
 
     /** Whether the distance to the nearest point decreases. */
-    private boolean approaches(double x, double y) {
+    private boolean approachesNearest(double x, double y) {
         if (along.sign() < 0) {
             return sum.clear().addProduct(px, vx).addProduct(py, vy).sign() < 0;
         }

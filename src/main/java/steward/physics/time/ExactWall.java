@@ -38,6 +38,9 @@ abstract sealed class ExactWall permits ExactWall.ExactHalfPlane, ExactWall.Exac
     /** The time of impact. @return false if there is none */
     abstract boolean time(double x, double y, double vx, double vy, double radius, DoubleDouble until);
 
+    /** True if the distance of the centre to the wall decreases. */
+    abstract boolean approaches(double x, double y, double vx, double vy, double radius);
+
     /** The unit vector from a point to the nearest point of the wall. */
     abstract void normal(DoubleDouble x, DoubleDouble y, DoubleDouble normalX, DoubleDouble normalY);
 
@@ -139,6 +142,12 @@ abstract sealed class ExactWall permits ExactWall.ExactHalfPlane, ExactWall.Exac
             return until.high() < NEVER;
         }
 
+        @Override
+        boolean approaches(double x, double y, double vx, double vy, double radius) {
+            computeClosing(vx, vy);
+            return closing.high() > 0;
+        }
+
         private void computeClosing(double vx, double vy) {
             double alongX = -vx * plane.insideX();
             double alongY = -vy * plane.insideY();
@@ -202,9 +211,18 @@ abstract sealed class ExactWall permits ExactWall.ExactHalfPlane, ExactWall.Exac
 
         @Override
         boolean time(double x, double y, double vx, double vy, double radius, DoubleDouble until) {
+            return load(x, y, vx, vy, radius).lastTouch(until);
+        }
+
+        @Override
+        boolean approaches(double x, double y, double vx, double vy, double radius) {
+            return load(x, y, vx, vy, radius).areSeparating();
+        }
+
+        private ExactCircles load(double x, double y, double vx, double vy, double radius) {
             boolean room = radius <= arena.radius();
             return circles.load(x, arena.x(), y, arena.y(), vx, 0, vy, 0, room ? arena.radius() : 0,
-                room ? -radius : 0).lastTouch(until);
+                room ? -radius : 0);
         }
 
         @Override

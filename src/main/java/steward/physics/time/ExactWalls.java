@@ -40,6 +40,16 @@ public final class ExactWalls extends WallTime {
         return walls[w].time(x, y, vx, vy, radius, until);
     }
 
+    /** True if a body approaches a wall, by exact signs. */
+    public boolean areApproaching(Bodies bodies, int i, int w) {
+        return approaches(w, bodies.x[i], bodies.y[i], bodies.vx[i], bodies.vy[i], bodies.radius[i]);
+    }
+
+    /** The same of a circle that is not in {@link Bodies}. */
+    public boolean approaches(int w, double x, double y, double vx, double vy, double radius) {
+        return walls[w].approaches(x, y, vx, vy, radius);
+    }
+
     /** The unit vector from a point to the nearest point of a wall. */
     public void normal(int w, DoubleDouble x, DoubleDouble y, DoubleDouble normalX, DoubleDouble normalY) {
         walls[w].normal(x, y, normalX, normalY);

@@ -9,7 +9,6 @@ import steward.lab.trial.Rung;
 import steward.lab.trial.StabilityCase;
 import steward.numerics.SplitMix64;
 import steward.physics.Advance;
-import steward.physics.Arithmetic;
 import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 
@@ -32,7 +31,7 @@ public final class OfficialHeapsCase implements StabilityCase {
 
     @Override
     public Finding run(Rung rung, RunLength size, Progress progress) {
-        boolean official = rung.arithmetic() == Arithmetic.OFFICIAL;
+        boolean official = rung.arithmetic().isOfficial();
         int states = size.pick(20_000, official ? 8_000_000 : 1_000_000, 8_000_000);
         Advance advance = rung.advance(ImpactLaw.OFFICIAL_POD_RACE);
         SplitMix64 random = new SplitMix64(SEED);

@@ -8,7 +8,6 @@ import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
 import steward.lab.trial.StabilityCase;
 import steward.numerics.SplitMix64;
-import steward.physics.Arithmetic;
 import steward.physics.Bodies;
 
 /**
@@ -55,7 +54,7 @@ public final class GrazingCase implements StabilityCase {
         for (int n = 0; n < size.pick(2_000, 50_000, 1_000_000); n++) {
             contacts.add(contact(random), rung.isExact());
         }
-        return Finding.of(rung.isExact() || rung.arithmetic() == Arithmetic.COMPENSATED, tally.isRight()
+        return Finding.of(rung.isExact() || rung.arithmetic().isCompensated(), tally.isRight()
             && !(rung.isExact() && (contacts.wrong() > 0 || contacts.velocityUlps() > MOST_ULPS
             || Math.max(tally.positionUlps(), tally.velocityUlps()) > Rung.EXACT_ULPS)),
             tally.text() + "; at rounding distance " + contacts.text());

@@ -1,0 +1,64 @@
+package steward.lab.stability.crowds;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import steward.lab.trial.Finding;
+import steward.lab.trial.Progress;
+import steward.lab.trial.RunLength;
+import steward.lab.trial.Rung;
+import steward.lab.trial.StabilityCase;
+import steward.numerics.SplitMix64;
+import steward.physics.Advance;
+import steward.physics.Bodies;
+import steward.physics.ImpactLaw;
+import steward.physics.TurnLog;
+import steward.physics.Wall;
+
+/** Worlds of {@link TiedWorlds}: impacts at one time that no double shows, in the order of ids. */
+public final class SimultaneousCase implements StabilityCase {
+
+    private static final long SEED = 32;
+
+    @Override
+    public String name() {
+        return "simultaneous impacts";
+    }
+
+    @Override
+    public String demand() {
+        return "several pairs and walls meet at one time, rational or irrational, in two dimensions: on exact every "
+            + "one reacts in the order of ids, one by one and as a crowd; counted on the others";
+    }
+
+    @Override
+    public Finding run(Rung rung, RunLength size, Progress progress) {
+        int worlds = size.pick(200, 1_000, 20_000);
+        SplitMix64 random = new SplitMix64(SEED);
+        int alone = 0;
+        int crowd = 0;
+        for (int n = 0; n < worlds; n++) {
+            TiedWorlds.World world = TiedWorlds.draw(random);
+            Wall[] walls = world.walls().toArray(new Wall[0]);
+            alone += isByTheRule(rung.advance(ImpactLaw.PHYSICS, walls), world) ? 1 : 0;
+            crowd += isByTheRule(rung.crowdAdvance(ImpactLaw.PHYSICS, walls), world) ? 1 : 0;
+            if (n % 100 == 99) {
+                progress.reached((n + 1.0) / worlds, () -> "");
+            }
+        }
+        return Finding.of(rung.isExact(), alone == worlds && crowd == worlds, String.format(Locale.ROOT,
+            "%d worlds: %d in the order of the rule one by one, %d as a crowd", worlds, alone, crowd));
+    }
+
+    /** Whether the first impacts of a turn are those that the rule says. */
+    static boolean isByTheRule(Advance advance, TiedWorlds.World world) {
+        Bodies bodies = world.bodies().copy();
+        TurnLog log = new TurnLog();
+        advance.turn(bodies, log);
+        List<String> seen = new ArrayList<>();
+        for (int k = 0; k < Math.min(log.impacts(), world.impacts().size()); k++) {
+            seen.add(log.impact(k).a() + " " + log.impact(k).b());
+        }
+        return seen.equals(world.impacts());
+    }
+}
