@@ -20,6 +20,8 @@ import steward.physics.ImpactLaw;
 public final class RandomCradlesCase implements StabilityCase {
 
     private static final long SEED = 15;
+    private static final int TOUCHING = 26;
+    private static final double ROUNDING = 0x1p-40;
     private static final int[] LENGTHS = {5, 24, 100, 200};
 
     @Override
@@ -31,7 +33,8 @@ public final class RandomCradlesCase implements StabilityCase {
     public String demand() {
         return "rows of 5, 24, 100 and 200 equal balls, random radii, gaps, places, speeds, to all four sides: as many "
             + "impacts as gaps, the last ball flies off with the speed of the first, the others rest, exactly, on "
-            + "every event rung, one by one and as a crowd";
+            + "every event rung, one by one and as a crowd; touching rows of 26 with any equal masses too, counted on "
+            + "official";
     }
 
     @Override
@@ -61,7 +64,44 @@ public final class RandomCradlesCase implements StabilityCase {
             text.append(text.length() == 0 ? "" : "; ").append(String.format(Locale.ROOT,
                 "%d balls: %d of %d right, at most %d impacts", length, right, rows, most));
         }
-        return Finding.of(rung.isEvent(), met, text.toString());
+        int rows = size.pick(200, 2_000, 20_000);
+        int right = 0;
+        long most = 0;
+        for (int n = 0; n < rows; n++) {
+            Bodies bodies = touching(random);
+            Bodies copy = bodies.copy();
+            Probe probe = new Probe();
+            advances[0].turn(copy, probe);
+            most = Math.max(most, probe.impacts);
+            right += probe.impacts == TOUCHING - 1 && isPassedOn(bodies, copy) ? 1 : 0;
+        }
+        text.append(String.format(Locale.ROOT, "; %d touching balls of any mass: %d of %d right, at most %d impacts",
+            TOUCHING, right, rows, most));
+        return Finding.of(rung.isEvent(), met && (right == rows || rung.arithmetic().isOfficial()), text.toString());
+    }
+
+    /** Along x, in contact but for rounding; mass and inverse mass are off from each other by a rounding. */
+    private static Bodies touching(SplitMix64 random) {
+        double mass = 0.1 + 10 * random.nextDouble();
+        double radius = 0.01 + 100 * random.nextDouble();
+        double place = random.nextInt(2) * 1000 * (random.nextDouble() - 0.5);
+        Bodies bodies = new Bodies(TOUCHING);
+        for (int k = 0; k < TOUCHING; k++) {
+            bodies.add(place + 2 * radius * k - (k == 0 ? radius : 0), 0, radius, mass);
+        }
+        bodies.setVelocity(0, 3 * radius, 0);
+        return bodies;
+    }
+
+    /** Whether the last has the velocity of the first, but for rounding, and the others rest but for as much. */
+    private static boolean isPassedOn(Bodies before, Bodies after) {
+        int last = before.size() - 1;
+        for (int k = 0; k <= last; k++) {
+            if (!(Math.abs(after.vx[k] - (k == last ? before.vx[0] : 0)) <= ROUNDING * before.vx[0])) {
+                return false;
+            }
+        }
+        return true;
     }
 
     /** The first has crossed all gaps, and the last flies, before three quarters of the turn. */
