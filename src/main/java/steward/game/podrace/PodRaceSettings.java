@@ -14,6 +14,7 @@ import steward.scene.json.Block;
  * The settings of a pod race, from the blocks {@code pods} and {@code race} of a scene.
  *
  * @param rules                  edition of the rules
+ * @param siteCommands           whether lines of commands are read as the site reads them; otherwise leniently
  * @param players                how many players, 1..16
  * @param podsPerPlayer          1..8
  * @param radius                 of a pod, in u
@@ -30,8 +31,8 @@ import steward.scene.json.Block;
  * @param maximumTurns           the race ends after this many turns
  */
 @Internal
-public record PodRaceSettings(RulesEdition rules, int players, int podsPerPlayer, double radius, double mass,
-                              double restitution, int maximumThrust, int laps, double checkpointRadius,
+public record PodRaceSettings(RulesEdition rules, boolean siteCommands, int players, int podsPerPlayer, double radius,
+                              double mass, double restitution, int maximumThrust, int laps, double checkpointRadius,
                               List<double[][]> maps, boolean shift, int jitter, int turnsWithoutCheckpoint,
                               int maximumTurns) {
 
@@ -80,6 +81,7 @@ public record PodRaceSettings(RulesEdition rules, int players, int podsPerPlayer
         pods.done();
         Block race = scene.root().block("race");
         RulesEdition rules = race.choice("rules", RULES, RulesEdition.CONTEST);
+        boolean siteCommands = race.choice("commands", Map.of("site", true, "lenient", false), false);
         int laps = race.integer("laps", 1, 100);
         double checkpointRadius = race.positive("checkpointRadius");
         List<double[][]> maps = readMaps(race);
@@ -88,8 +90,8 @@ public record PodRaceSettings(RulesEdition rules, int players, int podsPerPlayer
         int turnsWithoutCheckpoint = race.integer("turnsWithoutCheckpoint", 1, 1_000_000);
         int maximumTurns = race.integer("maximumTurns", 1, 1_000_000);
         race.done();
-        return new PodRaceSettings(rules, scene.players(), perPlayer, radius, mass, restitution, maximumThrust, laps,
-            checkpointRadius, maps, shift, jitter, turnsWithoutCheckpoint, maximumTurns);
+        return new PodRaceSettings(rules, siteCommands, scene.players(), perPlayer, radius, mass, restitution,
+            maximumThrust, laps, checkpointRadius, maps, shift, jitter, turnsWithoutCheckpoint, maximumTurns);
     }
 
     private static List<double[][]> readMaps(Block race) {

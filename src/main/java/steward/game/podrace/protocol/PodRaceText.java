@@ -19,11 +19,12 @@ import steward.text.TextFormat;
  * nextCheckPointId}. Where each has one (the lower leagues) there is no setup, and a turn is {@code x y nextX nextY
  * nextDist nextAngle} and a line {@code x y} per opponent.
  *
- * <p>Answers are one line per pod, {@code X Y THRUST|SHIELD|BOOST message}. They are read as leniently as real bots
- * need it: any number of blanks, a carriage return, decimals and a plus in X and Y, lower-case words, blanks at the
- * end, and no third word, which means full thrust; the published referee refuses all of these but blanks between the
- * words, and a blank behind Y. Where two blanks stand behind Y, what follows may be a message and the thrust is full.
- * Lines before a bad one take effect.
+ * <p>Answers are one line per pod, {@code X Y THRUST|SHIELD|BOOST message}. A scene whose {@code commands} are {@code
+ * site} has them read by the pattern of the contest's published referee, with BOOST. Otherwise they are read as
+ * leniently as real bots need it: any number of blanks, a carriage return, decimals and a plus in X and Y, lower-case
+ * words, blanks at the end, and no third word, which means full thrust; the published referee refuses all of these but
+ * blanks between the words, and a blank behind Y. Where two blanks stand behind Y, what follows may be a message and
+ * the thrust is full. Lines before a bad one take effect.
  */
 @Internal
 public final class PodRaceText implements TextCodec {
@@ -35,6 +36,10 @@ public final class PodRaceText implements TextCodec {
 
     /** Two blanks or more behind Y stand for a thrust that is left out: what follows is a message. */
     private static final Pattern MESSAGE_ONLY = Pattern.compile("\\S+\\s+\\S+\\s\\s+(.*\\D.*)");
+
+    /** The whole line as the site reads it. What is not there after Y and a blank is full thrust. */
+    private static final Pattern SITE =
+        Pattern.compile("(-?[0-9]{1,9})\\s+(-?[0-9]{1,9})\\s+([0-9]{1,9}|SHIELD|BOOST)?(?:\\s+(.+))?");
 
     private final PodRace race;
     private final PodRaceSettings settings;
@@ -154,6 +159,32 @@ public final class PodRaceText implements TextCodec {
 
     /** Gives one pod its command. @return what is wrong, or {@code null} */
     private String readLine(int pod, String line, List<String> said) {
+        return settings.siteCommands() ? readSiteLine(pod, line, said) : readLenientLine(pod, line, said);
+    }
+
+    private String readSiteLine(int pod, String line, List<String> said) {
+        Matcher words = SITE.matcher(line);
+        if (!words.matches()) {
+            return "found \"" + shorten(line) + "\", expected as the site does: X Y of at most nine digits, a blank, "
+                + "and digits, SHIELD or BOOST; behind them nothing, or a blank and a message";
+        }
+        int thrust = words.group(3) == null ? settings.maximumThrust() : thrust(words.group(3));
+        if (thrust == PodRace.NO_COMMAND) {
+            return noThrust(words.group(3));
+        }
+        race.command(pod, Integer.parseInt(words.group(1)), Integer.parseInt(words.group(2)), thrust);
+        if (words.group(4) != null) {
+            said.add(words.group(4));
+        }
+        return null;
+    }
+
+    private String noThrust(String found) {
+        return "thrust: found \"" + shorten(found) + "\", expected a whole number 0.." + settings.maximumThrust()
+            + ", SHIELD or BOOST";
+    }
+
+    private String readLenientLine(int pod, String line, List<String> said) {
         String[] words = line.strip().split("\\s+", 4);
         if (words.length < 2) {
             return "found \"" + shorten(line.strip()) + "\", expected X Y and a thrust, SHIELD or BOOST";
@@ -168,8 +199,7 @@ public final class PodRaceText implements TextCodec {
         if (thrust == PodRace.NO_COMMAND) {
             Matcher message = MESSAGE_ONLY.matcher(line.strip());
             if (!message.matches()) {
-                return "thrust: found \"" + shorten(words[2]) + "\", expected a whole number 0.."
-                    + settings.maximumThrust() + ", SHIELD or BOOST";
+                return noThrust(words[2]);
             }
             race.command(pod, x, y, settings.maximumThrust());
             said.add(message.group(1));

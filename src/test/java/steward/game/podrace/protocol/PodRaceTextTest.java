@@ -7,10 +7,12 @@ import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import steward.game.TextCodec;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodState;
 import steward.game.podrace.Recordings;
+import steward.match.TestScenes;
 import steward.scene.SceneFiles;
 import steward.scene.SceneReader;
 import steward.scene.SceneText;
@@ -141,6 +143,42 @@ class PodRaceTextTest {
         assertNull(answer(line + "\n7 7 7"));
         assertEquals(FULL, race.thrust(0));
         assertEquals(message, codec.message(0));
+    }
+
+    private static String site(String line) {
+        PodRace strict = ((PodRaceType.PodRaceSetup) TestScenes.changed("mad-pod-racing", "\"rules\": \"live\"",
+            "\"rules\": \"live\", \"commands\": \"site\"")).create(MAP);
+        TextCodec lines = new PodRaceText(strict);
+        byte[] bytes = (line + "\n7 7 7").getBytes(StandardCharsets.UTF_8);
+        String wrong = lines.readAnswer(0, bytes, bytes.length);
+        return wrong != null ? wrong : strict.targetX(0) + " " + strict.targetY(0) + " " + strict.thrust(0) + " "
+            + lines.message(0);
+    }
+
+    /** What the pattern of the published referee takes; BOOST and a message behind a thrust are the live server's. */
+    @ParameterizedTest
+    @CsvSource(ignoreLeadingAndTrailingWhitespace = false, value = {"1 2 200,1.0 2.0 200 null",
+        "1 2 BOOST,1.0 2.0 -3 null", "1 2 BOOST go,1.0 2.0 -3 go", "-1 -0 SHIELD,-1.0 0.0 -2 null",
+        "1 2 200 some words,1.0 2.0 200 some words", "1 2 ,1.0 2.0 200 null", "1 2  go go,1.0 2.0 200 go go",
+        "1\t 2\t100,1.0 2.0 100 null", "0001 000000002 0100,1.0 2.0 100 null", "1 2 5 x ,1.0 2.0 5 x "})
+    void theSiteTakes(String line, String expected) {
+        assertEquals(expected, site(line));
+    }
+
+    /** Each is taken leniently. */
+    @ParameterizedTest
+    @ValueSource(strings = {"1 2", "1.5 2 100", "+1 2 100", "1 2 shield", " 1 2 100", "1e5 2 100", "1 2 100.0",
+        "1 2 Boost", "1234567890 2 100", "1 2 100 ", "1 2 SHIELD ", "1 2 100\r"})
+    void theSiteRefuses(String line) {
+        assertNull(answer(line + "\n7 7 7"));
+        assertEquals("line 1 of 2: found \"" + line + "\", expected as the site does: X Y of at most nine digits, a "
+            + "blank, and digits, SHIELD or BOOST; behind them nothing, or a blank and a message", site(line));
+    }
+
+    @Test
+    void theSiteRefusesAThrustOutOfRange() {
+        assertEquals("line 1 of 2: thrust: found \"201\", expected a whole number 0..200, SHIELD or BOOST",
+            site("1 2 201"));
     }
 
     @Test

@@ -62,10 +62,10 @@ record VectorMatch(String name, JsonNode header, JsonNode start, List<JsonNode> 
         return header.get("injectedEachTurn").asBoolean();
     }
 
-    /** The official scene with this match's numbers and the rules of the contest. */
+    /** The official scene with this match's numbers and the rules of the contest, lines too. */
     PodRaceType.PodRaceSetup setup() {
         String scene = SceneFiles.load("mad-pod-racing").text()
-            .replace("\"rules\": \"live\"", "\"rules\": \"contest\"")
+            .replace("\"rules\": \"live\"", "\"rules\": \"contest\", \"commands\": \"site\"")
             .replace("\"players\": 2", "\"players\": " + players())
             .replace("\"perPlayer\": 2", "\"perPlayer\": " + podsPerPlayer())
             .replace("\"laps\": 3", "\"laps\": " + header.get("laps").asInt())

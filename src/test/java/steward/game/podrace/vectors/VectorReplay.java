@@ -3,7 +3,6 @@ package steward.game.podrace.vectors;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.regex.Pattern;
 import steward.game.Comparison;
 import steward.game.TextCodec;
 import steward.game.podrace.PodRace;
@@ -16,14 +15,11 @@ import tools.jackson.databind.JsonNode;
  * Plays a match of the published referee again by the rules and the site's lines, and compares everything.
  *
  * <p>Players who are out have no rank there but the score 0. The published version has no BOOST: the word is fed as a
- * message in brackets where it stands as one, and is a fault otherwise. Lines that we take and that referee refuses
- * (documented at the protocol) end the player here by hand.
+ * message in brackets where it stands as one, and is a fault otherwise.
  */
 final class VectorReplay {
 
     private static final int SHIELD_MASS = 10;
-    private static final Pattern REFEREE_LINE =
-        Pattern.compile("-?[0-9]{1,9}\\s+-?[0-9]{1,9}\\s+(SHIELD|[0-9]+)?(\\s+.+)?");
 
     private final VectorMatch match;
     private final Comparison comparison;
@@ -110,7 +106,6 @@ final class VectorReplay {
             if (answer.isNull()) {
                 continue;
             }
-            JsonNode out = turn.get("state").get("players").get(player).get("out");
             if (!answer.isArray()) {
                 race.eliminate(player, "no answer in time");
                 continue;
@@ -120,26 +115,10 @@ final class VectorReplay {
                 .replaceFirst("^(\\S+ \\S+  )BOOST$", "$1(BOOST)").replaceFirst("^(\\S+ \\S+ )BOOST", "$1(BOOST)")));
             byte[] bytes = String.join("\n", said).getBytes(StandardCharsets.UTF_8);
             String wrong = lines.readAnswer(player, bytes, bytes.length);
-            if (wrong == null && !out.isNull() && out.asString().equals("invalidInput")) {
-                wrong = takeBack(player, said);
-            }
             if (wrong != null) {
                 race.eliminate(player, wrong);
             }
         }
-    }
-
-    /** The referee refuses a line that we take: what stands before it counts. */
-    private String takeBack(int player, List<String> said) {
-        int good = 0;
-        while (good < said.size() && REFEREE_LINE.matcher(said.get(good)).matches()) {
-            good++;
-        }
-        int first = player * match.podsPerPlayer();
-        for (int k = good; k < match.podsPerPlayer(); k++) {
-            race.command(first + k, 0, 0, PodRace.NO_COMMAND);
-        }
-        return "refused by the published referee";
     }
 
     private void compareImpacts(String when, JsonNode turn) {
