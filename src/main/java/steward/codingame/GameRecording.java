@@ -7,10 +7,13 @@ import java.util.List;
  *
  * @param checkpoints {@code [n][x, y]}
  * @param start       before the first turn
+ * @param first       the texts of frame 0
  * @param turns       in order
  * @param ranks       per player, 0 for the best; empty if not recorded
+ * @param facts       what is told of the game beside
  */
-record GameRecording(double[][] checkpoints, State start, List<Turn> turns, List<Integer> ranks) {
+record GameRecording(double[][] checkpoints, State start, ShownFrame first, List<Turn> turns, List<Integer> ranks,
+                     GameFacts facts) {
 
     static final int PLAYERS = 2;
     static final int PODS_PER_PLAYER = 2;
@@ -35,8 +38,9 @@ record GameRecording(double[][] checkpoints, State start, List<Turn> turns, List
      *                 asked any more
      * @param after    what the turn led to
      * @param impacts  in order; {@code null} if the recording tells nothing of impacts
+     * @param frames   the texts of all frames of the turn
      */
-    record Turn(int frame, List<List<String>> commands, State after, List<Impact> impacts) {
+    record Turn(int frame, List<List<String>> commands, State after, List<Impact> impacts, List<ShownFrame> frames) {
 
         /** Whether no player said anything. */
         boolean isSilent() {

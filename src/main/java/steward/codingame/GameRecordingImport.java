@@ -59,10 +59,11 @@ public final class GameRecordingImport implements RecordingImport {
         List<RecordedPlayer> players = new ArrayList<>();
         for (int player = 0; player < GameRecording.PLAYERS; player++) {
             int number = player;
-            players.add(new RecordedPlayer(player, recording.turns().stream()
+            players.add(new RecordedPlayer(recording.facts().names().get(player), recording.turns().stream()
                 .map(turn -> turn.commands().get(number)).toList(), GameRecordingImport::idle));
         }
-        return new ImportedMatch(setup, 0, new ObservedGame(recording), players).write(out);
+        return new ImportedMatch(setup, recording.facts().seed(), new ObservedGame(recording), recording.facts(),
+            players).write(out);
     }
 
     /** The answer where none is recorded: every pod aims at its own position, which has no effect. */

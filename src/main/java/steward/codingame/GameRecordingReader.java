@@ -2,6 +2,8 @@ package steward.codingame;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import steward.text.TextFormat;
 import steward.text.ViewLines;
 import tools.jackson.databind.JsonNode;
@@ -15,6 +17,7 @@ import tools.jackson.databind.json.JsonMapper;
 final class GameRecordingReader {
 
     private static final int SHOWN = 60;
+    private static final Pattern MAP = Pattern.compile("(?m)^map=(.*)$");
 
     private final String source;
     private int checkpointCount;
@@ -41,9 +44,11 @@ final class GameRecordingReader {
         FrameView first = view(frames.get(0), 0);
         double[][] checkpoints = first.checkpoints();
         checkpointCount = checkpoints.length;
+        requireMap(result.path("refereeInput").asString(""), checkpoints);
         GameRecording.State start = first.start(checkpointCount);
         List<Integer> ranks = ranks(result.get("ranks"));
-        return new GameRecording(checkpoints, start, turns(frames, !ranks.isEmpty()), ranks);
+        return new GameRecording(checkpoints, start, ShownFrame.of(frames.get(0)), turns(frames, !ranks.isEmpty()),
+            ranks, GameFacts.of(result, GameRecording.PLAYERS));
     }
 
     /** Frame 0 must have a view: without the checkpoints nothing makes sense. */
@@ -52,6 +57,31 @@ final class GameRecordingReader {
         JsonNode view = frame.get("view");
         if (view == null || view.isNull()) {
             throw wrong(0, "view", view == null ? "nothing" : "null", "a text");
+        }
+        JsonNode agent = frame.get("agentId");
+        if (agent != null && agent.isInt() && agent.intValue() >= 0) {
+            throw wrong(0, "agentId", agent.toString(), "-1: the first frame is the referee's");
+        }
+        JsonNode key = frame.get("keyframe");
+        if (key != null && !key.asBoolean(true)) {
+            throw wrong(0, "keyframe", key.toString(), "true: the first frame shows the start");
+        }
+    }
+
+    /** What the server's referee was given names the map too. */
+    private void requireMap(String input, double[]... checkpoints) {
+        Matcher map = MAP.matcher(input);
+        if (!map.find()) {
+            return;
+        }
+        String[] words = map.group(1).strip().split("\\s+");
+        boolean same = words.length == 2 * checkpoints.length;
+        for (int k = 0; same && k < words.length; k++) {
+            same = words[k].matches("-?[0-9]{1,9}") && Integer.parseInt(words[k]) == checkpoints[k / 2][k % 2];
+        }
+        if (!same) {
+            throw new IllegalArgumentException(source + ": refereeInput: found "
+                + ViewLines.quote(map.group().strip()) + ", expected the checkpoints of frame 0");
         }
     }
 
@@ -76,6 +106,7 @@ final class GameRecordingReader {
     private List<GameRecording.Turn> turns(JsonNode frames, boolean over) {
         List<GameRecording.Turn> turns = new ArrayList<>();
         List<List<String>> commands = new ArrayList<>();
+        List<ShownFrame> shown = new ArrayList<>();
         for (int k = 1; k < frames.size(); k++) {
             JsonNode frame = frames.get(k);
             requireObject(frame, k);
@@ -84,19 +115,22 @@ final class GameRecordingReader {
                 continue;
             }
             commands.add(said(frame, k));
+            shown.add(ShownFrame.of(frame));
             if (endsTurn(frame, k, commands.size())) {
                 boolean last = k == frames.size() - 1;
                 if (!last && commands.size() < GameRecording.PLAYERS && !fails(commands.get(0))) {
                     throw wrong(k, "keyframe", "true", "false, because player 1 has not answered");
                 }
-                turns.add(turn(frame, k, complete(commands, last)));
+                turns.add(turn(frame, k, complete(commands, last), shown));
                 commands.clear();
+                shown.clear();
             }
         }
         if (!commands.isEmpty() && (over || fails(commands.get(0)))) {
-            turns.add(turn(JsonMapper.shared().createObjectNode(), frames.size() - 1, complete(commands, true)));
+            turns.add(turn(JsonMapper.shared().createObjectNode(), frames.size() - 1, complete(commands, true),
+                List.of()));
         }
-        return withoutImpactsIfThereAreNone(turns);
+        return turns;
     }
 
     /** Whether the frame is the referee's alone; otherwise it must be that of the player whose turn it is. */
@@ -148,16 +182,10 @@ final class GameRecordingReader {
         return lines.size() < GameRecording.PODS_PER_PLAYER;
     }
 
-    /** A recording without a single impact may come from a source that records none. */
-    private static List<GameRecording.Turn> withoutImpactsIfThereAreNone(List<GameRecording.Turn> turns) {
-        boolean any = turns.stream().anyMatch(turn -> turn.impacts() != null && !turn.impacts().isEmpty());
-        return any ? turns : turns.stream()
-            .map(turn -> new GameRecording.Turn(turn.frame(), turn.commands(), turn.after(), null)).toList();
-    }
-
-    private GameRecording.Turn turn(JsonNode frame, int number, List<List<String>> commands) {
+    private GameRecording.Turn turn(JsonNode frame, int number, List<List<String>> commands, List<ShownFrame> shown) {
         FrameView view = view(frame, number);
-        return new GameRecording.Turn(number, commands, view.state(checkpointCount), view.impacts());
+        return new GameRecording.Turn(number, commands, view.state(checkpointCount), view.impacts(),
+            List.copyOf(shown));
     }
 
     private List<Integer> ranks(JsonNode node) {

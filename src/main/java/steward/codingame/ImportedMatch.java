@@ -29,12 +29,15 @@ final class ImportedMatch {
     private final GameSetup setup;
     private final long seed;
     private final ServerObservations observed;
+    private final GameFacts facts;
     private final List<Player> players;
 
-    ImportedMatch(GameSetup setup, long seed, ServerObservations observed, List<? extends Player> players) {
+    ImportedMatch(GameSetup setup, long seed, ServerObservations observed, GameFacts facts,
+                  List<? extends Player> players) {
         this.setup = setup;
         this.seed = seed;
         this.observed = observed;
+        this.facts = facts;
         this.players = List.copyOf(players);
     }
 
@@ -48,7 +51,7 @@ final class ImportedMatch {
         ReplayHeader header = new ReplayHeader(setup.scene().gameId(), setup.scene().json(), seed, names,
             Collections.nCopies(names.size(), "recorded"), Collections.nCopies(names.size(), Protocol.CODINGAME),
             Double.POSITIVE_INFINITY).ofLaw(setup.plan().lawVersion());
-        Recorder recorder = new Recorder(new ReplayWriter(out, header, observed));
+        Recorder recorder = new Recorder(new ReplayWriter(out, header, observed).untimed());
         try {
             MatchResult result = Referee.of(setup, seed, seats, TimeControl.UNLIMITED, recorder).play();
             return new Imported(recorder.turns, result.ending());
@@ -67,7 +70,17 @@ final class ImportedMatch {
             results.add(new MatchResult.PlayerResult(names.get(player), observed.rank(player), 0, null, null, 0, 0, 0,
                 0, 0));
         }
-        return new MatchResult(observed.turns(), "the recording ends", results);
+        return told(observed.turns(), "the recording ends", results);
+    }
+
+    /** With what the site tells of game and players. */
+    private MatchResult told(int turns, String ending, List<MatchResult.PlayerResult> results) {
+        List<MatchResult.PlayerResult> players = new ArrayList<>();
+        for (MatchResult.PlayerResult of : results) {
+            players.add(new MatchResult.PlayerResult(of.name(), of.rank(), of.score(), of.fault(), of.out(),
+                of.answers(), 0, 0, 0, of.earlyTurns(), facts.players().get(players.size())));
+        }
+        return new MatchResult(turns, ending, players, facts.data());
     }
 
     /** The recording has no more turns, but by our rules the game goes on. */
@@ -101,11 +114,6 @@ final class ImportedMatch {
             if (turn.number() > observed.turns()) {
                 throw new RecordingEnds();
             }
-            boolean anyFault = false;
-            for (int player = 0; player < turn.players(); player++) {
-                anyFault |= turn.fault(player) != null;
-            }
-            observed.failed(anyFault);
             writer.commands(turn);
         }
 
@@ -122,7 +130,7 @@ final class ImportedMatch {
             while (all > turns && observed.isSilent(all)) {
                 all--;
             }
-            writer.end(new MatchResult(all, result.ending(), result.players(), result.data()));
+            writer.end(told(all, result.ending(), result.players()));
         }
     }
 }

@@ -74,7 +74,7 @@ final class LineRecordingImport implements RecordingImport {
             .ofLaw(setup.plan().lawVersion());
         try {
             MatchResult result = Referee.of(setup, 0, List.of(new Seat(player, Protocol.CODINGAME)),
-                TimeControl.UNLIMITED, new ReplayWriter(out, header)).play();
+                TimeControl.UNLIMITED, new ReplayWriter(out, header).untimed()).play();
             if (player.answered < answers.size() || player.heard < sent.size()) {
                 throw new DifferentGameException(source + ": found " + answers.size() + " answers and " + sent.size()
                     + " lines, but by these rules the game is over after " + player.answered + " answers: "

@@ -22,7 +22,6 @@ final class ObservedGame implements ServerObservations {
     private final int[] shieldTimer = new int[GameRecording.PODS];
     private final boolean[] boostLeft = new boolean[GameRecording.PODS];
     private PodRace race;
-    private boolean failed;
 
     ObservedGame(GameRecording recording) {
         this.recording = recording;
@@ -50,12 +49,6 @@ final class ObservedGame implements ServerObservations {
         race = (PodRace) played;
     }
 
-    /** Where a player fails the server played no further. */
-    @Override
-    public void failed(boolean anyPlayer) {
-        failed = anyPlayer;
-    }
-
     @Override
     public boolean hasStart() {
         return !recording.start().pods().isEmpty();
@@ -68,14 +61,12 @@ final class ObservedGame implements ServerObservations {
         }
         writePods(out, recording.start().pods());
         writeTurnsLeft(out, recording.start());               // all have rank 1 there, at any distance
+        ShownFrame.write(out, List.of(recording.first()));
     }
 
     @Override
     public void writeOutcome(JsonGenerator out, int number) {
         GameRecording.Turn turn = recording.turns().get(number - 1);
-        if (failed) {
-            return;
-        }
         if (turn.impacts() != null) {
             writeImpacts(out, turn.impacts());
         }
@@ -83,7 +74,8 @@ final class ObservedGame implements ServerObservations {
         for (int pod = 0; pod < GameRecording.PODS; pod++) {
             String[] command = turn.command(pod);
             String word = command.length < 3 ? "" : command[2];
-            boolean shield = after.isEmpty() ? word.equalsIgnoreCase("SHIELD") : after.get(pod).shield();
+            boolean shield = after.isEmpty() ? word.equalsIgnoreCase("SHIELD")
+                : after.get(pod).shield() && (command.length > 0 || shieldTimer[pod] == 0);
             shieldTimer[pod] = shield ? PodRaceSettings.SHIELD_TURNS : Math.max(0, shieldTimer[pod] - 1);
             boostLeft[pod] &= !word.equalsIgnoreCase("BOOST");
         }
@@ -99,6 +91,8 @@ final class ObservedGame implements ServerObservations {
         if (!race.isOver()) {
             writeRanks(out, turn.after());
         }
+        boolean last = number == turns();
+        ShownFrame.write(out, turn.frames(), last ? recording.facts().scores() : new double[0]);
     }
 
     private static void writeTurnsLeft(JsonGenerator out, GameRecording.State state) {

@@ -9,7 +9,7 @@ import steward.bot.Player;
 /** A player that gives the recorded answers of a player, in CodinGame's protocol. */
 final class RecordedPlayer implements Player {
 
-    private final int number;
+    private final String name;
     private final List<List<String>> turns;
     private final Idle idle;
     private int turn;
@@ -22,15 +22,15 @@ final class RecordedPlayer implements Player {
     }
 
     /** @param turns its lines in every turn, possibly none or too few; null where it was not asked any more */
-    RecordedPlayer(int number, List<List<String>> turns, Idle idle) {
-        this.number = number;
+    RecordedPlayer(String name, List<List<String>> turns, Idle idle) {
+        this.name = name;
         this.turns = turns;
         this.idle = idle;
     }
 
     @Override
     public String name() {
-        return "player " + number;
+        return name;
     }
 
     @Override

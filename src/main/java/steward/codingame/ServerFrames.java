@@ -25,10 +25,11 @@ final class ServerFrames {
     /**
      * One turn.
      *
-     * @param said per player its lines, possibly none; {@code null} for a player that was not asked
-     * @param view of the frame that ends it
+     * @param said   per player its lines, possibly none; {@code null} for a player that was not asked
+     * @param view   of the frame that ends it
+     * @param frames the texts of all its frames
      */
-    record Turn(List<List<String>> said, ViewLines view) {
+    record Turn(List<List<String>> said, ViewLines view, List<ShownFrame> frames) {
 
         boolean isSilent() {
             return said.stream().allMatch(lines -> lines == null || lines.isEmpty());
@@ -45,6 +46,26 @@ final class ServerFrames {
     /** The view of frame 0; without lines if it has none. */
     ViewLines first() {
         return view(0);
+    }
+
+    /** Checks that frame 0 is the referee's, and shows the start. */
+    void requireStart() {
+        if (agent(0) != -1) {
+            throw wrong(0, "agentId", Integer.toString(agent(0)), "-1: the first frame is the referee's");
+        }
+        if (!endsTurn(0)) {
+            throw wrong(0, "keyframe", "false", "true: the first frame shows the start");
+        }
+    }
+
+    /** The texts of frame 0. */
+    ShownFrame firstShown() {
+        return ShownFrame.of(frame(0));
+    }
+
+    /** What is told of the game beside its frames. */
+    GameFacts facts(int players) {
+        return GameFacts.of(result, players);
     }
 
     /** What the server's referee was given, or "". */
@@ -66,10 +87,12 @@ final class ServerFrames {
     List<Turn> turns(int players) {
         List<Turn> turns = new ArrayList<>();
         List<String>[] said = none(players);
+        List<ShownFrame> shown = new ArrayList<>();
         int next = 0;
         for (int k = 1; k < frames.size(); k++) {
             int agent = agent(k);
             ViewLines view = view(k);
+            shown.add(ShownFrame.of(frame(k)));
             if (agent >= 0) {
                 if (agent < next) {
                     throw wrong(k, "agentId", Integer.toString(agent),
@@ -78,8 +101,13 @@ final class ServerFrames {
                 said[agent] = said(k);
                 next = agent + 1;
             }
-            if (endsTurn(k)) {
-                turns.add(new Turn(Arrays.asList(said), view));
+            boolean ends = endsTurn(k);
+            if (!ends && agent == players - 1) {
+                throw wrong(k, "keyframe", "false", "true, because all players have answered");
+            }
+            if (ends) {
+                turns.add(new Turn(Arrays.asList(said), view, List.copyOf(shown)));
+                shown.clear();
                 said = none(players);
                 next = 0;
             }

@@ -17,15 +17,18 @@ import tools.jackson.databind.JsonNode;
 final class ServerGameImport implements RecordingImport {
 
     private static final String POD_RACE = "CodersStrikeBack";
-    private static final Pattern TITLE = Pattern.compile("[A-Za-z]{3,}");
+    private static final Pattern TITLE = Pattern.compile("[A-Za-z][A-Za-z0-9 _'-]{2,60}");
 
     private final List<ServerFrames.Turn> turns;
     private final ServerView.Shown shown;
     private final GameSetup setup;
     private final int[] ranks;
     private final double[] scores;
+    private final GameFacts facts;
+    private final ShownFrame first;
 
     private ServerGameImport(ServerFrames frames, ServerView view, String source, GameTypes types) {
+        frames.requireStart();
         int players = frames.players();
         shown = view.open(frames.first(), frames.input(), players);
         setup = types.open(shown.scene(), source + " (scene)");
@@ -39,6 +42,8 @@ final class ServerGameImport implements RecordingImport {
         }
         ranks = frames.ranks(players);
         scores = frames.scores(players);
+        facts = frames.facts(players);
+        first = frames.firstShown();
     }
 
     /**
@@ -74,10 +79,10 @@ final class ServerGameImport implements RecordingImport {
             int number = player;
             List<List<String>> said = new ArrayList<>();
             turns.forEach(turn -> said.add(turn.said().get(number)));
-            players.add(new RecordedPlayer(player, said,
+            players.add(new RecordedPlayer(facts.names().get(player), said,
                 (frame, answerLines) -> Collections.nCopies(answerLines, shown.idle())));
         }
-        return new ImportedMatch(setup, shown.seed(), new Seen(), players).write(out);
+        return new ImportedMatch(setup, shown.seed(), new Seen(), facts, players).write(out);
     }
 
     /** What the server has shown. */
@@ -106,11 +111,13 @@ final class ServerGameImport implements RecordingImport {
         @Override
         public void writeStart(JsonGenerator out) {
             shown.writeStart(out);
+            ShownFrame.write(out, List.of(first));
         }
 
         @Override
         public void writeOutcome(JsonGenerator out, int turn) {
             shown.writeOutcome(out, turn);
+            ShownFrame.write(out, turns.get(turn - 1).frames());
         }
 
         @Override

@@ -19,9 +19,4 @@ interface ServerObservations extends Observations {
     default void start(Game game) {
         // Most servers show all that is kept.
     }
-
-    /** Says before a turn's outcome whether a player fails in it. */
-    default void failed(boolean anyPlayer) {
-        // Most servers play such a turn to its end.
-    }
 }

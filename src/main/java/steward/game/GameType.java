@@ -39,6 +39,12 @@ public interface GameType {
         return Optional.empty();
     }
 
+    /** What the site's server would show of a game of this type; without, its views are not compared. */
+    @Internal
+    default Optional<ViewWriter> viewWriter() {
+        return Optional.empty();
+    }
+
     /** The fewest players that a scene of this game can have. */
     default int fewestPlayers() {
         return 1;

@@ -55,6 +55,12 @@ public record GameTypes(List<GameType> types) {
         return types.stream().filter(type -> type.id().equals(gameId)).findFirst().flatMap(GameType::serverView);
     }
 
+    /** A new writer of what the site's server would show; empty also for an unknown game. */
+    @Internal
+    public Optional<ViewWriter> viewWriter(String gameId) {
+        return types.stream().filter(type -> type.id().equals(gameId)).findFirst().flatMap(GameType::viewWriter);
+    }
+
     private static void checkPlayers(GameType type, Scene scene) {
         int fewest = type.fewestPlayers();
         int most = type.mostPlayers();

@@ -37,6 +37,7 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
     private final LinesDigest digest;
     private Game game;
     private FrameCodec codec;
+    private boolean timed = true;
 
     /** @param file unbuffered is best: it is written once per line; closed by {@link #close} */
     public ReplayWriter(OutputStream file, ReplayHeader header) {
@@ -64,6 +65,13 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
         digest = key == null ? null : new LinesDigest();
     }
 
+    /** Leaves out all times: nobody has measured the players of this match. @return this */
+    @Internal
+    public ReplayWriter untimed() {
+        timed = false;
+        return this;
+    }
+
     @Override
     public void start(Game startedGame, FrameCodec startedCodec) {
         game = startedGame;
@@ -88,6 +96,13 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
     public void played(Turn turn) {
         lines.played(turn, game, codec);
         sign();
+        if (timed) {
+            writeAnswerTimes(turn);
+        }
+        write(endLine());
+    }
+
+    private void writeAnswerTimes(Turn turn) {
         out.writeName(TIMES);
         out.writeStartObject();
         out.writeName(ANSWER_NANOS);
@@ -101,20 +116,21 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
         }
         out.writeEndArray();
         out.writeEndObject();
-        write(endLine());
     }
 
     @Override
     public void end(MatchResult result) {
         lines.result(game, result);
         sign();
-        out.writeName(TIMES);
-        out.writeStartObject();
-        writeNumbers(out, "averageNanos", result, MatchResult.PlayerResult::averageNanos);
-        writeNumbers(out, "worstNanos", result, MatchResult.PlayerResult::worstNanos);
-        writeNumbers(out, "firstNanos", result, MatchResult.PlayerResult::firstNanos);
-        writeNumbers(out, "earlyTurns", result, MatchResult.PlayerResult::earlyTurns);
-        out.writeEndObject();
+        if (timed) {
+            out.writeName(TIMES);
+            out.writeStartObject();
+            writeNumbers(out, "averageNanos", result, MatchResult.PlayerResult::averageNanos);
+            writeNumbers(out, "worstNanos", result, MatchResult.PlayerResult::worstNanos);
+            writeNumbers(out, "firstNanos", result, MatchResult.PlayerResult::firstNanos);
+            writeNumbers(out, "earlyTurns", result, MatchResult.PlayerResult::earlyTurns);
+            out.writeEndObject();
+        }
         LineBuffer last = endLine();
         if (key != null) {
             byte[] signature = signatureLine(key.sign(digest.message())).getBytes(StandardCharsets.UTF_8);

@@ -16,6 +16,8 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import steward.game.podrace.PodRace;
+import steward.game.podrace.protocol.PodRaceType;
 import steward.match.TestScenes;
 import steward.replay.verify.Verification;
 import tools.jackson.databind.json.JsonMapper;
@@ -67,26 +69,28 @@ class RealExcerptsImportTest {
         assertEquals(impacts, replay.toString(StandardCharsets.UTF_8).split("\"impulse\"", -1).length - 1);
     }
 
-    /** As many turns, in the form of the site's own JSON. */
+    /** As many turns, in the form of the site's own JSON; what the text files do not have is ours. */
     private static String json(List<String> lines, int turns) {
+        PodRaceType.PodRaceSetup official = (PodRaceType.PodRaceSetup) TestScenes.open("mad-pod-racing");
         ObjectNode game = JsonMapper.shared().createObjectNode();
         ArrayNode frames = game.putArray("frames");
-        String map = "";
-        Counters counters = null;
+        PodRace race = null;
+        SiteViews views = null;
         List<String> impacts = new ArrayList<>();
         for (String line : lines) {
             String[] words = line.split(" ");
             switch (words[0]) {
-                case "CHECKPOINTS" -> map = line.substring("CHECKPOINTS ".length());
+                case "CHECKPOINTS" -> {
+                    race = official.create(points(words));
+                    views = new SiteViews(race);
+                }
                 case "S" -> {
                     if (frames.isEmpty()) {
-                        counters = new Counters(map.split(" "));
                         frames.addObject().put("agentId", -1).put("keyframe", true).put("view",
-                            " 0\nCodersStrikeBack\n16000 9000 400 600 4 0.3141592653589793\n" + map + "\nstarts\n"
-                                + pods(words));
+                            views.first(pods(words)));
                     } else {
-                        ((ObjectNode) frames.get(frames.size() - 1)).put("view", " " + words[1] + "\n" + pods(words)
-                            + counters.after(words) + "\n" + String.join("\n", impacts));
+                        ((ObjectNode) frames.get(frames.size() - 1)).put("view", views.after(Integer.parseInt(words[1]),
+                            pods(words), "") + String.join("\n", impacts));
                     }
                     impacts.clear();
                 }
@@ -96,10 +100,14 @@ class RealExcerptsImportTest {
                     }
                     for (int player = 0; player < 2; player++) {
                         String[] said = Arrays.copyOfRange(words, 1 + 6 * player, 7 + 6 * player);
-                        frames.addObject().put("agentId", player).put("keyframe", player == 1).put("stdout",
-                            String.join(" ", said[0], said[1], said[2]) + "\n" + String.join(" ", said[3], said[4],
-                                said[5]) + "\n");
+                        String answer = String.join(" ", said[0], said[1], said[2]) + "\n"
+                            + String.join(" ", said[3], said[4], said[5]);
+                        byte[] bytes = answer.getBytes(StandardCharsets.UTF_8);
+                        assertNull(official.textCodec(race).orElseThrow().readAnswer(player, bytes, bytes.length));
+                        frames.addObject().put("agentId", player).put("keyframe", player == 1).put("stdout", answer);
                     }
+                    views.before();
+                    race.play();
                 }
                 case "C" -> impacts.add(impacts.size() + line.substring(1));
                 default -> { }
@@ -108,50 +116,20 @@ class RealExcerptsImportTest {
         return game.toString();
     }
 
-    private static String pods(String[] words) {
-        StringBuilder view = new StringBuilder();
-        for (int pod = 0; pod < PODS; pod++) {
-            String[] row = Arrays.copyOfRange(words, 2 + POD_WORDS * pod, 2 + POD_WORDS * (pod + 1));
-            view.append(String.join(" ", row[0], row[1], row[2], row[3], "0 0 0 0", row[4], row[5], row[6], "1"))
-                .append("\n\"\"\n");
+    private static double[][] points(String[] words) {
+        double[][] points = new double[words.length / 2][];
+        for (int k = 0; k < points.length; k++) {
+            points[k] = new double[] {Double.parseDouble(words[1 + 2 * k]), Double.parseDouble(words[2 + 2 * k])};
         }
-        return view.toString();
+        return points;
     }
 
-    /** The counters of both players, which the text files do not have, from their states: no lap is done in them. */
-    private static final class Counters {
-
-        private final String[] map;
-        private final int[] left = {100, 100};
-        private final int[] passed = {2, 2};
-
-        Counters(String[] map) {
-            this.map = map;
+    /** Of each pod {@code x y vx vy heading shield next}. */
+    private static List<String[]> pods(String[] words) {
+        List<String[]> pods = new ArrayList<>();
+        for (int pod = 0; pod < PODS; pod++) {
+            pods.add(Arrays.copyOfRange(words, 2 + POD_WORDS * pod, 2 + POD_WORDS * (pod + 1)));
         }
-
-        String after(String[] words) {
-            double[] nearest = new double[2];
-            int[] best = new int[2];
-            for (int player = 0; player < 2; player++) {
-                int sum = 0;
-                for (int pod = 2 * player; pod < 2 * player + 2; pod++) {
-                    int next = Integer.parseInt(words[2 + POD_WORDS * pod + 6]);
-                    double distance = Math.hypot(number(words, pod, 0) - Double.parseDouble(map[2 * next]),
-                        number(words, pod, 1) - Double.parseDouble(map[2 * next + 1]));
-                    boolean better = next > best[player] || next == best[player] && distance < nearest[player];
-                    nearest[player] = better ? distance : nearest[player];
-                    best[player] = Math.max(next, best[player]);
-                    sum += next;
-                }
-                left[player] = sum > passed[player] ? 100 : left[player] - 1;
-                passed[player] = sum;
-            }
-            boolean first = best[0] > best[1] || best[0] == best[1] && nearest[0] < nearest[1];
-            return (first ? 1 : 2) + ":" + left[0] + " " + (first ? 2 : 1) + ":" + left[1];
-        }
-
-        private static double number(String[] words, int pod, int column) {
-            return Double.parseDouble(words[2 + POD_WORDS * pod + column]);
-        }
+        return pods;
     }
 }

@@ -10,14 +10,9 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
-import java.util.zip.GZIPInputStream;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import steward.game.GroundTruth;
 import steward.match.TestScenes;
 import steward.replay.verify.Verification;
 
@@ -56,21 +51,6 @@ class ServerChipsImportTest {
         Verification found = verified(excerpt());
         assertNull(found.difference());
         assertEquals(4, found.states());
-    }
-
-    @Test
-    void theGamesOfTheServerVerify(TestReporter report) throws IOException {
-        int turns = 0;
-        for (Path file : GroundTruth.RECORDINGS.files("poker-chip-race", ".json.gz")) {
-            try (InputStream in = new GZIPInputStream(Files.newInputStream(file))) {
-                Verification found = verified(new String(in.readAllBytes(), StandardCharsets.UTF_8));
-                assertNull(found.difference(), file.toString());
-                assertEquals(found.turns(), found.states(), file.toString());
-                turns += found.turns();
-            }
-        }
-        assertTrue(turns > 0, "there are turns");
-        GroundTruth.tell(report, "poker-chip-race, imported: " + turns + " turns, 0 different");
     }
 
     /** The last view that holds the text is that of turn 4. */

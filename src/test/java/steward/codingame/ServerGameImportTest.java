@@ -7,18 +7,11 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
-import java.io.IOException;
-import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.zip.GZIPInputStream;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import steward.game.GroundTruth;
 import steward.match.TestScenes;
 import steward.replay.verify.Verification;
 import tools.jackson.databind.node.ArrayNode;
@@ -67,23 +60,6 @@ class ServerGameImportTest {
         Verification found = verified(SHORT.json());
         assertTrue(found.agrees());
         assertEquals(3, found.turns());
-    }
-
-    @Test
-    void theGamesOfTheServerVerify(TestReporter report) throws IOException {
-        int turns = 0;
-        int impacts = 0;
-        for (Path file : GroundTruth.RECORDINGS.files("mean-max", ".json.gz")) {
-            try (InputStream in = new GZIPInputStream(Files.newInputStream(file))) {
-                Verification found = verified(new String(in.readAllBytes(), StandardCharsets.UTF_8));
-                assertNull(found.difference(), file.toString());
-                assertTrue(found.verified(), file.toString());
-                assertEquals(found.turns(), found.states(), file.toString());
-                turns += found.turns();
-                impacts += found.impacts().shown();
-            }
-        }
-        GroundTruth.tell(report, "mean-max, imported: " + turns + " turns, " + impacts + " impacts, 0 different");
     }
 
     /** The lines of a key frame from the first score on, changed one at a time. */

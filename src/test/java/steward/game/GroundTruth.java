@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.TestReporter;
@@ -31,18 +33,28 @@ public enum GroundTruth {
         this.usual = usual;
     }
 
-    /** The files of a game whose names end so, in the order of their names. */
-    public List<Path> files(String game, String ending) throws IOException {
+    /** The files of a game whose names end in one of these ways, in the order of their names. */
+    public List<Path> files(String game, String... endings) throws IOException {
         Path root = Path.of(System.getProperty(property, usual));
         Path own = root.resolve(game);
         Path folder = Files.isDirectory(own) || !game.equals(FIRST) ? own : root;
         assumeTrue(Files.isDirectory(folder),
             () -> "skipped: no folder " + folder.toAbsolutePath() + " (set -P" + property + ")");
         try (Stream<Path> files = Files.list(folder)) {
-            List<Path> named = files.filter(file -> file.toString().endsWith(ending)).sorted().toList();
-            assumeTrue(!named.isEmpty(), () -> "skipped: no " + ending + " in " + folder.toAbsolutePath());
+            List<Path> named = files.filter(file -> Arrays.stream(endings).anyMatch(file.toString()::endsWith))
+                .sorted().toList();
+            assumeTrue(!named.isEmpty(), () -> "skipped: no " + String.join(" or ", endings) + " in "
+                + folder.toAbsolutePath());
             return named;
         }
+    }
+
+    /** A file of the folder of official recordings of the pod race. */
+    public static Path replay(String name) {
+        Path file = Path.of(System.getProperty("steward.replays", "../shared/replays")).resolve(name);
+        assumeTrue(Files.isRegularFile(file),
+            () -> "skipped: there is no " + file.toAbsolutePath() + " (set -Psteward.replays)");
+        return file;
     }
 
     /** Reports what was compared; on the console too if the call of the build named a folder. */
@@ -50,6 +62,41 @@ public enum GroundTruth {
         report.publishEntry(line);
         if (Boolean.getBoolean("steward.tell")) {
             System.out.println(line);
+        }
+    }
+
+    /** What was compared file by file, told as it comes. */
+    public static final class Report {
+
+        private final TestReporter to;
+        private final String game;
+        private final List<String> differences = new ArrayList<>();
+        private long values;
+
+        public Report(TestReporter to, String game) {
+            this.to = to;
+            this.game = game;
+        }
+
+        /** @param difference the first, or {@code null} */
+        public void add(String file, int turns, long compared, String difference, List<String> notCompared) {
+            values += compared;
+            if (difference != null) {
+                differences.add(file + ": " + difference);
+            }
+            tell(to, game + ", " + file + ": " + turns + " turns, " + compared + " values, first difference: "
+                + (difference == null ? "none" : difference)
+                + (notCompared.isEmpty() ? "" : "; not compared: " + String.join("; ", notCompared)));
+        }
+
+        /** How many of all files. */
+        public long values() {
+            return values;
+        }
+
+        /** The first of each file that has one. */
+        public List<String> differences() {
+            return differences;
         }
     }
 }

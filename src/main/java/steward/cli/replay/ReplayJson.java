@@ -144,6 +144,12 @@ record ReplayJson(Streams streams, ReplayReader replay) {
                 out.writeStringProperty("found", difference.found());
                 out.writeEndObject();
             }
+            if (!verification.views().notCompared().isEmpty()) {
+                out.writeNumberProperty("values", verification.views().values());
+                out.writeArrayPropertyStart("notCompared");
+                verification.views().notCompared().forEach(out::writeString);
+                out.writeEndArray();
+            }
             out.writeStringProperty("olderLaw", verification.olderLaw());
             out.writeStringProperty("warning", verification.warning());
         });

@@ -9,6 +9,7 @@ import steward.replay.sign.SignerKey;
 import steward.replay.verify.ImpactCounts;
 import steward.replay.verify.SignatureCheck;
 import steward.replay.verify.Verification;
+import steward.replay.verify.ViewCounts;
 import steward.text.TextFormat;
 
 /**
@@ -37,7 +38,10 @@ record VerifyReport(PrintStream out, Colour colour, boolean partial, Path file, 
                 + (start ? "only the start, since no turn was recorded" : compared(replay, verification))
                 + (verification.whole() ? " and the result" : ""));
             if (replay.imported()) {
-                out.println(impacts(verification.impacts()));
+                if (!verification.impacts().equals(ImpactCounts.NONE) || verification.views().notCompared().isEmpty()) {
+                    out.println(impacts(verification.impacts()));
+                }
+                shown(verification.views());
             }
             SignatureCheck signature = verification.signature();
             if (signature.verdict() == SignatureCheck.Verdict.RIGHT) {
@@ -83,6 +87,13 @@ record VerifyReport(PrintStream out, Colour colour, boolean partial, Path file, 
         }
         return "impacts: " + impacts.equal() + " equal to the last bit, " + impacts.within()
             + " within what a unit in the last place of sines and cosines makes, " + impacts.outside() + " outside";
+    }
+
+    private void shown(ViewCounts views) {
+        if (!views.notCompared().isEmpty()) {
+            out.println("views: " + views.values() + " numbers and words equal");
+            out.println("not compared: " + String.join("; ", views.notCompared()));
+        }
     }
 
     private static String compared(ReplayReader replay, Verification verification) {

@@ -36,6 +36,7 @@ final class ExactLineCheck implements LineCheck {
     private final SignedLines signed;
     private final RecordedObservations observed;
     private final ImpactComparison impacts = new ImpactComparison();
+    private final ViewComparison views;
     private final ReplayLines lines;
     /** The turn that {@link #isSame} has played, or {@code null}; and whether its line is written to its end. */
     private Turn played;
@@ -49,6 +50,7 @@ final class ExactLineCheck implements LineCheck {
         this.signed = signed;
         game = again.game();
         observed = replay.imported() ? new RecordedObservations(replay) : null;
+        views = again.views() == null ? null : new ViewComparison(again.views());
         ReplayHeader header = replay.header();
         lines = new ReplayLines(new ReplayHeader(header.game(), again.setup().scene().json(), header.seed(),
             header.names(), header.bots(), header.protocols(), header.timeFactor(), header.law(),
@@ -61,6 +63,9 @@ final class ExactLineCheck implements LineCheck {
         lines.header(game, again.codec());
         boolean agrees = agrees(replay.headerLine().json());
         Difference difference = agrees && observed == null ? null : RecordedJson.compareOpening(replay, again);
+        if (difference == null && views != null) {
+            difference = views.start(replay);
+        }
         if (difference == null && !agrees) {
             difference = lineDiffers(0, "headerHash", replay.headerLine());
         }
@@ -121,6 +126,9 @@ final class ExactLineCheck implements LineCheck {
             if (observed != null) {
                 observed.next(recorded.outcome(), recorded.where());
                 AngleVariants variants = game.angleVariants();
+                if (views != null) {
+                    again.views().before();
+                }
                 play(turn);
                 if (again.serverView() == null) {
                     impacts.add(recorded.outcome(), game, variants);
@@ -140,6 +148,9 @@ final class ExactLineCheck implements LineCheck {
         boolean agrees = agrees(line);
         Difference difference = agrees && observed == null ? null
             : RecordedJson.compare(recorded.number(), recorded.outcome(), outcome(), observed != null);
+        if (difference == null && views != null) {
+            difference = views.turn(recorded, game.isOver());
+        }
         if (difference == null && !agrees) {
             difference = lineDiffers(recorded.number(), "turnHash", new JsonLine(recorded.where(), line));
         }
@@ -180,6 +191,11 @@ final class ExactLineCheck implements LineCheck {
     @Override
     public ImpactCounts impacts() {
         return impacts.counts();
+    }
+
+    @Override
+    public ViewCounts views() {
+        return views == null ? ViewCounts.NONE : views.counts();
     }
 
     @Override

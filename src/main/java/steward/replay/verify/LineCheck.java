@@ -25,6 +25,11 @@ interface LineCheck {
         return ImpactCounts.NONE;
     }
 
+    /** What a server has shown, compared; none where the match is not imported. */
+    default ViewCounts views() {
+        return ViewCounts.NONE;
+    }
+
     /** Compares the result; {@code null} if it agrees. */
     Difference result(String[] faults);
 

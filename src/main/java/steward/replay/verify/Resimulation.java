@@ -8,9 +8,11 @@ import steward.game.GameTypes;
 import steward.game.JsonNumbers;
 import steward.game.LineParser;
 import steward.game.ServerView;
+import steward.game.ViewWriter;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayException;
 import steward.replay.ReplayHeader;
+import steward.scene.Scene;
 import steward.scene.SceneReader;
 import steward.scene.json.JsonProblem;
 import steward.text.TextFormat;
@@ -30,6 +32,7 @@ public final class Resimulation {
     private final Game game;
     private final FrameCodec codec;
     private final ServerView serverView;
+    private final ViewWriter views;
     private final LineParser lines = new LineParser();
     private final String[] noFaults;
 
@@ -40,7 +43,18 @@ public final class Resimulation {
      * @throws steward.scene.json.SceneException if the scene in the header is not one that the known games can play
      */
     public Resimulation(ReplayHeader header, GameTypes types, String source) {
-        setup = types.open(SceneReader.read(header.scene(), source + " (scene)").withAngles(header.angles()));
+        this(header, types, source, null);
+    }
+
+    /**
+     * As above.
+     *
+     * @param views writes what a server would have shown of the match; or {@code null}
+     */
+    Resimulation(ReplayHeader header, GameTypes types, String source, ViewWriter views) {
+        this.views = views;
+        Scene scene = SceneReader.read(header.scene(), source + " (scene)").withAngles(header.angles());
+        setup = types.open(views == null ? scene : views.observed(scene));
         if (!header.game().equals(setup.scene().gameId())) {
             throw new ReplayException(source + ":1: game: found \""
                 + TextFormat.beginning(header.game(), SHOWN) + "\", expected \""
@@ -50,6 +64,9 @@ public final class Resimulation {
         serverView = types.serverView(header.game()).orElse(null);
         game = setup.create(header.seed());
         codec = setup.codec(game);
+        if (views != null) {
+            views.begin(game);
+        }
         noFaults = new String[game.players()];
         if (game.players() != header.names().size()) {
             throw new ReplayException(source + ":1: players: found " + header.names().size() + ", expected "
@@ -73,6 +90,7 @@ public final class Resimulation {
     public Resimulation(GameSetup setup, long seed) {
         this.setup = setup;
         serverView = null;
+        views = null;
         game = setup.create(seed);
         codec = setup.codec(game);
         noFaults = new String[game.players()];
@@ -91,6 +109,11 @@ public final class Resimulation {
     /** How the site's server shows the game, or {@code null}. */
     ServerView serverView() {
         return serverView;
+    }
+
+    /** Writes what a server would have shown, or {@code null}. */
+    ViewWriter views() {
+        return views;
     }
 
     /** Its codec. */

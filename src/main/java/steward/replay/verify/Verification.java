@@ -15,12 +15,14 @@ import steward.replay.ReplayReader;
  * @param difference the first difference, or {@code null} if there is none
  * @param warning    where the file was cut off, or {@code null}
  * @param impacts    how the impacts of an imported match compare with ours
+ * @param views      what the server's own texts of an imported match are worth: how much of them was compared
  * @param olderLaw   by which law the match was played, where that is older than the one of its rung and nothing was
  *                   compared; otherwise {@code null}
  * @param signature  what its signature is worth; {@code CUT_OFF} wherever it was not reached
  */
 public record Verification(int turns, int states, boolean whole, Difference difference, String warning,
-                           ImpactCounts impacts, String olderLaw, SignatureCheck signature) {
+                           ImpactCounts impacts, ViewCounts views, String olderLaw,
+                           SignatureCheck signature) {
 
     /** The first format in which every line has exactly one accepted form. */
     private static final int SPELLED_SINCE = 3;
@@ -57,15 +59,16 @@ public record Verification(int turns, int states, boolean whole, Difference diff
             return uncompared(replay, null);
         }
         try {
-            return of(replay, new Resimulation(replay.header(), types, replay.source()), asked);
+            return of(replay, new Resimulation(replay.header(), types, replay.source(), !replay.imported() ? null
+                : types.viewWriter(replay.header().game()).orElse(null)), asked);
         } catch (OlderLawException older) {
             return uncompared(replay, older.laws());
         }
     }
 
     private static Verification uncompared(ReplayReader replay, String olderLaw) {
-        return new Verification(0, 0, false, null, replay.warning(), ImpactCounts.NONE, olderLaw,
-            SignatureCheck.UNSIGNED);
+        return new Verification(0, 0, false, null, replay.warning(), ImpactCounts.NONE, ViewCounts.NONE,
+            olderLaw, SignatureCheck.UNSIGNED);
     }
 
     private static Verification of(ReplayReader replay, Resimulation again, int... asked) {
@@ -104,7 +107,7 @@ public record Verification(int turns, int states, boolean whole, Difference diff
             }
         }
         return new Verification(turns, states, whole, difference, replay.warning(), check.impacts(),
-            null, signed.check(whole));
+            check.views(), null, signed.check(whole));
     }
 
     /** Those who are to be asked in the next turn, if there is one. */

@@ -33,22 +33,16 @@ class FantasticBitsRecordingsTest {
 
     @Test
     void everyTurnThatTheConsoleShowsIsReproduced(TestReporter report) throws IOException {
-        List<String> differences = new ArrayList<>();
-        long values = 0;
-        int turns = 0;
-        List<Path> files = GroundTruth.RECORDINGS.files("fantastic-bits", ".txt.gz");
-        for (Path file : files) {
+        GroundTruth.Report all = new GroundTruth.Report(report, "fantastic-bits");
+        for (Path file : GroundTruth.RECORDINGS.files("fantastic-bits", ".txt.gz")) {
             Console console = new Console(file);
             console.compare();
-            values += console.comparison.values();
-            turns += console.game.turn();
-            differences.addAll(console.comparison.differences());
+            all.add(file.getFileName().toString(), console.game.turn(), console.comparison.values(),
+                console.comparison.differences().stream().findFirst().orElse(null),
+                List.of("places, thrusts and targets in words"));
         }
-        GroundTruth.tell(report, "fantastic-bits, recordings: " + files.size() + " games, " + turns + " turns, "
-            + values + " values compared, " + differences.size() + " different");
-
-        assertTrue(turns > 0, "the folder holds games");
-        assertEquals(List.of(), differences.stream().limit(20).toList());
+        assertTrue(all.values() > 0, "the folder holds games");
+        assertEquals(List.of(), all.differences().stream().limit(20).toList());
     }
 
     /** One game, played again while its console is read. */
@@ -144,6 +138,10 @@ class FantasticBitsRecordingsTest {
             List<String> shown = new ArrayList<>();
             int player = 0;
             for (; at < lines.size() && !lines.get(at).startsWith("Sortie"); at++) {
+                if (lines.get(at).equals("End reached")) {
+                    comparison.same("turn " + game.turn() + " is the last", true, game.isOver());
+                    continue;
+                }
                 Matcher caught = CAUGHT.matcher(lines.get(at));
                 if (caught.matches()) {
                     shown.add(caught.group(1) + " caught " + caught.group(2));
@@ -151,6 +149,9 @@ class FantasticBitsRecordingsTest {
                 }
                 Matcher standing = STANDING.matcher(lines.get(at));
                 comparison.same("turn " + game.turn() + " standing is shown", true, standing.matches());
+                if (!standing.matches() || player >= game.players()) {
+                    continue;                                 // what else a console says
+                }
                 comparison.same("turn " + game.turn() + " score", Integer.parseInt(standing.group(1)),
                     game.score(player));
                 comparison.same("turn " + game.turn() + " magic", Integer.parseInt(standing.group(2)),

@@ -51,7 +51,7 @@ class FrozenReplaysTest {
 
     @Test
     void anImportedOneIsVerifiedAsFarAsItGoes() {
-        assertEquals(new Verification(16, 12, true, null, null, ImpactCounts.NONE, null,
+        assertEquals(new Verification(16, 12, true, null, null, ImpactCounts.NONE, ViewCounts.NONE, null,
             SignatureCheck.UNSIGNED),
             Recorded.verify(frozen("format-2-imported")));
     }

@@ -2,12 +2,15 @@ package steward.game.fantasticbits.protocol;
 
 import java.util.List;
 import java.util.Optional;
+import steward.Internal;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.Pilot;
+import steward.game.ServerView;
 import steward.game.TextCodec;
+import steward.game.ViewWriter;
 import steward.game.fantasticbits.Captures;
 import steward.game.fantasticbits.EntityKind;
 import steward.game.fantasticbits.FantasticBits;
@@ -41,6 +44,18 @@ public final class FantasticBitsType implements GameType {
     public String about(Scene scene) {
         return open(scene).settings().variant() == Variant.CONTEST
             ? "Fantastic Bits as it was in the contest of 2016, two players" : about();
+    }
+
+    @Override
+    @Internal
+    public Optional<ServerView> serverView() {
+        return Optional.of(new FantasticBitsView());
+    }
+
+    @Override
+    @Internal
+    public Optional<ViewWriter> viewWriter() {
+        return Optional.of(new FantasticBitsViews());
     }
 
     @Override

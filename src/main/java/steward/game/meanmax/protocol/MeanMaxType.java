@@ -2,6 +2,7 @@ package steward.game.meanmax.protocol;
 
 import java.util.List;
 import java.util.Optional;
+import steward.Internal;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
@@ -9,6 +10,7 @@ import steward.game.GameType;
 import steward.game.Pilot;
 import steward.game.ServerView;
 import steward.game.TextCodec;
+import steward.game.ViewWriter;
 import steward.game.meanmax.MeanMax;
 import steward.game.meanmax.MeanMaxSettings;
 import steward.game.meanmax.MeanMaxWorld;
@@ -38,6 +40,12 @@ public final class MeanMaxType implements GameType {
     @Override
     public String about() {
         return "Mean Max, the official rules, three players";
+    }
+
+    @Override
+    @Internal
+    public Optional<ViewWriter> viewWriter() {
+        return Optional.of(new MeanMaxViews());
     }
 
     @Override

@@ -12,6 +12,7 @@ import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.Pilot;
 import steward.game.TextCodec;
+import steward.game.ViewWriter;
 import steward.game.podrace.PlaceCheck;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodRaceSettings;
@@ -43,6 +44,12 @@ public final class PodRaceType implements GameType {
             new Part("checkpoint sweeps", true, "checkpoints count along the whole path of a turn",
                 Part.When.OUTCOME)));
         return new PodRaceSetup(scene, settings, plan);
+    }
+
+    @Override
+    @Internal
+    public Optional<ViewWriter> viewWriter() {
+        return Optional.of(new PodViews());
     }
 
     private static void checkRoom(Scene scene, PodRaceSettings settings) {

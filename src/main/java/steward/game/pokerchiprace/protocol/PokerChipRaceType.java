@@ -2,6 +2,7 @@ package steward.game.pokerchiprace.protocol;
 
 import java.util.List;
 import java.util.Optional;
+import steward.Internal;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
@@ -9,6 +10,7 @@ import steward.game.GameType;
 import steward.game.Pilot;
 import steward.game.ServerView;
 import steward.game.TextCodec;
+import steward.game.ViewWriter;
 import steward.game.pokerchiprace.ChipEating;
 import steward.game.pokerchiprace.ChipSettings;
 import steward.game.pokerchiprace.OfficialChips;
@@ -34,6 +36,12 @@ public final class PokerChipRaceType implements GameType {
     @Override
     public String about() {
         return "Poker Chip Race, the official rules, two to four players";
+    }
+
+    @Override
+    @Internal
+    public Optional<ViewWriter> viewWriter() {
+        return Optional.of(new ChipViews());
     }
 
     @Override

@@ -17,7 +17,7 @@ import tools.jackson.core.JsonGenerator;
  * frame 0     PokerChipRace, then players, width, height, most turns
  * then        how many chips there are, and a line for each
  * a chip      id owner radius x y rotation points     places from the corner; radius -1.00: eaten in this turn
- *             and t x y radius rotation other         for each of the points
+ *             and t x y radius rotation other         for each of the points, then its message
  * then        an area per player and of all chips; a score per player
  * </pre>
  * What the server's referee was given, {@code refereeInput}, has a line {@code seed=} and the settings of the start.
@@ -37,7 +37,6 @@ final class ShownTable implements ServerView.Shown {
     private static final int MOST = 1_000_000;
 
     private final int players;
-    private final int turns;
     private final StringBuilder fields = new StringBuilder();
     private long seed;
     private final Turn start;
@@ -53,7 +52,6 @@ final class ShownTable implements ServerView.Shown {
             throw first.wrong(SIZES_LINE, "players, width, height and the most turns");
         }
         players = first.whole(sizes[0], ChipSettings.MOST_PLAYERS, SIZES_LINE);
-        turns = first.whole(sizes[SIZES - 1], MOST, SIZES_LINE);
         readInput(first.source(), input);
         start = read(first, FIRST_LINE_OF_START);
     }
@@ -83,7 +81,7 @@ final class ShownTable implements ServerView.Shown {
     @Override
     public String scene() {
         return SceneFiles.load(SCENE).text().replaceFirst("\"players\": [0-9]+", "\"players\": " + players)
-            .replaceFirst("\"maximumTurns\": [0-9]+", "\"maximumTurns\": " + turns + fields);
+            .replaceFirst("\"maximumTurns\": [0-9]+", "$0" + fields);
     }
 
     @Override
@@ -124,8 +122,9 @@ final class ShownTable implements ServerView.Shown {
     private void readChip(ViewLines view, int line, List<ChipView.Chip> chips) {
         String[] words = view.words(line);
         if (words.length < CHIP_WORDS
-            || words.length != CHIP_WORDS + POINT_WORDS * view.whole(words[CHIP_WORDS - 1], MOST, line)) {
-            throw view.wrong(line, "id owner radius x y rotation points, and six words for each point");
+            || words.length < CHIP_WORDS + POINT_WORDS * view.whole(words[CHIP_WORDS - 1], MOST, line)) {
+            throw view.wrong(line, "id owner radius x y rotation points, and six words for each point, perhaps a "
+                + "message");
         }
         int owner = words[1].equals(Integer.toString(ChipTable.NEUTRAL)) ? ChipTable.NEUTRAL
             : view.whole(words[1], players - 1, line);

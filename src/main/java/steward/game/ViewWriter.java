@@ -1,0 +1,77 @@
+package steward.game;
+
+import java.util.List;
+import steward.Internal;
+import steward.scene.Scene;
+
+/**
+ * The views and summaries that the site's server would have shown of a game of ours, frame by frame. Verification
+ * compares them word by word with what was recorded; {@link ServerView} reads the same views.
+ *
+ * <p>In a line the word {@link #ANY} stands for one word that is not compared, and {@link #REST} for all words from
+ * there to the end of the line; as the last line it stands for any lines. Line 0 of a view holds its number, which the
+ * import has checked.
+ *
+ * <p>Calls: {@link #observed}, {@link #begin}, {@link #start}, then for each turn {@link #before} and {@link #after}.
+ */
+@Internal
+public interface ViewWriter {
+
+    /** One word that is not compared. */
+    String ANY = "*";
+    /** Words, or none, that are not compared, up to the end of the line. */
+    String REST = "**";
+
+    /**
+     * A frame that ends a turn.
+     *
+     * @param view    its lines; line 0 is the number, and what the server says behind it
+     * @param summary its lines
+     */
+    record Frame(List<String> view, List<String> summary) {
+    }
+
+    /** What stands where {@link #ANY} and {@link #REST} do, in words for people; each a plural. */
+    List<String> notCompared();
+
+    /** The scene with an observer, where a view shows more of a turn than the game keeps. */
+    default Scene observed(Scene scene) {
+        return scene;
+    }
+
+    /** Takes the game, before its first turn. */
+    void begin(Game game);
+
+    /** Frame 0. */
+    Frame start();
+
+    /** Keeps what the turn that is about to be played changes; its commands are read. */
+    void before();
+
+    /**
+     * The view of an answer that does not end the turn; asked for before {@link #after}.
+     *
+     * @param answer counted from 0 in each turn
+     */
+    default List<String> answer(int answer) {
+        return List.of(ANY + " " + REST);
+    }
+
+    /**
+     * The frame that ends the turn just played.
+     *
+     * @param messages per player what was said in this turn, joined, or {@code null}
+     * @param shown    the lines of the recorded view, of which nothing but the place of the messages is taken
+     */
+    Frame after(String[] messages, List<String> shown);
+
+    /** True if a source may leave out all lines of a view from this one on. */
+    default boolean mayEndAt(int line) {
+        return false;
+    }
+
+    /** The final score of each player as the server tells it; {@code null} where that is the game's own. */
+    default double[] scores() {
+        return null;
+    }
+}

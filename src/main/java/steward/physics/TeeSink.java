@@ -1,0 +1,42 @@
+package steward.physics;
+
+import steward.Internal;
+
+/**
+ * A sink that hands on to another what it is told of a turn, and may look at it itself.
+ *
+ * @param target whom the turn is for
+ * @param other  who looks on, and hears everything first
+ */
+@Internal
+public record TeeSink(TurnSink target, TurnSink other) implements TurnSink {
+
+    @Override
+    public void impact(double time, int a, int b, double ax, double ay, double bx, double by,
+                       double normalX, double normalY, double impulse, double energy, double massA, double massB,
+                       double vaxBefore, double vayBefore, double vaxAfter, double vayAfter,
+                       double vbxBefore, double vbyBefore, double vbxAfter, double vbyAfter) {
+        other.impact(time, a, b, ax, ay, bx, by, normalX, normalY, impulse, energy, massA, massB, vaxBefore, vayBefore,
+            vaxAfter, vayAfter, vbxBefore, vbyBefore, vbxAfter, vbyAfter);
+        target.impact(time, a, b, ax, ay, bx, by, normalX, normalY, impulse, energy, massA, massB, vaxBefore, vayBefore,
+            vaxAfter, vayAfter, vbxBefore, vbyBefore, vbxAfter, vbyAfter);
+    }
+
+    @Override
+    public void knot(int bodyId, double time, double x, double y) {
+        other.knot(bodyId, time, x, y);
+        target.knot(bodyId, time, x, y);
+    }
+
+    @Override
+    public void fact(double time, int kind, int a, int b, double x, double y, double p, double q) {
+        other.fact(time, kind, a, b, x, y, p, q);
+        target.fact(time, kind, a, b, x, y, p, q);
+    }
+
+    @Override
+    public void impactLimit(double time, int[] bodyIds) {
+        other.impactLimit(time, bodyIds);
+        target.impactLimit(time, bodyIds);
+    }
+}
