@@ -141,8 +141,8 @@ final class ObservedGame implements ServerObservations {
             int now = pods.get(pod).nextCheckpoint();
             passed[pod] += Math.floorMod(now - next[pod], count);
             next[pod] = now;
-            if (passed[pod] == toFinish - 1 && race.pod(pod).passed() == toFinish) {
-                passed[pod] = toFinish;
+            if (now == 0 && passed[pod] >= toFinish - 1 && race.passed(pod) >= toFinish) {
+                passed[pod] = race.passed(pod);
             }
         }
     }

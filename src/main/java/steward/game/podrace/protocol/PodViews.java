@@ -72,7 +72,7 @@ final class PodViews implements ViewWriter {
         view.add(line.toString());
         int[] first = new int[race.settings().pods()];
         for (int pod = 0; pod < first.length; pod++) {
-            view.add(place(pod) + " 0 0 null null null 0 " + next(pod) + " 1");
+            view.add(place(pod) + " 0 0 null null null 0 " + race.nextCheckpoint(pod) + " 1");
             view.add("\"\"");
         }
         view.add(counters(first));
@@ -109,8 +109,8 @@ final class PodViews implements ViewWriter {
             double heading = race.heading(pod);
             view.add(place(pod) + " " + power(pod) + " " + (race.isIn(player) ? 0 : 1) + " "
                 + (commanded ? race.targetX(pod) + " " + race.targetY(pod) : "null null") + " "
-                + (Double.isNaN(heading) ? "null" : heading) + " " + (shield[pod] ? 1 : 0) + " " + next(pod) + " "
-                + (ranks[pod] + 1));
+                + (Double.isNaN(heading) ? "null" : heading) + " " + (shield[pod] ? 1 : 0) + " "
+                + race.nextCheckpoint(pod) + " " + (ranks[pod] + 1));
             int line = view.size();
             String text = line < shown.size() ? shown.get(line).strip().replaceAll("^\"|\"$", "") : "";
             boolean last = pod == thrust.length - 1 || race.playerOf(pod + 1) != player;
@@ -144,11 +144,6 @@ final class PodViews implements ViewWriter {
 
     private boolean hasFinished(int pod) {
         return race.passed(pod) >= race.settings().laps() * race.checkpoints().length;
-    }
-
-    /** The pod that has finished shows the last checkpoint of the race as its next. */
-    private int next(int pod) {
-        return hasFinished(pod) ? 0 : race.nextCheckpoint(pod);
     }
 
     /** Per pod how many ranks are before its own; pods of players who are out come last, pods that tie share one. */
