@@ -2,7 +2,9 @@ package steward.contest;
 
 import java.io.UncheckedIOException;
 import java.util.ArrayDeque;
+import java.util.Arrays;
 import java.util.Deque;
+import java.util.Objects;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 import steward.Internal;
@@ -36,8 +38,17 @@ public final class PairedPlay {
     /** A game that has been played before. */
     public interface Known {
 
-        /** What it came to, by player, more is better; {@code null} if it is not known. */
-        double[] values(long seed, int rotation);
+        /** What it came to; {@code null} if it is not known. */
+        Past game(long seed, int rotation);
+    }
+
+    /**
+     * A game that is over.
+     *
+     * @param transcript see {@link GameFacts}
+     * @param values     by player, more is better
+     */
+    public record Past(long transcript, double... values) {
     }
 
     /** Takes the results of seeds, in their order. */
@@ -50,19 +61,23 @@ public final class PairedPlay {
     /**
      * All games of a seed.
      *
-     * @param seed   it
-     * @param values by rotation and player, more is better; {@code null} for a game without a result
+     * @param seed  it
+     * @param games by rotation; {@code null} for a game without a result
      */
-    public record Seed(long seed, double[]... values) {
+    public record Seed(long seed, Past... games) {
 
         /** Whether every game has a result. */
         public boolean isWhole() {
-            for (double[] each : values) {
-                if (each == null) {
-                    return false;
-                }
+            return Arrays.stream(games).allMatch(Objects::nonNull);
+        }
+
+        /** Adds the games. @return true if each had been played before, see {@link Repeats} */
+        public boolean isRepeat(Repeats repeats) {
+            boolean all = true;
+            for (int rotation = 0; rotation < games.length; rotation++) {
+                all &= repeats.isRepeat(rotation, games[rotation].transcript());
             }
-            return true;
+            return all;
         }
 
         /**
@@ -73,16 +88,16 @@ public final class PairedPlay {
             int bots = contest.entrants().size();
             double sum = 0;
             if (contest.isAlone()) {
-                return Math.signum(values[one][0] - values[other][0]);
+                return Math.signum(games[one].values()[0] - games[other].values()[0]);
             }
-            for (int rotation = 0; rotation < values.length; rotation++) {
+            for (int rotation = 0; rotation < games.length; rotation++) {
                 for (int player = 0; player < bots; player++) {
                     int bot = contest.entrantOf(player, rotation);
-                    sum += bot == one ? points(values[rotation], player)
-                        : bot == other ? -points(values[rotation], player) : 0;
+                    sum += bot == one ? points(games[rotation].values(), player)
+                        : bot == other ? -points(games[rotation].values(), player) : 0;
                 }
             }
-            return sum / values.length;
+            return sum / games.length;
         }
 
         private static double points(double[] values, int player) {
@@ -136,12 +151,12 @@ public final class PairedPlay {
         while (!over && waiting.isEmpty()) {
             long seed = first + begun;
             int games = contest.isAlone() ? contest.entrants().size() : contest.players();
-            double[][] values = new double[games][];
-            open.put(begun, new Seed(seed, values));
+            Past[] past = new Past[games];
+            open.put(begun, new Seed(seed, past));
             missing.put(begun, 0);
             for (int rotation = 0; rotation < games; rotation++) {
-                values[rotation] = known.values(seed, rotation);
-                if (values[rotation] == null) {
+                past[rotation] = known.game(seed, rotation);
+                if (past[rotation] == null) {
                     waiting.add(new Game(begun, seed, rotation));
                     missing.merge(begun, 1, Integer::sum);
                 }
@@ -187,7 +202,8 @@ public final class PairedPlay {
         keeper.accept(played);
         synchronized (this) {
             Seed seed = open.get(game.number());
-            seed.values()[game.rotation()] = played.result() == null ? null : values(played.result());
+            seed.games()[game.rotation()] = played.result() == null ? null
+                : new Past(played.facts().transcript(), values(played.result()));
             missing.merge(game.number(), -1, Integer::sum);
             deliver();
         }

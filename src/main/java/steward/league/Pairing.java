@@ -1,6 +1,7 @@
 package steward.league;
 
 import java.util.List;
+import java.util.function.Predicate;
 
 /**
  * Decides who plays next. What it is told of decisions is all of them; of their results, in a pairing that uses them,
@@ -17,9 +18,15 @@ public interface Pairing {
     /**
      * Chooses the versions of the next decision.
      *
-     * @return from the lowest
+     * @param wanted true of groups that may be chosen
+     * @return from the lowest; {@code null} if no group may
      */
-    int[] choose();
+    int[] choose(Predicate<int[]> wanted);
+
+    /** Chooses among all groups. */
+    default int[] choose() {
+        return choose(group -> true);
+    }
 
     /** Tells it that these versions were decided on so many times, now or in an earlier run. */
     void made(int times, int... versions);

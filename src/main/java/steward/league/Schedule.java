@@ -36,6 +36,7 @@ public final class Schedule {
 
     private List<Integer> active = List.of();
     private Pairing pairing;
+    private RepeatedGroups repeated;
     private IntPredicate end = number -> false;
     private boolean ended;
     private int next;
@@ -64,6 +65,7 @@ public final class Schedule {
         this.lag = lag;
         this.earlier = earlier;
         last = earlier.last();
+        repeated = new RepeatedGroups(players == 1);
     }
 
     /**
@@ -81,6 +83,17 @@ public final class Schedule {
             untold.putAll(made);
         }
         waiting.removeIf(task -> Arrays.stream(task.lineup()).anyMatch(version -> !active.contains(version)));
+    }
+
+    /** Asks no more for groups whose games only repeat earlier ones; it ends where there are no others. */
+    public void without(RepeatedGroups groups) {
+        repeated = groups;
+    }
+
+    /** True if it has ended since all groups only repeat games. */
+    public boolean isRepeated() {
+        return ended && (players == 1 ? repeated.isRepeated()
+            : pairing.choose(group -> !repeated.isRepeated(group)) == null);
     }
 
     /** Ends it before the first decision without games of which this is true; each is asked about when it is due. */
@@ -156,7 +169,8 @@ public final class Schedule {
             return;
         }
         List<int[]> done = earlier.take(number);
-        if (done.isEmpty() && number > last && end.test(number)) {
+        repeated.goTo(number - lag + 1);
+        if (done.isEmpty() && number > last && (players == 1 && repeated.isRepeated() || end.test(number))) {
             ended = true;
             next--;
             return;
@@ -167,6 +181,11 @@ public final class Schedule {
             lineups = active.stream().map(version -> new int[] {version}).toList();
         } else {
             int[] versions = done.isEmpty() ? choose(number) : Decision.sorted(done.get(0));
+            if (versions == null) {
+                ended = true;
+                next--;
+                return;
+            }
             made(1, versions);
             lineups = Decision.rotations(versions);
         }
@@ -189,7 +208,7 @@ public final class Schedule {
         untold.forEach((group, times) -> pairing.made(times, group.stream().mapToInt(version -> version).toArray()));
         untold.clear();
         pairing.next(number);
-        return pairing.choose();
+        return pairing.choose(group -> !repeated.isRepeated(group));
     }
 
     /** A game is over, or will not be. */

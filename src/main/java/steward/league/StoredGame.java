@@ -44,6 +44,12 @@ public record StoredGame(long id, byte[] name, int decision, long seed, int atte
         this(id, name, decision, seed, attempt, counts, turns, problem, played, machine, replay, 0, seats);
     }
 
+    /** The game as one that repeats no other. */
+    public StoredGame withoutTranscript() {
+        return new StoredGame(id, name, decision, seed, attempt, counts, turns, problem, played, machine, replay,
+            seats);
+    }
+
     /**
      * One player of a game.
      *

@@ -107,6 +107,7 @@ function drawTable() {
   element('meaning').textContent = 'Rating: Elo by a joint fit of all games; 0 is the mean by games. The '
     + 'band is its 95% bar for a number of games that was fixed before, the line the one that holds however often one looks '
     + 'and whenever one stops. Ranks: what the games leave open, with 95%.'
+    + (league.repeats ? ` ${league.repeats} more games only repeat earlier ones and do not count.` : '')
     + (league.again ? ` ${league.again} more games were played again, since others used the processors.` : '')
     + (league.without ? ` ${league.without} more have no result.` : '');
 }

@@ -96,15 +96,9 @@ final class PlainSchedule {
         Map<List<Integer>, Integer> counts = new HashMap<>();
         made.forEach(group -> counts.merge(group, 1, Integer::sum));
         List<Integer> best = null;
-        for (int set = (1 << active.size()) - 1; set >= 0; set--) {     // from the set of the lowest versions on
-            List<Integer> group = new ArrayList<>();
-            for (int k = 0; k < active.size(); k++) {
-                if ((set >> active.size() - 1 - k & 1) == 1) {
-                    group.add(active.get(k));
-                }
-            }
-            if (group.size() == players && (best == null
-                || counts.getOrDefault(group, 0) < counts.getOrDefault(best, 0))) {
+        for (int[] each : RoundOrder.groups(active, players, -1)) {
+            List<Integer> group = Arrays.stream(each).boxed().toList();
+            if (best == null || counts.getOrDefault(group, 0) < counts.getOrDefault(best, 0)) {
                 best = group;
             }
         }

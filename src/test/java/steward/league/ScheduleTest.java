@@ -1,20 +1,26 @@
 package steward.league;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.TreeSet;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The order of games: the same however many threads play them and wherever a run is interrupted. */
@@ -45,11 +51,81 @@ class ScheduleTest {
     @Test
     void everyPairMeetsEquallyOftenFromBothSides() {
         List<String> games = straight(2, 1, 2, 3);
-        assertEquals(List.of("0 100 [1, 2]", "0 100 [2, 1]", "1 101 [1, 3]", "1 101 [3, 1]", "2 102 [2, 3]",
-            "2 102 [3, 2]", "3 103 [1, 2]"), games.subList(0, 7));
+        assertEquals(List.of("0 100 [1, 3]", "0 100 [3, 1]", "1 101 [2, 3]", "1 101 [3, 2]", "2 102 [1, 2]",
+            "2 102 [2, 1]", "3 103 [1, 3]"), games.subList(0, 7));
         Map<String, Integer> counts = new HashMap<>();
         games.forEach(game -> counts.merge(game.replaceAll(".*\\[", ""), 1, Integer::sum));
         assertEquals(Map.of("1, 2]", 10, "2, 1]", 10, "1, 3]", 10, "3, 1]", 10, "2, 3]", 10, "3, 2]", 10), counts);
+    }
+
+    /** By the circle method nobody is ever more than a game ahead; with three and four players by two at most. */
+    @ParameterizedTest
+    @CsvSource({"2, 25, 1", "3, 12, 2", "4, 10, 2"})
+    void everyBeginningOfAScheduleIsEven(int players, int most, int ahead) {
+        for (int bots = players; bots <= most; bots++) {
+            int[] games = new int[bots];
+            List<int[]> groups = RoundOrder.groups(IntStream.range(0, bots).boxed().toList(), players, -1);
+            Set<List<Integer>> all = new HashSet<>();
+            for (int[] group : groups) {
+                all.add(Arrays.stream(group).boxed().toList());
+                IntStream.of(group).forEach(bot -> games[bot]++);
+                int apart = IntStream.of(games).max().orElseThrow() - IntStream.of(games).min().orElseThrow();
+                assertTrue(apart <= ahead, players + " players, " + bots + " bots: " + Arrays.toString(games));
+            }
+            assertEquals(groups.size(), all.size(), "each group once");
+            assertEquals(1, IntStream.of(games).distinct().count(), "a round is even");
+        }
+    }
+
+    @Test
+    void inAGauntletTheOthersTakeTurns() {
+        List<int[]> groups = RoundOrder.groups(List.of(1, 2, 3, 4), 2, 3);
+        assertEquals(List.of("[1, 3]", "[2, 3]", "[3, 4]"), groups.stream().map(Arrays::toString).sorted().toList());
+        assertEquals(3, RoundOrder.groups(List.of(1, 2, 3, 4), 3, 1).size());
+        assertThrows(IllegalArgumentException.class,
+            () -> RoundOrder.groups(IntStream.range(0, 200).boxed().toList(), 4, -1));
+    }
+
+    /**
+     * 20 games of each lineup after the first are repeats: bots 1 and 2, whose games are all alike, then play no more.
+     */
+    @Test
+    void groupsThatOnlyRepeatGamesAreNotAskedForMore() {
+        Schedule schedule = new Schedule(100, 2, 1, new EarlierGames());
+        RepeatedGroups repeated = new RepeatedGroups(false);
+        schedule.without(repeated);
+        schedule.play(List.of(1, 2, 3), versions -> Pairing.roundRobin(versions, 2));
+        Map<String, Integer> counts = new HashMap<>();
+        for (Schedule.Task task = schedule.next(300); task != null; task = schedule.next(300)) {
+            boolean alike = Arrays.stream(task.lineup()).sum() == 3;
+            repeated.add(task.decision(), alike ? 7 + task.lineup()[0] : task.seed(), task.lineup());
+            counts.merge(Decision.sorted(task.lineup())[0] + " " + Decision.sorted(task.lineup())[1], 1, Integer::sum);
+            schedule.over(task);
+        }
+        assertEquals(22, counts.get("1 2"), "two that are new and twenty that repeat them");
+        assertEquals(278, counts.get("1 3") + counts.get("2 3"));
+        assertFalse(schedule.isRepeated());
+    }
+
+    @Test
+    void aScheduleOfNothingButRepeatsEnds() {
+        for (int players = 1; players <= 3; players++) {
+            Schedule schedule = new Schedule(100, players, 3, new EarlierGames());
+            RepeatedGroups repeated = new RepeatedGroups(players == 1);
+            schedule.without(repeated);
+            schedule.play(List.of(1, 2, 3), versions -> Pairing.roundRobin(versions, 3));
+            if (players == 2) {
+                schedule.play(List.of(1, 2, 3), versions -> Pairing.roundRobin(versions, 2));
+            }
+            int games = 0;
+            for (Schedule.Task task = schedule.next(1000); task != null; task = schedule.next(1000)) {
+                repeated.add(task.decision(), 5, task.lineup());
+                games++;
+                schedule.over(task);
+            }
+            assertTrue(games < 100, players + " players, " + games + " games");
+            assertTrue(schedule.isRepeated());
+        }
     }
 
     @Test

@@ -16,6 +16,7 @@ import steward.bot.command.BotCommand;
 import steward.cli.shared.Games;
 import steward.contest.Contest;
 import steward.contest.Failure;
+import steward.contest.PairedPlay;
 import steward.contest.Series;
 import steward.files.InputException;
 import steward.league.BotIdentity;
@@ -42,6 +43,7 @@ public final class StoredSeries implements AutoCloseable {
     private final Contest contest;
     private final String machine;
     private final Map<Integer, Version> versions = new HashMap<>();
+    private boolean random;
 
     private StoredSeries(GameStore store, Season season, int number, Contest contest, String machine) {
         this.store = store;
@@ -93,6 +95,7 @@ public final class StoredSeries implements AutoCloseable {
             Contest.Entrant entrant = contest.entrants().get(k);
             String command = BotCommand.parse(entrant.bot()).name() == null ? entrant.bot()
                 : entrant.bot().substring(entrant.bot().indexOf('=') + 1);
+            random |= settings.bot(entrant.name()).filter(LeagueBot::random).isPresent();
             List<String> files = settings.bot(entrant.name()).filter(bot -> bot.command().equals(command))
                 .map(LeagueBot::files).orElse(null);
             String name = LeagueReader.NAME.matcher(entrant.name()).matches() ? entrant.name() : "bot-" + (k + 1);
@@ -137,8 +140,8 @@ public final class StoredSeries implements AutoCloseable {
             found.worstNanos(), found.firstNanos(), game.facts().values(player));
     }
 
-    /** The game as it is stored, by player, more is better; {@code null} if it is not there. */
-    public double[] values(long seed, int rotation) {
+    /** The game as it is stored; {@code null} if it is not there. */
+    public PairedPlay.Past game(long seed, int rotation) {
         List<String> identities = new ArrayList<>();
         for (int player = 0; player < season.players(); player++) {
             identities.add(versions.get(contest.entrantOf(player, rotation)).identity());
@@ -146,7 +149,7 @@ public final class StoredSeries implements AutoCloseable {
         for (int attempt = 1; attempt <= 2; attempt++) {
             Optional<GameStore.Outcome> found = store.outcome(GameName.of(season, seed, identities, attempt));
             if (found.isPresent()) {
-                return values(found.get());
+                return new PairedPlay.Past(found.get().transcript(), values(found.get()));
             }
         }
         return null;
@@ -175,6 +178,11 @@ public final class StoredSeries implements AutoCloseable {
         List<String> identities = IntStream.range(0, versions.size()).mapToObj(k -> versions.get(k).identity())
             .toList();
         return ByteBuffer.wrap(GameName.of(season, 0, identities, 0)).getLong() >>> 2;
+    }
+
+    /** True if a bot is marked as one that draws by lot: equal games of its are independent draws. */
+    public boolean isRandom() {
+        return random || versions.values().stream().anyMatch(Version::random);
     }
 
     /** Refuses bots of which the first two have the same program. */

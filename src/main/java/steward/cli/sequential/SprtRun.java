@@ -13,6 +13,7 @@ import steward.cli.shared.Verbosity;
 import steward.contest.Contest;
 import steward.contest.Hiccups;
 import steward.contest.PairedPlay;
+import steward.contest.Repeats;
 import steward.league.sequential.Gsprt;
 import steward.league.sequential.ScoreCounts;
 
@@ -33,8 +34,12 @@ public final class SprtRun {
     private final StoredSeries store;
     private final Verbosity report;
     private final SprtText text;
+    private final boolean random;
     /** Guarded by this, as is all below. */
     private final ScoreCounts scores;
+    private final Repeats seen = new Repeats();
+    private long repeats;
+    private int repeatsInARow;
     private long without;
     private int withoutInARow;
     private long told = System.nanoTime();
@@ -50,6 +55,7 @@ public final class SprtRun {
         this.budget = budget;
         this.store = store;
         this.report = report;
+        random = store != null && store.isRandom();
         scores = new ScoreCounts(contest.isAlone() ? 1 : contest.players());
         text = new SprtText(test, contest.entrants().get(0).name(), contest.entrants().get(1).name());
     }
@@ -67,7 +73,7 @@ public final class SprtRun {
         }
         AtomicBoolean over = new AtomicBoolean();
         PairedPlay play = new PairedPlay(contest, first, Hiccups.REPLAY,
-            store == null ? (seed, rotation) -> null : store::values, store == null ? game -> { } : store::add,
+            store == null ? (seed, rotation) -> null : store::game, store == null ? game -> { } : store::add,
             this::take);
         if (!takeStored(first)) {
             return end();
@@ -89,11 +95,12 @@ public final class SprtRun {
             if (seed >= first && seed < first + OWN) {
                 continue;
             }
-            double[][] values = new double[contest.isAlone() ? contest.entrants().size() : contest.players()][];
-            for (int rotation = 0; rotation < values.length; rotation++) {
-                values[rotation] = store.values(seed, rotation);
+            PairedPlay.Past[] games =
+                new PairedPlay.Past[contest.isAlone() ? contest.entrants().size() : contest.players()];
+            for (int rotation = 0; rotation < games.length; rotation++) {
+                games[rotation] = store.game(seed, rotation);
             }
-            PairedPlay.Seed found = new PairedPlay.Seed(seed, values);
+            PairedPlay.Seed found = new PairedPlay.Seed(seed, games);
             if (found.isWhole() && !take(found)) {
                 return false;
             }
@@ -102,8 +109,13 @@ public final class SprtRun {
     }
 
     private synchronized boolean take(PairedPlay.Seed seed) {
-        if (seed.isWhole()) {
+        if (seed.isWhole() && !random && seed.isRepeat(seen)) {
+            repeats++;
+            repeatsInARow++;
+            withoutInARow = 0;
+        } else if (seed.isWhole()) {
             scores.add((1 + seed.difference(contest, 0, 1)) / 2);
+            repeatsInARow = 0;
             withoutInARow = 0;
         } else {
             without++;
@@ -114,7 +126,8 @@ public final class SprtRun {
             streams.err().println(text.standing(scores));
         }
         return test.state(scores) == Gsprt.State.OPEN && withoutInARow < MOST_WITHOUT
-            && (scores.observations() + without + 1) * scores.games() <= budget;
+            && repeatsInARow < Repeats.ENOUGH
+            && (scores.observations() + without + repeats + 1) * scores.games() <= budget;
     }
 
     private synchronized int end() {
@@ -124,14 +137,19 @@ public final class SprtRun {
             return ExitStatus.FAILED;
         }
         tell();
+        if (repeatsInARow >= Repeats.ENOUGH) {
+            streams.err().println("steward: the test ends undecided: the last " + Repeats.ENOUGH + " seeds repeat "
+                + "games that were played before. These bots play alike whatever the seed is, so that more games tell "
+                + "nothing");
+        }
         return ExitStatus.DONE;
     }
 
     private void tell() {
         switch (report) {
-            case JSON -> Json.print(streams, out -> text.json(out, scores, without));
-            case LINE -> streams.out().println(text.lines(scores, without, streams.outColour()).get(1));
-            default -> text.lines(scores, without, streams.outColour()).forEach(streams.out()::println);
+            case JSON -> Json.print(streams, out -> text.json(out, scores, without, repeats));
+            case LINE -> streams.out().println(text.lines(scores, without, repeats, streams.outColour()).get(1));
+            default -> text.lines(scores, without, repeats, streams.outColour()).forEach(streams.out()::println);
         }
     }
 

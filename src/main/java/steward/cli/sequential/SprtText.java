@@ -15,6 +15,9 @@ import tools.jackson.core.JsonGenerator;
 /** How a test stands, for people and for programs. */
 final class SprtText {
 
+    /** Half the width of a bar that says nothing: a score at its end could be even. */
+    private static final double VOID = 0.5;
+
     private final Gsprt test;
     private final String one;
     private final String other;
@@ -56,12 +59,13 @@ final class SprtText {
 
     /** Games that are to be expected until it ends, if things go on as they went. */
     private long expectedGames(ScoreCounts scores) {
-        return Math.round(scores.games() * ExpectedLength.of(test, scores.mean(), Math.sqrt(scores.variance()),
-            scores.games(), test.ratio(scores)).observations());
+        long least = Math.max(1, Gsprt.LEAST - scores.observations());
+        double expected = ExpectedLength.of(test, scores, test.ratio(scores)).observations();
+        return Math.round(scores.games() * Math.max(least, expected));
     }
 
     /** How it ended or stands. */
-    List<String> lines(ScoreCounts scores, long without, Colour colour) {
+    List<String> lines(ScoreCounts scores, long without, long repeats, Colour colour) {
         List<String> lines = new ArrayList<>();
         Gsprt.State state = test.state(scores);
         String result = switch (state) {
@@ -70,22 +74,30 @@ final class SprtText {
             case OPEN -> "not decided";
         };
         lines.add(heading());
-        lines.add(colour.strong(ratio(scores) + ": " + result) + left(scores));
+        lines.add(colour.strong(ratio(scores) + ": " + result)
+            + (repeats > 0 ? "" : left(scores)));
         lines.add(TextFormat.count(scores.observations(), "seed") + ", "
             + TextFormat.count(scores.observations() * scores.games(), "game") + (without == 0 ? ""
-            : ", " + TextFormat.count(without, "seed") + " without a result left out"));
+            : ", " + TextFormat.count(without, "seed") + " without a result left out")
+            + (repeats == 0 ? "" : ", " + TextFormat.count(repeats, "seed") + " that only repeat games left out"));
         lines.add("Scores by seed: " + scores.counts().entrySet().stream().filter(each -> each.getValue() > 0)
             .map(each -> TextFormat.number(each.getKey(), 3) + " " + each.getValue() + " times")
             .collect(Collectors.joining(", ")));
         if (scores.observations() > 1) {
             double mean = scores.mean();
-            double bar = Math.min(1, Gsprt.anytimeBar(scores));
-            lines.add("Score " + TextFormat.fixed(mean, 4) + " ± " + TextFormat.fixed(bar, 4) + ", " + model()
-                + " Elo " + elo(mean, scores) + " (" + elo(Math.max(0, mean - bar), scores) + " to "
-                + elo(Math.min(1, mean + bar), scores)
+            double bar = Gsprt.anytimeBar(scores);
+            String score = "Score " + TextFormat.fixed(mean, 4);
+            lines.add(isVoid(scores) ? score + ", of too few seeds for a bar" : score + " ± "
+                + TextFormat.fixed(bar, 4) + ", " + model() + " Elo " + elo(mean, scores) + " ("
+                + elo(Math.max(0, mean - bar), scores) + " to " + elo(Math.min(1, mean + bar), scores)
                 + "), 95% at any time");
         }
         return lines;
+    }
+
+    /** True if the bar is too wide to say anything. */
+    private static boolean isVoid(ScoreCounts scores) {
+        return Gsprt.anytimeBar(scores) >= VOID;
     }
 
     private String elo(double mean, ScoreCounts scores) {
@@ -94,7 +106,7 @@ final class SprtText {
     }
 
     /** The fields of JSON. */
-    void json(JsonGenerator out, ScoreCounts scores, long without) {
+    void json(JsonGenerator out, ScoreCounts scores, long without, long repeats) {
         out.writeStringProperty("state", test.state(scores).name());
         out.writeStringProperty("model", model());
         out.writeNumberProperty("elo0", test.elo0());
@@ -105,6 +117,7 @@ final class SprtText {
         out.writeNumberProperty("seeds", scores.observations());
         out.writeNumberProperty("gamesOfSeed", scores.games());
         out.writeNumberProperty("without", without);
+        out.writeNumberProperty("repeats", repeats);
         out.writeArrayPropertyStart("scores");
         scores.counts().forEach((score, count) -> {
             out.writeStartArray();
@@ -115,7 +128,7 @@ final class SprtText {
         out.writeEndArray();
         if (scores.observations() > 1) {
             out.writeNumberProperty("score", scores.mean());
-            out.writeNumberProperty("bar", Math.min(1, Gsprt.anytimeBar(scores)));
+            JsonNumbers.writeOrNull(out, "bar", isVoid(scores) ? Double.NaN : Gsprt.anytimeBar(scores));
             JsonNumbers.writeOrNull(out, "elo", finite(test.elo(scores.mean(), scores)));
             if (test.state(scores) == Gsprt.State.OPEN) {
                 out.writeNumberProperty("gamesLeft", expectedGames(scores));

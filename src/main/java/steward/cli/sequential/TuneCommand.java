@@ -3,7 +3,9 @@ package steward.cli.sequential;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
@@ -30,6 +32,7 @@ import steward.cli.shared.Verbosity;
 import steward.contest.Contest;
 import steward.contest.Hiccups;
 import steward.contest.PairedPlay;
+import steward.contest.Repeats;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.game.GameSetup;
@@ -56,6 +59,10 @@ public final class TuneCommand implements Callable<Integer> {
 
     private static final long TELL_NANOS = TimeUnit.SECONDS.toNanos(10);
     private static final int MOST_SEEDS = 1000;
+    /** Steps in a row of which every game was played before: the search ends. */
+    private static final int STALE = 10;
+    /** Steps before there is a result: a quarter of the path is one of them. */
+    private static final int LEAST_STEPS = 4;
     private static final double ALPHA = 0.05;
     private static final double GAIN = 20;
     private static final String PREFIX = "tune.";
@@ -119,6 +126,9 @@ public final class TuneCommand implements Callable<Integer> {
     private GameSetup setup;
     private TunedCommand command;
     private double factor;
+    private final Map<List<String>, Repeats> seen = new HashMap<>();
+    /** True if a game of the step was not played before. */
+    private boolean fresh;
     private long told = System.nanoTime();
 
     public TuneCommand(Streams streams) {
@@ -167,17 +177,32 @@ public final class TuneCommand implements Callable<Integer> {
             search(search, first);
             interruption.over();
         }
+        if (!search.isOver()) {
+            streams.err().println("steward: the search ends after " + TextFormat.count(search.step(), "step")
+                + ": in the last " + STALE + " every game was one that had been played before. These bots play alike "
+                + "whatever the seed is, and the values differ in nothing that is seen");
+        }
+        if (search.step() < LEAST_STEPS) {
+            streams.out().println("Start:  " + command.text(command.start()));
+            streams.out().println("Result: withheld, " + TextFormat.count(search.step(), "step") + " of "
+                + TextFormat.count(ofStep, "game") + " tell nothing yet; " + LEAST_STEPS + " steps are --games "
+                + LEAST_STEPS * ofStep);
+            return ExitStatus.DONE;
+        }
         tell(search);
         return test(search, first);
     }
 
     private void search(Spsa search, long first) throws InterruptedException {
-        while (!search.isOver()) {
+        int stale = 0;
+        while (!search.isOver() && stale < STALE) {
+            fresh = false;
             long at = first + (long) search.step() * seeds;
             double plus = score(search.trial(1), at);
             double minus = command.with(search.trial(1)).equals(command.with(search.trial(-1))) ? plus
                 : score(search.trial(-1), at);
             search.go(plus, minus);
+            stale = fresh ? 0 : stale + 1;
             if (System.nanoTime() - told > TELL_NANOS) {
                 told = System.nanoTime();
                 streams.err().println("step " + search.step() + ": " + command.text(search.path().get(search.step())));
@@ -205,6 +230,11 @@ public final class TuneCommand implements Callable<Integer> {
         }
     }
 
+    /** The programs that play, whatever they are called. */
+    private static List<String> players(Contest contest) {
+        return contest.entrants().stream().map(entrant -> String.join(" ", entrant.words())).toList();
+    }
+
     /** Mean score of these values on some seeds, 0..1. */
     private double score(double[] places, long firstSeed) throws InterruptedException {
         double[] sum = new double[1];
@@ -215,9 +245,11 @@ public final class TuneCommand implements Callable<Integer> {
                     : StoredSeries.open(OutputFiles.path(into), contest, factor, sandbox.variables())) {
                 int[] over = new int[1];
                 new PairedPlay(contest, firstSeed, Hiccups.REPLAY,
-                    store == null ? (number, rotation) -> null : store::values,
+                    store == null ? (number, rotation) -> null : store::game,
                     store == null ? game -> { } : store::add, result -> {
                         if (result.isWhole()) {
+                            fresh |= !result.isRepeat(seen.computeIfAbsent(players(contest), key -> new Repeats()))
+                                || store != null && store.isRandom();
                             sum[0] += (1 + result.difference(contest, 0, 1)) / 2;
                             count[0]++;
                         }

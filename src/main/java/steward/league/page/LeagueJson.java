@@ -27,6 +27,7 @@ public final class LeagueJson {
         out.writeStringProperty("limits", season.limits());
         out.writeNumberProperty("players", season.players());
         out.writeNumberProperty("games", table.results().games());
+        out.writeNumberProperty("repeats", table.results().repeats());
         out.writeNumberProperty("again", table.results().playedAgain());
         out.writeNumberProperty("without", table.results().withoutResult());
         out.writeArrayPropertyStart("bots");

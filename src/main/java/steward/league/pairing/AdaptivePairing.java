@@ -6,7 +6,10 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.IntFunction;
+import java.util.function.IntPredicate;
+import java.util.function.Predicate;
 import steward.league.Pairing;
+import steward.league.RoundOrder;
 import steward.league.rating.Ratings;
 
 /**
@@ -28,21 +31,19 @@ import steward.league.rating.Ratings;
 public final class AdaptivePairing implements Pairing {
 
     /** How often every pair meets at first. */
-    static final int FIRST = 4;
+    public static final int FIRST = 4;
     /** Of the games of a round robin. */
     static final double LEAST = 0.2;
     /** What all pairs that are settled count together, against those that are not. */
     static final double SETTLED = 0.5;
     /** If there are no more groups than this, each plays once before doubt decides: what never played has no weight. */
     static final int FEW = 1000;
-    /** More groups than this are not listed. */
-    private static final int MOST = 1_000_000;
 
     private final List<Integer> versions;
     private final IntFunction<Ratings> ratings;
     private final StopRule rule;
     private final int lag;
-    private final List<int[]> groups = new ArrayList<>();
+    private final List<int[]> groups;
     private final Map<List<Integer>, Integer> places = new HashMap<>();
     /** Of each group, how often it was decided on. */
     private final int[] counts;
@@ -65,27 +66,13 @@ public final class AdaptivePairing implements Pairing {
         this.ratings = ratings;
         this.rule = rule;
         this.lag = lag;
-        add(0, new int[players], 0);
+        groups = RoundOrder.groups(this.versions, players, -1);
         for (int place = 0; place < groups.size(); place++) {
             places.put(key(groups.get(place)), place);
         }
         counts = new int[groups.size()];
         ofBot = new int[this.versions.size()];
         ofPair = new int[ofBot.length * ofBot.length];
-    }
-
-    private void add(int from, int[] group, int size) {
-        if (size == group.length) {
-            if (groups.size() == MOST) {
-                throw new IllegalArgumentException("more than " + MOST + " groups of bots");
-            }
-            groups.add(group.clone());
-            return;
-        }
-        for (int k = from; k < versions.size(); k++) {
-            group[size] = versions.get(k);
-            add(k + 1, group, size + 1);
-        }
     }
 
     private static List<Integer> key(int... group) {
@@ -150,13 +137,15 @@ public final class AdaptivePairing implements Pairing {
     }
 
     @Override
-    public int[] choose() {
-        int place = leastMet();
+    public int[] choose(Predicate<int[]> wanted) {
+        IntPredicate may = place -> wanted.test(groups.get(place));
+        int place = leastMet(may);
         if (place < 0) {
-            place = neglected();
+            place = neglected(may);
         }
-        if (place < 0 && groups.size() <= FEW && counts[least(-1)] == 0) {
-            place = least(-1);
+        int least = least(may);
+        if (place < 0 && groups.size() <= FEW && least >= 0 && counts[least] == 0) {
+            place = least;
         }
         if (place < 0 && due) {
             due = false;
@@ -166,35 +155,42 @@ public final class AdaptivePairing implements Pairing {
             double best = 0;
             for (int k = 0; k < worth.length; k++) {
                 double gain = worth[k] / ((double) counts[k] * (counts[k] + 1));
-                if (gain > best) {
+                if (gain > best && may.test(k)) {
                     best = gain;
                     place = k;
                 }
             }
         }
-        return groups.get(place < 0 ? least(-1) : place).clone();
+        place = place < 0 ? least : place;
+        return place < 0 ? null : groups.get(place).clone();
     }
 
-    /** The group with the pairs that have met least, while there is a pair that has met too rarely; or -1. */
-    private int leastMet() {
+    /**
+     * The group with the pairs that have met least, of several the one whose bots have played least, while there is a
+     * pair that has met too rarely; or -1.
+     */
+    private int leastMet(IntPredicate may) {
         int place = -1;
-        int fewest = Integer.MAX_VALUE;
+        long fewest = Long.MAX_VALUE;
         if (all >= (long) FIRST * groups.size()) {
             return -1;
         }
         for (int k = 0; k < groups.size(); k++) {
             int[] group = groups.get(k);
-            int sum = 0;
+            long met = 0;
+            long games = 0;
             boolean rare = false;
             for (int i = 0; i < group.length; i++) {
+                games += ofBot[index(group[i])];
                 for (int j = i + 1; j < group.length; j++) {
-                    int met = ofPair[index(group[i]) * ofBot.length + index(group[j])];
-                    sum += met;
-                    rare |= met < FIRST;
+                    int ofTwo = ofPair[index(group[i]) * ofBot.length + index(group[j])];
+                    met += ofTwo;
+                    rare |= ofTwo < FIRST;
                 }
             }
-            if (rare && sum < fewest) {
-                fewest = sum;
+            long order = met << Integer.SIZE | games;
+            if (rare && order < fewest && may.test(k)) {
+                fewest = order;
                 place = k;
             }
         }
@@ -202,22 +198,25 @@ public final class AdaptivePairing implements Pairing {
     }
 
     /** The least played group of a bot that has too few games, or -1. */
-    private int neglected() {
+    private int neglected(IntPredicate may) {
         for (int bot = 0; bot < ofBot.length; bot++) {
             double uniform = (double) all * groups.get(0).length / ofBot.length;
             if (ofBot[bot] < LEAST * uniform) {
-                return least(versions.get(bot));
+                int version = versions.get(bot);
+                int place = least(k -> Arrays.stream(groups.get(k)).anyMatch(each -> each == version) && may.test(k));
+                if (place >= 0) {
+                    return place;
+                }
             }
         }
         return -1;
     }
 
-    /** The first of the groups that were decided on least often; with a version, if it is not -1. */
-    private int least(int version) {
+    /** The first of those groups that were decided on least often, or -1 if there are none. */
+    private int least(IntPredicate wanted) {
         int place = -1;
         for (int k = 0; k < counts.length; k++) {
-            boolean wanted = version < 0 || Arrays.stream(groups.get(k)).anyMatch(each -> each == version);
-            place = wanted && (place < 0 || counts[k] < counts[place]) ? k : place;
+            place = (place < 0 || counts[k] < counts[place]) && wanted.test(k) ? k : place;
         }
         return place;
     }

@@ -16,7 +16,7 @@ public final class KnownResults {
     private final boolean alone;
     private final TreeMap<Integer, List<Game>> later = new TreeMap<>();
 
-    private record Game(long seed, int[] lineup, double score, int... ranks) {
+    private record Game(long seed, int[] lineup, double score, long transcript, int... ranks) {
     }
 
     /** None yet of a season's games. */
@@ -37,18 +37,22 @@ public final class KnownResults {
     /**
      * Adds a game that counts.
      *
-     * @param score of the player, where each plays alone
-     * @param ranks by seat
+     * @param score      of the player, where each plays alone
+     * @param transcript its digest; 0 if it is not known, or a bot draws by lot
+     * @param ranks      by seat
      */
-    public void add(int decision, long seed, int[] lineup, double score, int... ranks) {
+    public void add(int decision, long seed, int[] lineup, double score, long transcript, int... ranks) {
         later.computeIfAbsent(decision, number -> new ArrayList<>(2))
-            .add(new Game(seed, lineup.clone(), score, ranks.clone()));
+            .add(new Game(seed, lineup.clone(), score, transcript, ranks.clone()));
     }
 
     /** The results of all decisions below a number, which is not less than in the call before. */
     public Results before(int decision) {
         while (!later.isEmpty() && later.firstKey() < decision) {
             for (Game game : later.pollFirstEntry().getValue()) {
+                if (results.isRepeat(Results.lineup(game.lineup()), game.transcript())) {
+                    continue;
+                }
                 if (alone) {
                     results.addAlone(game.seed(), game.lineup()[0], game.score());
                 } else {

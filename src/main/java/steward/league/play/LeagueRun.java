@@ -14,6 +14,7 @@ import steward.league.EarlierGames;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.Pairing;
+import steward.league.RepeatedGroups;
 import steward.league.Schedule;
 import steward.league.Season;
 import steward.league.StoredGame;
@@ -54,6 +55,7 @@ public final class LeagueRun {
     private Elsewhere elsewhere;
 
     /** Guarded by this, as is all below. */
+    private final RepeatedGroups repeated;
     private KnownResults known;
     private LeagueEnd leagueEnd;
     private StopRule rule = StopRule.NONE;
@@ -98,6 +100,9 @@ public final class LeagueRun {
         EarlierGames earlier = queries.earlier();
         settled = Looks.settled(earlier.firstOpen(), roster.settings().lag());
         schedule = new Schedule(roster.settings().seed(), key.players(), roster.settings().lag(), earlier);
+        repeated = new RepeatedGroups(key.players() == 1);
+        queries.addTo(repeated);
+        schedule.without(repeated);
         if (roster.settings().adaptive() && key.players() > 1) {
             learn();
         }
@@ -148,13 +153,27 @@ public final class LeagueRun {
     }
 
     /** Tells what is to be learnt from a game. */
-    private void know(List<StoredGame> attempts) {
+    private void know(List<Member> members, List<StoredGame> attempts) {
         for (StoredGame game : attempts) {
-            if (known != null && game.counts()) {
-                known.add(game.decision(), game.seed(), game.lineup(), game.seats().get(0).score(),
-                    game.seats().stream().mapToInt(StoredGame.StoredSeat::rank).toArray());
+            if (game.counts()) {
+                know(members, game.decision(), game.seed(), game.lineup(), game.seats().get(0).score(),
+                    game.transcript(), game.seats().stream().mapToInt(StoredGame.StoredSeat::rank).toArray());
             }
         }
+    }
+
+    private void know(List<Member> members, int decision, long seed, int[] lineup, double score, long transcript,
+                      int... ranks) {
+        boolean random = members.stream().anyMatch(member -> member.version().random());
+        repeated.add(decision, random ? 0 : transcript, lineup);
+        if (known != null) {
+            known.add(decision, seed, lineup, score, random ? 0 : transcript, ranks);
+        }
+    }
+
+    /** True if the run has ended since the bots only repeat games that were played before. */
+    public synchronized boolean isRepeated() {
+        return schedule.isRepeated();
     }
 
     /** Lets other machines play, too; before {@link #play}. */
@@ -271,7 +290,7 @@ public final class LeagueRun {
             }
             return List.of();
         }
-        know(attempts);
+        know(game.members(), attempts);
         schedule.over(game.task());
         handed += attempts.size();
         if (!writer.add(attempts)) {
@@ -341,9 +360,10 @@ public final class LeagueRun {
     /** The same of a game that was stored before it was decided on. */
     private void knowStored(Schedule.Task task) {
         List<Member> seats = members(task);
-        for (int attempt = 1; attempt <= 2 && known != null; attempt++) {
-            store.outcome(play.name(task, seats, attempt)).ifPresent(found -> known.add(task.decision(), task.seed(),
-                task.lineup(), found.scores().get(0), found.ranks().stream().mapToInt(rank -> rank).toArray()));
+        for (int attempt = 1; attempt <= 2; attempt++) {
+            store.outcome(play.name(task, seats, attempt)).ifPresent(found -> know(seats, task.decision(),
+                task.seed(), task.lineup(), found.scores().get(0), found.transcript(),
+                found.ranks().stream().mapToInt(rank -> rank).toArray()));
         }
     }
 

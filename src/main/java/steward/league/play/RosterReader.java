@@ -102,7 +102,7 @@ public final class RosterReader {
         if (known.isPresent()) {
             Version version = known.get();
             if (version.bot().equals(bot.name())) {
-                return version;
+                return bot.random() && !version.random() ? store.markRandom(version) : version;
             }
             if (settings.bot(version.bot()).isPresent()) {
                 throw sameProgram(version.bot(), bot.name());

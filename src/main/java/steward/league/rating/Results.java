@@ -4,8 +4,10 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import steward.contest.Repeats;
 import steward.league.Season;
 import steward.league.StoredGame;
+import steward.numerics.StateHash;
 
 /**
  * What the games of a season come to: points between any two versions, and sums for each. Games are added one by one or
@@ -23,6 +25,7 @@ public final class Results {
     private final Map<Long, double[]> pairs = new TreeMap<>();
     private final Map<Long, Map<Integer, Double>> maps = new HashMap<>();
     private final Clusters clusters;
+    private final Repeats repeats = new Repeats();
     private long games;
     private long again;
     private long without;
@@ -41,6 +44,9 @@ public final class Results {
             return;
         }
         game.seats().forEach(seat -> sums(seat.version()).add(seat));
+        if (isRepeat(lineup(game.lineup()), game.transcript())) {
+            return;
+        }
         if (alone) {
             games++;
             addAlone(game.seed(), game.seats().get(0).version(), game.seats().get(0).score());
@@ -48,6 +54,31 @@ public final class Results {
             addGame(game.seed(), game.lineup(),
                 game.seats().stream().mapToInt(StoredGame.StoredSeat::rank).toArray());
         }
+    }
+
+    /**
+     * True if an equal game was there before: the same versions by seat and the same transcript. It tells nothing, is
+     * counted apart, and is not to be added to the points.
+     *
+     * @param lineup     number of the versions by seat, see {@link #lineup}
+     * @param transcript 0 if it is not known, or a bot draws by lot
+     */
+    public boolean isRepeat(long lineup, long transcript) {
+        return repeats.isRepeat(lineup, transcript);
+    }
+
+    /** A number for some versions by seat. */
+    public static long lineup(int... versions) {
+        StateHash hash = new StateHash();
+        for (int version : versions) {
+            hash.add((long) version);
+        }
+        return hash.value();
+    }
+
+    /** How many games were equal to earlier ones, and count for nothing but sums. */
+    public long repeats() {
+        return repeats.count();
     }
 
     /** Adds games that do not count: those that were played again, and those without a result. */

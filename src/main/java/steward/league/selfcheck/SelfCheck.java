@@ -24,6 +24,7 @@ public final class SelfCheck {
     /** Whole leagues of 16 bots take long: so many times fewer of them. */
     private static final int FEWER = 200;
     private static final int LEAST_WHOLE = 20;
+    private static final double FAR_STEP = 50;
     private static final double EVEN = 0.05;
     /** Elo by which bots are far apart. */
     private static final double FAR = 300;
@@ -234,17 +235,34 @@ public final class SelfCheck {
             for (double[] elo : new double[][] {{0, 20}, {0, 10}, {-10, 0}, {0, 5}}) {
                 for (double ties : new double[] {0, 1}) {
                     for (double at : new double[] {elo[0], elo[1]}) {
-                        SprtCheck.Outcome found = new SprtCheck(new Gsprt(elo[0], elo[1], EVEN, EVEN, model), at,
-                            ties, 100 * ties).run(threads, leagues, SEED);
-                        row(model.name().toLowerCase(Locale.ROOT) + " " + Math.round(elo[0]) + " to "
-                            + Math.round(elo[1]), ties > 0 ? "ties, seeds of 100 Elo" : "no ties", Math.round(at),
-                            number("%.4f", found.accepted()), Math.round(found.mean()),
-                            Math.round(found.theory().observations()),
-                            number("%.3f", found.mean() / found.theory().observations()));
+                        sprt(new Gsprt(elo[0], elo[1], EVEN, EVEN, model), at, ties, 0);
                     }
                 }
             }
         }
+        for (Gsprt.Model model : Gsprt.Model.values()) {
+            for (double at : new double[] {200, 500, 1000}) {
+                for (double elo1 : new double[] {10, 50}) {
+                    sprt(new Gsprt(0, elo1, EVEN, EVEN, model), at, 0, 0);
+                    sprt(new Gsprt(0, elo1, EVEN, EVEN, model), -at, 0, 0);
+                }
+                Gsprt far = new Gsprt(at - FAR_STEP, at, EVEN, EVEN, model);
+                sprt(far, far.elo0(), 0, 0);
+                sprt(far, far.elo1(), 0, 0);
+            }
+            for (double at : new double[] {0, 10}) {
+                sprt(new Gsprt(0, 10, EVEN, EVEN, model), at, 1, 30);
+            }
+        }
+    }
+
+    private void sprt(Gsprt test, double at, double ties, int alike) throws InterruptedException {
+        SprtCheck.Outcome found = new SprtCheck(test, at, ties, 100 * ties, alike).run(threads, leagues, SEED);
+        row(test.model().name().toLowerCase(Locale.ROOT) + " " + Math.round(test.elo0()) + " to "
+            + Math.round(test.elo1()), (ties > 0 ? "ties, seeds of 100 Elo" : "no ties")
+            + (alike == 0 ? "" : ", the first " + alike + " seeds even"), Math.round(at),
+            number("%.4f", found.accepted()), Math.round(found.mean()), Math.round(found.theory().observations()),
+            number("%.3f", found.mean() / found.theory().observations()));
     }
 
     private void adaptive() throws InterruptedException {

@@ -13,11 +13,17 @@ import steward.numerics.SplitMix64;
  * @param at    what the true difference is, in the test's Elo
  * @param ties  weight of ties
  * @param push  what a seed is worth to one of the two, in Elo
+ * @param alike observations at the beginning that are all even, as of bots that have not yet met a seed that matters
  */
-record SprtCheck(Gsprt test, double at, double ties, double push) {
+record SprtCheck(Gsprt test, double at, double ties, double push, int alike) {
 
+    private static final double HALF = 0.5;
     private static final long LONGEST = 10_000_000;
     private static final int HALVINGS = 60;
+    /** In natural units: more than any Elo of a test. */
+    private static final double FARTHEST = 10;
+    /** Observations that stand for the truth. */
+    private static final long MANY = 1L << 40;
 
     /**
      * What came out.
@@ -27,6 +33,16 @@ record SprtCheck(Gsprt test, double at, double ties, double push) {
      * @param theory   what was expected
      */
     record Outcome(double accepted, double mean, ExpectedLength theory) {
+    }
+
+    /** Observations that surely decide nothing, and one: half of those that would be needed if all went one way. */
+    private int steps(ScoreCounts counted) {
+        if (counted.observations() < Gsprt.LEAST) {
+            return 1;
+        }
+        double ratio = test.ratio(counted);
+        double distance = Math.min(test.upper() - ratio, ratio - test.lower());
+        return 1 + (int) (distance / 2 / test.greatestStep(counted));
     }
 
     private MadeUpGroup group(double difference) {
@@ -40,8 +56,8 @@ record SprtCheck(Gsprt test, double at, double ties, double push) {
     }
 
     Outcome run(int threads, long leagues, long seed) throws InterruptedException {
-        double low = -5;
-        double high = 5;
+        double low = -FARTHEST;
+        double high = FARTHEST;
         for (int k = 0; k < HALVINGS; k++) {
             double middle = (low + high) / 2;
             if (elo(group(middle)) < at) {
@@ -52,20 +68,25 @@ record SprtCheck(Gsprt test, double at, double ties, double push) {
         }
         MadeUpGroup group = group((low + high) / 2);
         double[] scores = group.scores();
-        double lower = test.lower();
-        double upper = test.upper();
         long[] sums = Counted.play(threads, leagues, 2, () -> (number, counts) -> {
             SplitMix64 random = new SplitMix64(seed + number);
             ScoreCounts counted = new ScoreCounts(2);
-            double ratio = 0;
-            while (ratio > lower && ratio < upper && counted.observations() < LONGEST) {
-                counted.add(scores[group.draw(random)]);
-                ratio = test.ratio(counted);
+            counted.add(HALF, alike);
+            Gsprt.State state = Gsprt.State.OPEN;
+            while (state == Gsprt.State.OPEN && counted.observations() < LONGEST) {
+                for (int step = steps(counted); step > 0; step--) {
+                    counted.add(scores[group.draw(random)]);
+                }
+                state = test.state(counted);
             }
-            counts[0] += ratio >= upper ? 1 : 0;
+            counts[0] += state == Gsprt.State.H1 ? 1 : 0;
             counts[1] += counted.observations();
         });
-        return new Outcome((double) sums[0] / leagues, (double) sums[1] / leagues,
-            ExpectedLength.of(test, group.share(), Math.sqrt(group.variance()), 2, 0));
+        ScoreCounts truth = new ScoreCounts(2);
+        double[] chances = group.chances();
+        for (int k = 0; k < chances.length; k++) {
+            truth.add(scores[k], Math.round(chances[k] * MANY));
+        }
+        return new Outcome((double) sums[0] / leagues, (double) sums[1] / leagues, ExpectedLength.of(test, truth, 0));
     }
 }

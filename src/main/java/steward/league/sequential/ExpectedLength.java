@@ -1,11 +1,10 @@
 package steward.league.sequential;
 
-import steward.league.sequential.Gsprt.Model;
-
 /**
- * What a test is to be expected to cost. The logarithm of the ratio goes nearly as a Brownian motion between two
- * barriers, which overshoots them by 0.583 times the deviation of a step on average (D. Siegmund, "Sequential
- * Analysis", 1985, chapter 10: the barriers are moved out by so much).
+ * Expected length of a test that goes on as it went. The logarithm of the ratio goes nearly as a Brownian motion
+ * between two barriers, which overshoots them by 0.583 times the deviation of a step on average (D. Siegmund,
+ * "Sequential Analysis", 1985, chapter 10: the barriers are moved out by so much). A step is log(p1/p0) of the cell
+ * that came: its mean is the drift.
  *
  * @param chance       that H1 is accepted
  * @param observations until it ends, expected
@@ -14,23 +13,27 @@ public record ExpectedLength(double chance, double observations) {
 
     private static final double OVERSHOOT = 0.5826;
     private static final double SMALL = 1e-9;
+    /** Steps that deviate by less than this share of their mean are all alike: each goes the same way. */
+    private static final double ALIKE = 0.05;
 
     /**
-     * @param test      the test
-     * @param mean      the true mean score
-     * @param deviation the true standard deviation of an observation
-     * @param games     of an observation
-     * @param from      where the logarithm of the ratio stands; 0 at the beginning
+     * @param test   the test
+     * @param scores how they came, and will come
+     * @param from   where the logarithm of the ratio stands; 0 at the beginning
      */
-    public static ExpectedLength of(Gsprt test, double mean, double deviation, int games, double from) {
-        double t = (mean - 0.5) / deviation;
-        double one = t - test.bound(test.elo0(), games, deviation);
-        double other = t - test.bound(test.elo1(), games, deviation);
-        double drift = StrictMath.log((1 + one * one) / (1 + other * other)) / 2;
-        double step = Math.abs(one / (1 + one * one) - other / (1 + other * other));
-        if (test.model() == Model.LOGISTIC) {
-            // The bounds move with the deviation, so that what matters is the mean alone.
-            step = Math.abs(one - other);
+    public static ExpectedLength of(Gsprt test, ScoreCounts scores, double from) {
+        double[] logs = test.logs(scores);
+        double[] shares = scores.frequencies();
+        double drift = 0;
+        double square = 0;
+        for (int k = 0; k < logs.length; k++) {
+            drift += shares[k] * logs[k];
+            square += shares[k] * logs[k] * logs[k];
+        }
+        double step = Math.sqrt(Math.max(0, square - drift * drift));
+        if (step < Math.abs(drift) * ALIKE) {
+            double missing = drift > 0 ? test.upper() - from : from - test.lower();
+            return new ExpectedLength(drift > 0 ? 1 : 0, Math.max(0, missing / Math.abs(drift)));
         }
         double below = from - test.lower() + OVERSHOOT * step;
         double above = test.upper() - from + OVERSHOOT * step;

@@ -1,19 +1,26 @@
 package steward.league.sequential;
 
+import java.util.Arrays;
 import steward.league.rating.AnytimeBar;
 
 /**
  * The generalized sequential probability ratio test (M. Van den Bergh, "A practical introduction to the GSPRT" and
- * "Normalized Elo", https://www.cantate.be/Fishtest, as the Stockfish testing project uses it): is the difference
- * {@code elo0} (H0) or {@code elo1} (H1)? The logarithm of the ratio of the greatest likelihoods under either, for
- * normally distributed means with unknown variance, from n observations of mean m and variance v:
+ * "Comments on normalized Elo", https://www.cantate.be/Fishtest, as fastchess and the Stockfish testing project use
+ * it): is the difference {@code elo0} (H0) or {@code elo1} (H1)? Each score that an observation can have is a cell;
+ * with n[i] observations in cell i, an empty cell counted as {@value #EMPTY} observations, the logarithm of the ratio
+ * is
  *
  * <pre>
- *   logistic     n/2 log((v + (m - s0)^2) / (v + (m - s1)^2))        s = 1 / (1 + 10^(-elo/400))
- *   normalized   n/2 log((1 + (t - t0)^2) / (1 + (t - t1)^2))        t = (m - 1/2) / sqrt(v)
+ *   LLR = sum of n[i] log(p1[i] / p0[i])
+ *   logistic      p0, p1: the most likely chances with the mean s0, s1            s = 1 / (1 + 10^(-elo/400))
+ *   normalized    p0, p1: those whose mean is 1/2 + t0 d, 1/2 + t1 d              d their standard deviation
  * </pre>
  *
- * Normalized Elo measures the difference of scores in standard deviations of a game: 800 / ln 10 points are one. A
+ * see {@link ConstrainedFrequencies}. The cells of a seed with two games are 0, 1/4, 1/2, 3/4, 1, also where none came;
+ * those of a seed with one game or more than two are 0, 1/2, 1 and every score that came. Nothing is decided on fewer
+ * than {@value #LEAST} observations.
+ *
+ * <p>Normalized Elo measures the difference of scores in standard deviations of a game: 800 / ln 10 points are one. A
  * standard deviation of a game is that of an observation times the root of its number of games, so that t0 =
  * elo0 ln 10 / 800 sqrt(games).
  *
@@ -25,6 +32,10 @@ import steward.league.rating.AnytimeBar;
  */
 public record Gsprt(double elo0, double elo1, double alpha, double beta, Model model) {
 
+    /** Observations that an empty cell counts as. */
+    static final double EMPTY = 1e-3;
+    /** Observations before anything is decided. */
+    public static final int LEAST = 10;
     /** Normalized Elo of one standard deviation of a game. */
     static final double NORMALIZED = 800 / 2.302585092994046;
     private static final double LOGISTIC = 400 / 2.302585092994046;
@@ -70,21 +81,41 @@ public record Gsprt(double elo0, double elo1, double alpha, double beta, Model m
         if (scores.observations() == 0) {
             return 0;
         }
-        double deviation = Math.sqrt(scores.variance());
-        double t = (scores.mean() - 0.5) / deviation;
-        double one = t - bound(elo0, scores.games(), deviation);
-        double other = t - bound(elo1, scores.games(), deviation);
-        return scores.observations() / 2.0 * StrictMath.log((1 + one * one) / (1 + other * other));
+        double[] logs = logs(scores);
+        double ratio = 0;
+        for (int k = 0; k < logs.length; k++) {
+            ratio += scores.count(k) * logs[k];
+        }
+        return ratio;
     }
 
-    /** A hypothesis in standard deviations of an observation. */
-    double bound(double elo, int games, double deviation) {
-        return model == Model.NORMALIZED ? elo / NORMALIZED * Math.sqrt(games)
-            : (1 / (1 + StrictMath.exp(-elo / LOGISTIC)) - 0.5) / deviation;
+    /** The logarithm of p1 / p0 in each cell. */
+    double[] logs(ScoreCounts scores) {
+        double[] frequencies = scores.frequencies();
+        ConstrainedFrequencies likely = new ConstrainedFrequencies(scores.values(), frequencies);
+        double[] zero = chances(likely, elo0, scores.games());
+        double[] one = chances(likely, elo1, scores.games());
+        for (int k = 0; k < one.length; k++) {
+            one[k] = StrictMath.log(one[k] / zero[k]);
+        }
+        return one;
+    }
+
+    private double[] chances(ConstrainedFrequencies likely, double elo, int games) {
+        return model == Model.NORMALIZED ? likely.ofDeviations(elo / NORMALIZED * Math.sqrt(games))
+            : likely.ofMean(1 / (1 + StrictMath.exp(-elo / LOGISTIC)));
+    }
+
+    /** The greatest change of the logarithm by one more observation; a few more change hardly how great it is. */
+    public double greatestStep(ScoreCounts scores) {
+        return Arrays.stream(logs(scores)).map(Math::abs).max().orElseThrow();
     }
 
     /** How it stands. */
     public State state(ScoreCounts scores) {
+        if (scores.observations() < LEAST) {
+            return State.OPEN;
+        }
         double ratio = ratio(scores);
         return ratio >= upper() ? State.H1 : ratio <= lower() ? State.H0 : State.OPEN;
     }

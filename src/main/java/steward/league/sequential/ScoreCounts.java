@@ -61,6 +61,29 @@ public final class ScoreCounts {
         return more;
     }
 
+    /** The score of each cell, ascending. */
+    double[] values() {
+        return scores;
+    }
+
+    /** Observations in a cell, {@link Gsprt#EMPTY} in one that is empty. */
+    double count(int cell) {
+        return Math.max(Gsprt.EMPTY, counts[cell]);
+    }
+
+    /** The share of each cell, as {@link #count} counts. */
+    double[] frequencies() {
+        double sum = 0;
+        for (int k = 0; k < counts.length; k++) {
+            sum += count(k);
+        }
+        double[] shares = new double[counts.length];
+        for (int k = 0; k < counts.length; k++) {
+            shares[k] = count(k) / sum;
+        }
+        return shares;
+    }
+
     /** How many there are. */
     public long observations() {
         return observations;

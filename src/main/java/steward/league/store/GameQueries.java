@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
 import steward.league.EarlierGames;
+import steward.league.RepeatedGroups;
 import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
@@ -31,7 +32,7 @@ public final class GameQueries {
 
     /** In the order in which the games were stored; a lineup and the ranks as one number, which is fetched at once. */
     private static final String CLUSTER = "SELECT seed, lineup << 32 | CAST(replace(ranks, ' ', '') AS INTEGER), "
-        + "id FROM game NOT INDEXED WHERE season = ? AND counts = 1";
+        + "id, coalesce(transcript, 0), lineup FROM game NOT INDEXED WHERE season = ? AND counts = 1";
     private static final String CLUSTERED = CLUSTER + " ORDER BY id";
     private static final String CLUSTERED_BEFORE = CLUSTER + " AND decision < ? ORDER BY id";
 
@@ -74,32 +75,68 @@ public final class GameQueries {
     }
 
     private void addGroups(Results results) throws SQLException {
-        ClusterCounts clusters = new ClusterCounts(lineups(), false);
+        Lineups lineups = lineups();
+        ClusterCounts clusters = new ClusterCounts(lineups.versions(), false);
         try (ResultSet row = database.query(CLUSTERED, season)) {
             while (row.next()) {
-                clusters.add(row.getLong(1), row.getLong(2));
+                if (!lineups.isRepeat(results, row.getInt(5), row.getLong(4))) {
+                    clusters.add(row.getLong(1), row.getLong(2));
+                }
             }
         }
         clusters.giveWhole(results);
         clusters.giveOpen(results);
     }
 
-    /** The versions of all lineups, by number. */
-    private Map<Integer, int[]> lineups() throws SQLException {
-        Map<Integer, int[]> lineups = new HashMap<>();
-        try (ResultSet row = database.query("SELECT id, versions FROM lineup")) {
+    /**
+     * Versions by seat of all lineups, by number.
+     *
+     * @param numbers of the lineups for {@link Results#isRepeat}, without those with a bot that draws by lot
+     */
+    private record Lineups(Map<Integer, int[]> versions, Map<Integer, Long> numbers) {
+
+        boolean isRepeat(Results results, int lineup, long transcript) {
+            Long number = transcript == 0 ? null : numbers.get(lineup);
+            return number != null && results.isRepeat(number, transcript);
+        }
+
+        /** The transcript; 0 if a bot draws by lot: equal games are independent then. */
+        long transcript(int lineup, long transcript) {
+            return numbers.containsKey(lineup) ? transcript : 0;
+        }
+    }
+
+    private Lineups lineups() throws SQLException {
+        Set<Integer> random = new HashSet<>();
+        try (ResultSet row = database.query("SELECT id FROM version WHERE random = 1")) {
             while (row.next()) {
-                lineups.put(row.getInt(1), numbers(row.getString(2)));
+                random.add(row.getInt(1));
             }
         }
-        return lineups;
+        Map<Integer, int[]> lineups = new HashMap<>();
+        Map<Integer, Long> numbers = new HashMap<>();
+        try (ResultSet row = database.query("SELECT id, versions FROM lineup")) {
+            while (row.next()) {
+                int[] versions = numbers(row.getString(2));
+                lineups.put(row.getInt(1), versions);
+                if (Arrays.stream(versions).noneMatch(random::contains)) {
+                    numbers.put(row.getInt(1), Results.lineup(versions));
+                }
+            }
+        }
+        return new Lineups(lineups, numbers);
     }
 
     private void addAlone(Results results, String which, long upTo) throws SQLException {
+        Lineups lineups = lineups();
         long count = 0;
-        try (ResultSet row = database.query("SELECT g.seed, s.version, s.score FROM game g JOIN seat s "
-            + "ON s.game = g.id WHERE g.season = ? AND g.counts = 1 AND " + which, season, upTo)) {
+        try (ResultSet row = database.query("SELECT g.seed, s.version, s.score, g.lineup, "
+            + "coalesce(g.transcript, 0) FROM game g JOIN seat s ON s.game = g.id WHERE g.season = ? AND g.counts = 1 "
+            + "AND " + which + " ORDER BY g.id", season, upTo)) {
             while (row.next()) {
+                if (lineups.isRepeat(results, row.getInt(4), row.getLong(5))) {
+                    continue;
+                }
                 results.addAlone(row.getLong(1), row.getInt(2), row.getDouble(3));
                 count++;
             }
@@ -121,7 +158,7 @@ public final class GameQueries {
         EarlierGames earlier = new EarlierGames();
         database.with(() -> {
             Map<Integer, Integer> lineups = new HashMap<>();
-            lineups().forEach((number, versions) -> lineups.put(number, earlier.lineup(versions)));
+            lineups().versions().forEach((number, versions) -> lineups.put(number, earlier.lineup(versions)));
             // In the order of the table, as by an index every row would be looked up; both numbers as one, since
             // fetching a number costs more than finding it.
             try (ResultSet row = database.query("SELECT decision << 32 | lineup FROM game NOT INDEXED "
@@ -138,7 +175,7 @@ public final class GameQueries {
 
     /** Takes a game of the schedule that counts. */
     public interface KnownTaker {
-        void game(int decision, long seed, int[] lineup, double score, int... ranks);
+        void game(int decision, long seed, int[] lineup, double score, long transcript, int... ranks);
     }
 
     /** The results, without sums of versions, of the schedule's decisions below a number. */
@@ -149,10 +186,13 @@ public final class GameQueries {
                 addAlone(results, "g.decision < ?", decision);
                 return null;
             }
-            ClusterCounts clusters = new ClusterCounts(lineups(), false);
+            Lineups lineups = lineups();
+            ClusterCounts clusters = new ClusterCounts(lineups.versions(), false);
             try (ResultSet row = database.query(CLUSTERED_BEFORE, season, decision)) {
                 while (row.next()) {
+                    if (!lineups.isRepeat(results, row.getInt(5), row.getLong(4))) {
                     clusters.add(row.getLong(1), row.getLong(2));
+                }
                 }
             }
             clusters.giveWhole(results);
@@ -165,14 +205,30 @@ public final class GameQueries {
     /** Tells of every game of the schedule that counts, from a decision on; the score is that of the first player. */
     public void known(int from, KnownTaker taker) {
         database.with(() -> {
-            Map<Integer, int[]> lineups = lineups();
+            Lineups lineups = lineups();
             boolean scored = key.players() == 1;
-            try (ResultSet row = database.query("SELECT g.decision, g.seed, g.lineup, g.ranks, " + (scored
+            try (ResultSet row = database.query("SELECT g.decision, g.seed, g.lineup, g.ranks, "
+                + "coalesce(g.transcript, 0), " + (scored
                 ? "s.score FROM game g JOIN seat s ON s.game = g.id" : "0.0 FROM game g NOT INDEXED")
                 + " WHERE g.season = ? AND g.decision >= ? AND g.counts = 1", season, from)) {
                 while (row.next()) {
-                    taker.game(row.getInt(1), row.getLong(2), lineups.get(row.getInt(3)), row.getDouble(5),
-                        numbers(row.getString(4)));
+                    taker.game(row.getInt(1), row.getLong(2), lineups.versions().get(row.getInt(3)), row.getDouble(6),
+                        lineups.transcript(row.getInt(3), row.getLong(5)), numbers(row.getString(4)));
+                }
+            }
+            return null;
+        });
+    }
+
+    /** Adds the games of the schedule whose transcripts are known. */
+    public void addTo(RepeatedGroups repeated) {
+        database.with(() -> {
+            Lineups lineups = lineups();
+            try (ResultSet row = database.query("SELECT decision, lineup, transcript FROM game NOT INDEXED "
+                + "WHERE season = ? AND decision IS NOT NULL AND transcript IS NOT NULL AND counts = 1", season)) {
+                while (row.next()) {
+                    repeated.add(row.getInt(1), lineups.transcript(row.getInt(2), row.getLong(3)),
+                        lineups.versions().get(row.getInt(2)));
                 }
             }
             return null;
@@ -200,14 +256,19 @@ public final class GameQueries {
     }
 
     private void pathAlone(RatingPath.Collector path, long first, long step) throws SQLException {
+        Lineups lineups = lineups();
         Results results = new Results(key);
-        try (ResultSet row = database.query("SELECT g.id, s.version, g.seed, s.score FROM game g JOIN seat s "
-            + "ON s.game = g.id WHERE g.season = ? AND g.counts = 1 ORDER BY g.id", season)) {
+        try (ResultSet row = database.query("SELECT g.id, s.version, g.seed, s.score, g.lineup, "
+            + "coalesce(g.transcript, 0) FROM game g JOIN seat s ON s.game = g.id WHERE g.season = ? AND g.counts = 1 "
+            + "ORDER BY g.id", season)) {
             long end = first + step;
             while (row.next()) {
                 if (row.getLong(1) >= end) {
                     path.take(results);
                     end += (row.getLong(1) - end) / step * step + step;
+                }
+                if (lineups.isRepeat(results, row.getInt(5), row.getLong(6))) {
+                    continue;
                 }
                 results.addAlone(row.getLong(3), row.getInt(2), row.getDouble(4));
                 results.addAloneGames(1);
@@ -219,7 +280,8 @@ public final class GameQueries {
 
     /** A cluster is in the path from its last game on. */
     private void pathOfClusters(RatingPath.Collector path, long first, long step) throws SQLException {
-        ClusterCounts clusters = new ClusterCounts(lineups(), true);
+        Lineups lineups = lineups();
+        ClusterCounts clusters = new ClusterCounts(lineups.versions(), true);
         Results results = new Results(key);
         try (ResultSet row = database.query(CLUSTERED, season)) {
             long end = first + step;
@@ -229,7 +291,9 @@ public final class GameQueries {
                     path.take(results);
                     end += (row.getLong(3) - end) / step * step + step;
                 }
-                clusters.add(row.getLong(1), row.getLong(2));
+                if (!lineups.isRepeat(results, row.getInt(5), row.getLong(4))) {
+                    clusters.add(row.getLong(1), row.getLong(2));
+                }
             }
         }
         clusters.giveWhole(results);

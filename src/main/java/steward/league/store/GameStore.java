@@ -207,6 +207,12 @@ public final class GameStore implements AutoCloseable {
             identity, version.id(), now));
     }
 
+    /** Marks a version as one that draws by lot. @return the version with its mark */
+    public Version markRandom(Version version) {
+        database.inTransaction(() -> database.update("UPDATE version SET random = 1 WHERE id = ?", version.id()));
+        return version(version.identity()).orElseThrow();
+    }
+
     /** All versions of a bot under another name. */
     public void rename(String bot, String name) {
         database.inTransaction(() -> database.update("UPDATE version SET bot = ? WHERE bot = ?", name, bot));
@@ -230,24 +236,28 @@ public final class GameStore implements AutoCloseable {
         return database.with(() -> {
             List<Integer> ranks = new ArrayList<>();
             List<Double> scores = new ArrayList<>();
-            try (ResultSet row = database.query("SELECT s.rank, s.score FROM game g JOIN seat s ON s.game = g.id "
+            long transcript = 0;
+            try (ResultSet row = database.query("SELECT s.rank, s.score, g.transcript FROM game g JOIN seat s "
+                + "ON s.game = g.id "
                 + "WHERE g.name = ? AND g.counts = 1 ORDER BY s.seat", (Object) name)) {
                 while (row.next()) {
                     ranks.add(row.getInt(1));
                     scores.add(row.getDouble(2));
+                    transcript = row.getLong(3);
                 }
             }
-            return ranks.isEmpty() ? Optional.empty() : Optional.of(new Outcome(ranks, scores));
+            return ranks.isEmpty() ? Optional.empty() : Optional.of(new Outcome(ranks, scores, transcript));
         });
     }
 
     /**
      * How a game ended, by seat.
      *
-     * @param ranks  0 is best
-     * @param scores the game's own
+     * @param ranks      0 is best
+     * @param scores     the game's own
+     * @param transcript see {@link GameFacts}; 0 if it is not known
      */
-    public record Outcome(List<Integer> ranks, List<Double> scores) {
+    public record Outcome(List<Integer> ranks, List<Double> scores, long transcript) {
 
         /** Copies. */
         public Outcome {

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.TreeSet;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -49,7 +50,7 @@ class AdaptivePairingTest {
         }
 
         void know(Schedule.Task task) {
-            known.add(task.decision(), task.seed(), task.lineup(), score(task), ranks(task));
+            known.add(task.decision(), task.seed(), task.lineup(), score(task), 0, ranks(task));
         }
 
         void over(Schedule.Task task) {
@@ -91,6 +92,23 @@ class AdaptivePairingTest {
         assertEquals(List.of(1, 2, 3, 4, 5), order);
         assertTrue(!RULE.orders(play.end.met(), order).contains(StopRule.Order.OPEN));
         return games;
+    }
+
+    /** The first four rounds of two, of 10 and of 25 bots: nobody is more than two games ahead. */
+    @ParameterizedTest
+    @ValueSource(ints = {10, 25})
+    void everyBeginningOfTheFirstRoundsIsEven(int bots) {
+        List<Integer> versions = IntStream.range(0, bots).boxed().toList();
+        AdaptivePairing pairing = new AdaptivePairing(versions, 2, LAG, RULE, before -> null);
+        int[] games = new int[bots];
+        for (int decision = 0; decision < AdaptivePairing.FIRST * bots * (bots - 1) / 2; decision++) {
+            int[] group = pairing.choose();
+            pairing.made(1, group);
+            games[group[0]]++;
+            games[group[1]]++;
+            int ahead = IntStream.of(games).max().orElseThrow() - IntStream.of(games).min().orElseThrow();
+            assertTrue(ahead <= 2, decision + ": " + Arrays.toString(games));
+        }
     }
 
     @ParameterizedTest

@@ -167,7 +167,7 @@ class SelfCheckTest {
         for (Gsprt.Model model : Gsprt.Model.values()) {
             Gsprt test = new Gsprt(0, 40, 0.05, 0.05, model);
             for (double at : new double[] {0, 40}) {
-                SprtCheck.Outcome found = new SprtCheck(test, at, 0.5, 100).run(2, LEAGUES, 5);
+                SprtCheck.Outcome found = new SprtCheck(test, at, 0.5, 100, 0).run(2, LEAGUES, 5);
                 double wrong = at == 0 ? found.accepted() : 1 - found.accepted();
                 assertTrue(wrong <= 0.05 + FOUR_DEVIATIONS, found::toString);
                 assertEquals(1, found.mean() / found.theory().observations(), 0.1, found::toString);

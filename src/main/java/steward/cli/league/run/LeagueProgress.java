@@ -1,7 +1,9 @@
 package steward.cli.league.run;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 import steward.cli.league.view.LeagueOpening;
@@ -23,6 +25,7 @@ final class LeagueProgress {
 
     private final GameStore store;
     private final LeagueRun.Limits limits;
+    private final Map<Integer, Boolean> random = new HashMap<>();
     private Results results;
     /** How all games are read, once some have been set aside. */
     private Supplier<Results> anew;
@@ -42,8 +45,13 @@ final class LeagueProgress {
 
     /** A game has ended. */
     synchronized void add(StoredGame game) {
-        results.add(game);
+        results.add(game.seats().stream().anyMatch(seat -> isRandom(seat.version())) ? game.withoutTranscript() : game);
         played += game.counts() ? 1 : 0;
+    }
+
+    private boolean isRandom(int version) {
+        return random.computeIfAbsent(version, id -> store.versions().stream()
+            .anyMatch(each -> each.id() == id && each.random()));
     }
 
     /**

@@ -15,6 +15,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.cli.league.view.LeagueArgument;
 import steward.cli.league.view.LeagueOpening;
+import steward.cli.league.view.RoundText;
 import steward.cli.league.view.TableText;
 import steward.cli.league.view.WorkerBooks;
 import steward.cli.options.CallCheck;
@@ -179,6 +180,10 @@ public final class RunCommand implements Callable<Integer> {
                 }
             });
         progress.goOn(done(past));
+        if (!quiet) {
+            streams.err().println("steward: " + RoundText.length(settings, roster.versions(), season.players(),
+                settings.gauntlet() == null ? -1 : roster.versionOf(settings.gauntlet()).orElse(-1)));
+        }
         if (rule.isAny()) {
             run.until(rule);
         }
@@ -261,6 +266,11 @@ public final class RunCommand implements Callable<Integer> {
         (run.ended() != null ? UntilOptions.tell(run.ended(), run.roster())
             : UntilOptions.missing(until.rule(), Ratings.of(table.results(), run.roster().versions())))
             .forEach(streams.out()::println);
+        RoundText.unfinished(table, run.roster().settings(), season.players()).ifPresent(streams.out()::println);
+        if (run.isRepeated()) {
+            streams.out().println("The bots only repeat games that were played before, whatever the seed is: more of "
+                + "them tell nothing. A bot that draws by lot is to be marked, \"random\": true in league.json.");
+        }
         streams.out().println(TextFormat.count(progress.played(), "game") + " in this run, "
             + TextFormat.number(progress.rate(), 2) + " games/s.");
     }

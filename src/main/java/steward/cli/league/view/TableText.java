@@ -64,7 +64,9 @@ public final class TableText {
         long again = table.results().playedAgain();
         long aside = workers.stream().mapToLong(WorkerRow::aside).sum();
         long without = table.results().withoutResult() - aside;
-        return (again > 0 ? ", " + again + " more played again since others used the processors" : "")
+        long repeats = table.results().repeats();
+        return (repeats > 0 ? ", " + repeats + " more that only repeat earlier ones and do not count" : "")
+            + (again > 0 ? ", " + again + " more played again since others used the processors" : "")
             + (aside > 0 ? ", " + aside + " more set aside, of workers that were caught" : "")
             + (without > 0 ? ", " + without + " more without a result" : "");
     }

@@ -1,0 +1,75 @@
+package steward.cli.league.view;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.DoubleStream;
+import steward.league.LeagueSettings;
+import steward.league.RoundOrder;
+import steward.league.pairing.AdaptivePairing;
+import steward.league.rating.LeagueTable;
+import steward.league.rating.LeagueTable.Row;
+import steward.text.TextFormat;
+
+/** Rounds of a league, in which every group of bots meets once: how long one is, and how far the present one is. */
+public final class RoundText {
+
+    private RoundText() {
+    }
+
+    /**
+     * Length of a round.
+     *
+     * @param versions that play
+     * @param hero     the version that is in every game, or -1
+     */
+    public static String length(LeagueSettings settings, List<Integer> versions, int players, int hero) {
+        if (players == 1) {
+            return "a round is one map, " + TextFormat.count(versions.size(), "game");
+        }
+        int groups = RoundOrder.groups(versions, players, hero).size();
+        return "a round takes " + TextFormat.count((long) groups * players, "game") + ": "
+            + TextFormat.count(groups, "pairing") + " on one seed each, from all seats"
+            + (settings.adaptive() ? "; after " + AdaptivePairing.FIRST + " rounds those play who are in doubt" : "");
+    }
+
+    /** How far the round is that has begun and is not complete; empty if there is none, or each bot plays alone. */
+    public static Optional<String> unfinished(LeagueTable table, LeagueSettings settings, int players) {
+        List<Row> rows = table.rows().stream().filter(row -> row.entry().active()).toList();
+        if (players == 1 || rows.size() < players || table.results().games() == 0) {
+            return Optional.empty();
+        }
+        double[] met = met(rows, table, settings.gauntlet());
+        double ofRound = 2 * groupsOfPair(rows.size() - 2, players - 2);
+        long whole = (long) (DoubleStream.of(met).min().orElse(0) / ofRound);
+        long done = DoubleStream.of(met).filter(games -> games >= ofRound * (whole + 1)).count();
+        boolean rounds = !settings.adaptive() || whole < AdaptivePairing.FIRST;
+        return !rounds || met.length == 0 || whole > 0 && done == 0 ? Optional.empty()
+            : Optional.of("Round " + (whole + 1) + " is not complete: " + done + " of "
+                + TextFormat.count(met.length, "pair") + " have met in it.");
+    }
+
+    /** Games of each pair that is to meet, in whole games of two. */
+    private static double[] met(List<Row> rows, LeagueTable table, String hero) {
+        DoubleStream.Builder met = DoubleStream.builder();
+        for (int i = 0; i < rows.size(); i++) {
+            for (int j = 0; j < i; j++) {
+                if (hero == null || is(rows.get(i), hero) || is(rows.get(j), hero)) {
+                    met.add(table.results().games(rows.get(i).entry().version(), rows.get(j).entry().version()));
+                }
+            }
+        }
+        return met.build().toArray();
+    }
+
+    private static boolean is(Row row, String bot) {
+        return row.entry().name().replaceFirst("#\\d+$", "").equals(bot);
+    }
+
+    private static double groupsOfPair(int others, int seats) {
+        double groups = 1;
+        for (int k = 0; k < seats; k++) {
+            groups = groups * (others - k) / (k + 1);
+        }
+        return groups;
+    }
+}
