@@ -140,6 +140,14 @@ class StandingsTest {
         assertEquals(new Tally(4, 2, 1, 0, 1, 2, 0.75, 1), Tally.of(contest(2), games, 1));
     }
 
+    @Test
+    void aBotThatPlaysAloneAndFailsHasNotFailedTogetherWithOthers() {
+        assertFalse(game(1, 0, List.of(0), failure(0, 1, "a")).allFailed());
+        assertTrue(game(1, 0, List.of(0, 0, 0), failure(0, 5, "a"), failure(1, 5, "b"), failure(2, 5, "c"))
+            .allFailed());
+        assertFalse(game(1, 0, List.of(0, 1, 1), failure(1, 5, "b"), failure(2, 5, "c")).allFailed());
+    }
+
     /** Of whatever order games end in, the bot of the call is meant; the lines are those of the earliest game. */
     @Test
     void failuresOfAKindAreTogether() {

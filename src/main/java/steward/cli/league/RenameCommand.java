@@ -47,7 +47,7 @@ final class RenameCommand implements Callable<Integer> {
         boolean taken = settings.bot(other).isPresent();
         if (Files.exists(folder.database())) {
             try (GameStore store = GameStore.write(folder)) {
-                taken |= store.newest(other).isPresent();
+                taken |= store.present(other).isPresent();
                 if (!taken) {
                     store.rename(name, other);
                 }

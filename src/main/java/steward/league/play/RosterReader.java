@@ -107,7 +107,7 @@ public final class RosterReader {
             if (settings.bot(version.bot()).isPresent()) {
                 throw sameProgram(version.bot(), bot.name());
             }
-            if (store.newest(bot.name()).isPresent()) {
+            if (store.present(bot.name()).isPresent()) {
                 throw new InputException("bot '" + bot.name() + "': found the program of '" + version.bot()
                     + "', but another program of the name '" + bot.name() + "' has games, expected another name");
             }
@@ -115,7 +115,7 @@ public final class RosterReader {
             teller.accept(version.bot() + " is now called " + bot.name());
             return store.version(hash).orElseThrow();
         }
-        Optional<Version> before = store.newest(bot.name());
+        Optional<Version> before = store.present(bot.name());
         if (before.isPresent() && same) {
             store.same(before.get(), hash, clock.getAsLong());
             teller.accept(bot.name() + " changed and counts as " + before.get().display() + " as before");

@@ -3,6 +3,7 @@ package steward.league.store;
 import java.nio.file.Path;
 import java.sql.ResultSet;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import steward.contest.GameFacts;
@@ -29,8 +30,10 @@ public final class GameStore implements AutoCloseable {
      * @param command  as it was first called
      * @param random   whether it was said to draw by lot
      * @param identity the first that it had: the one in names of games
+     * @param played   when its last game ended or it began, in milliseconds since 1970
      */
-    public record Version(int id, String bot, int number, String command, boolean random, String identity) {
+    public record Version(int id, String bot, int number, String command, boolean random, String identity,
+                          long played) {
 
         /** The bot's name, from the second version on with its number. */
         public String display() {
@@ -134,11 +137,13 @@ public final class GameStore implements AutoCloseable {
         return database.with(() -> {
             List<Version> versions = new ArrayList<>();
             try (ResultSet row = database.query("SELECT v.id, bot, number, command, random, "
-                + "(SELECT hash FROM identity i WHERE i.version = v.id ORDER BY i.began, hash LIMIT 1) "
+                + "(SELECT hash FROM identity i WHERE i.version = v.id ORDER BY i.began, hash LIMIT 1), "
+                + "max(began, coalesce((SELECT max(played) FROM game WHERE id IN (SELECT max(game) FROM seat WHERE "
+                + "season IN (SELECT id FROM season) AND version = v.id GROUP BY season)), 0)) "
                 + "FROM version v ORDER BY v.id")) {
                 while (row.next()) {
                     versions.add(new Version(row.getInt(1), row.getString(2), row.getInt(3), row.getString(4),
-                        row.getBoolean(5), row.getString(6)));
+                        row.getBoolean(5), row.getString(6), row.getLong(7)));
                 }
             }
             return versions;
@@ -152,9 +157,10 @@ public final class GameStore implements AutoCloseable {
             : versions().stream().filter(version -> version.id() == ((Number) id).intValue()).findFirst();
     }
 
-    /** The newest version of a bot. */
-    public Optional<Version> newest(String bot) {
-        return versions().stream().filter(version -> version.bot().equals(bot)).reduce((one, other) -> other);
+    /** The version of a bot that plays or has played last: an earlier one if its program was put back. */
+    public Optional<Version> present(String bot) {
+        return versions().stream().filter(version -> version.bot().equals(bot))
+            .max(Comparator.comparingLong(Version::played).thenComparing(Version::number));
     }
 
     /** A new version of a bot. */

@@ -185,7 +185,7 @@ public final class PartMerge {
             }
             versions.put(version.id(), own.orElseThrow(() -> new InputException(source + ": found games of "
                 + version.display() + " as another program (" + version.identity() + "), expected "
-                + store.newest(version.bot()).map(newest -> "the league's (" + newest.identity() + ")")
+                + store.present(version.bot()).map(present -> "the league's (" + present.identity() + ")")
                     .orElse("a bot of this league") + ": its command, its files and their paths have to be the same")));
         }
         return versions;

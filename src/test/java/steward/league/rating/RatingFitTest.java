@@ -93,6 +93,37 @@ class RatingFitTest {
         assertTrue(!fit.residual(0, 3).isSurprise(6));
     }
 
+    /**
+     * 10 clusters of one game each, of two that are level by the other games: 6 won, 4 lost. The share is 0.6, and the
+     * expected one follows from the fit. The squares are 6 0.4^2 + 4 0.6^2 = 2.4, their factor 10/9; half a cluster of
+     * the model's variance is mixed in, the mean of that at 0.6 and that at the expected share. Student's t of 9
+     * degrees.
+     */
+    @Test
+    void aResidualIsMeasuredByTheSpreadOfItsClustersAndHalfAClusterOfTheModels() {
+        RatingFit fit = RatingFit.of(3, List.of(games(0, 1, 6, 0, 4), games(0, 2, 500, 0, 500),
+            games(1, 2, 500, 0, 500)), false);
+        Residual residual = fit.residual(0, 1);
+        double expected = residual.expected();
+        double variance = (2.4 * 10 / 9 + 0.5 * (0.6 * 0.4 / 2 + expected * (1 - expected) / 2)) / 100;
+        assertEquals(Normal.ofStudent((0.6 - expected) / Math.sqrt(variance), 9), residual.z(), 1e-9);
+
+        // 11 of 11 won: fewer than two points on one side, so that at least the model's variance counts.
+        RatingFit won = RatingFit.of(3, List.of(games(0, 1, 11, 0, 0), games(0, 2, 500, 0, 500),
+            games(1, 2, 500, 0, 500)), false);
+        Residual all = won.residual(0, 1);
+        assertEquals(Normal.ofStudent((1 - all.expected()) / Math.sqrt(all.expected() * (1 - all.expected()) / 11), 10),
+            all.z(), 1e-9);
+        // Two points on that side are enough.
+        RatingFit most = RatingFit.of(3, List.of(games(0, 1, 9, 0, 2), games(0, 2, 500, 0, 500),
+            games(1, 2, 500, 0, 500)), false);
+        Residual two = most.residual(0, 1);
+        double share = 9.0 / 11;
+        double own = (11 * share * (1 - share) * 11 / 10
+            + 0.5 * (share * (1 - share) / 2 + two.expected() * (1 - two.expected()) / 2)) / 121;
+        assertEquals(Normal.ofStudent((share - two.expected()) / Math.sqrt(own), 10), two.z(), 1e-9);
+    }
+
     @Test
     void aSumOverPairingsHasStudentsBarAndASinglePairingTheNormalOne() {
         // Both have met a third 100 times: two equal parts, each with about 99.5 degrees of freedom.

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import steward.league.Season;
 
@@ -37,6 +38,48 @@ class ResultsTest {
         assertEquals(0.5, alone.points(2, 3), 1e-12);
         assertEquals(1, alone.games(1, 2), 1e-12);
         assertEquals(1, alone.clusters(), "map 6 has been played by one bot");
+    }
+
+    /** Equal ranks are half a point for each and a draw; in a game of three each pair weighs 2/3. */
+    @Test
+    void equalRanksAreADraw() {
+        Results two = new Results(Season.of("duel", "key", "limits", "rules", 2, false));
+        two.addGame(1, new int[] {4, 7}, 0, 0);
+        two.addGame(1, new int[] {7, 4}, 1, 0);
+        assertEquals(1, two.draws(4, 7));
+        assertEquals(1.5, two.points(4, 7));
+        assertEquals(0.5, two.points(7, 4));
+        assertEquals(1, two.wins(4, 7));
+        assertEquals(0, two.wins(7, 4));
+
+        Results three = new Results(Season.of("crowd", "key", "limits", "rules", 3, false));
+        three.addGame(1, new int[] {1, 2, 3}, 1, 0, 1);
+        assertEquals(2 / 3.0, three.draws(1, 3), 1e-12);
+        assertEquals(1 / 3.0, three.points(3, 1), 1e-12);
+        assertEquals(0, three.points(1, 2));
+        assertEquals(2 / 3.0, three.points(2, 3), 1e-12);
+
+        Results alone = new Results(Season.of("race", "key", "limits", "rules", 1, true));
+        alone.addAlone(5, 1, 30.25);
+        alone.addAlone(5, 2, 30.25);
+        alone.addAlone(5, 3, 31);
+        assertEquals(1, alone.draws(1, 2));
+        assertEquals(0.5, alone.points(2, 1));
+        assertEquals(1, alone.points(2, 3));
+    }
+
+    /** Bots with equal ratings share a rank, and the next has that of its place. */
+    @Test
+    void equalRatingsShareARank() {
+        Results results = new Results(Season.of("duel", "key", "limits", "rules", 2, false));
+        for (int bot = 2; bot <= 3; bot++) {
+            results.addSums(bot, 1, 0, 0, 0, 0, 0);
+            results.addGame(bot, new int[] {1, bot}, 0, 1);
+        }
+        results.addGame(9, new int[] {2, 3}, 0, 0);
+        LeagueTable table = LeagueTable.of(results, IntStream.rangeClosed(1, 3)
+            .mapToObj(bot -> new LeagueTable.Entry(bot, "bot" + bot, false, true)).toList());
+        assertEquals(List.of(1, 2, 2), table.rows().stream().map(LeagueTable.Row::rank).toList());
     }
 
     @Test

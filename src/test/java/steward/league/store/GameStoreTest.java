@@ -132,7 +132,7 @@ class GameStoreTest {
             assertEquals("mine#2", two.display());
             store.same(two, "cc", 3);
             assertEquals(two, store.version("cc").orElseThrow());
-            assertEquals(two, store.newest("mine").orElseThrow());
+            assertEquals(two, store.present("mine").orElseThrow());
             store.rename("mine", "yours");
             assertEquals("yours#2", store.version("bb").orElseThrow().display());
         }
@@ -287,6 +287,24 @@ class GameStoreTest {
                 List.of(GameLine.seat(read.seats().get(0), a), GameLine.seat(read.seats().get(1), b)));
             assertEquals(-5, again.transcript());
             assertEquals(read.seats(), again.seats());
+        }
+    }
+
+    /** Games end at 1000 and more, so that the second version, which began at 2000, is the present one for a while. */
+    @Test
+    void aVersionWhoseProgramIsPutBackIsThePresentOneAgain() {
+        try (GameStore store = GameStore.write(folder)) {
+            int season = store.open(SEASON);
+            Version first = store.add("a", "./a", false, "1a", 1);
+            Version b = store.add("b", "./b", false, "1b", 2);
+            store.add(season, List.of(game(first, b, 5, 1, 1, true)));
+            assertEquals(first.id(), store.present("a").orElseThrow().id());
+            Version second = store.add("a", "./a", false, "2a", 2000);
+            assertEquals(second.id(), store.present("a").orElseThrow().id());
+            store.add(season, List.of(game(second, b, 1100, 1, 1, true)));
+            store.add(season, List.of(game(first, b, 1200, 1, 1, true)));
+            assertEquals(first.id(), store.present("a").orElseThrow().id());
+            assertEquals(2200, store.version("1a").orElseThrow().played());
         }
     }
 

@@ -59,6 +59,26 @@ class SpsaTest {
         return wins / 8.0;
     }
 
+    /**
+     * Step k goes along the difference of scores by a gain of ((K/10 + 1)/(K/10 + 1 + k))^0.602 of the first, divided
+     * by the trial's move, which falls as (k + 1)^-0.101: with K = 10 the k-th step is (2/(2 + k))^0.602 (k + 1)^0.101
+     * of the first, towards the better trial.
+     */
+    @Test
+    void stepsGetSmallerAsSpallRecommends() {
+        Spsa search = new Spsa(TunedCommand.parse("./a {x:0.0..1.0@0.5}"), 10, 9);
+        double first = 0;
+        for (int k = 0; k < 10; k++) {
+            double place = search.path().get(k)[0];
+            double towards = Math.signum(search.trial(1)[0] - place);
+            search.go(0.51, 0.5);
+            double step = (search.path().get(k + 1)[0] - place) * towards;
+            first = k == 0 ? step : first;
+            assertEquals(Math.pow(2.0 / (2 + k), 0.602) * Math.pow(k + 1, 0.101), step / first, 1e-9, "step " + k);
+        }
+        assertTrue(first > 0);
+    }
+
     @Test
     void theSameScoresMakeTheSamePath() {
         TunedCommand command = TunedCommand.parse("./a {x:0.0..1.0} {n:1..3}");

@@ -82,12 +82,13 @@ public final class LeagueOpening {
     public static List<LeagueTable.Entry> entries(LeagueSettings settings, List<GameStore.Version> versions) {
         List<LeagueTable.Entry> entries = new ArrayList<>();
         for (GameStore.Version version : versions) {
-            boolean newest = versions.stream().noneMatch(other -> other.bot().equals(version.bot())
-                && other.number() > version.number());
+            boolean present = versions.stream().noneMatch(other -> other.bot().equals(version.bot())
+                && (other.played() > version.played()
+                    || other.played() == version.played() && other.number() > version.number()));
             if (version.bot().startsWith(TUNED) && settings.bot(version.bot()).isEmpty()) {
                 continue;                              // one of the many that 'steward tune' has tried
             }
-            boolean active = newest && settings.bot(version.bot()).filter(bot -> !bot.retired()).isPresent();
+            boolean active = present && settings.bot(version.bot()).filter(bot -> !bot.retired()).isPresent();
             boolean random = version.random() || settings.bot(version.bot()).filter(LeagueBot::random).isPresent();
             entries.add(new LeagueTable.Entry(version.id(), version.display(), random, active));
         }
