@@ -180,10 +180,6 @@ public final class RunCommand implements Callable<Integer> {
                 }
             });
         progress.goOn(done(past));
-        if (!quiet) {
-            streams.err().println("steward: " + RoundText.length(settings, roster.versions(), season.players(),
-                settings.gauntlet() == null ? -1 : roster.versionOf(settings.gauntlet()).orElse(-1)));
-        }
         if (rule.isAny()) {
             run.until(rule);
         }
@@ -203,6 +199,10 @@ public final class RunCommand implements Callable<Integer> {
             }
             screen.set(streams.errTerminal() && !quiet ? new LiveTable(streams.err(),
                 () -> progress.lines(run, machines, streams::errColour)) : null);
+            if (!quiet) {
+                say(screen.get(), RoundText.length(settings, roster.versions(), season.players(),
+                    settings.gauntlet() == null ? -1 : roster.versionOf(settings.gauntlet()).orElse(-1)));
+            }
             run.play();
             if (told.getAndSet(true)) {
                 return ExitStatus.FAILED;              // the process is about to end, with the status of its signal
