@@ -28,7 +28,10 @@ class SequentialProcessTest {
 
     @TempDir
     private Path folder;
+    /** Draws its maps from the seed. */
     private String scene;
+    /** The same game under every seed. */
+    private String alike;
     private String drives;
     private String drivesToo;
     private String stays;
@@ -36,9 +39,13 @@ class SequentialProcessTest {
     @BeforeEach
     void prepare() throws IOException {
         assumeTrue(ShellBots.runnable(), "skipped: there is no /bin/sh");
+        alike = folder.resolve("alike.json").toString();
+        String duel = Files.readString(Path.of("config/scenes/duel.json"))
+            .replace("\"maximumTurns\": 200", "\"maximumTurns\": 5");
+        Files.writeString(Path.of(alike), duel);
         scene = folder.resolve("short.json").toString();
-        Files.writeString(Path.of(scene), Files.readString(Path.of("config/scenes/duel.json"))
-            .replace("\"maximumTurns\": 200", "\"maximumTurns\": 5"));
+        Files.writeString(Path.of(scene), duel.replaceFirst("(?s)\"maps\": \\[.*?\\n    ]",
+            "\"maps\": \"official\", \"shift\": true, \"jitter\": 30"));
         TextShellBots bots = new TextShellBots(folder);
         drives = "drives=codingame:" + bots.driver();
         drivesToo = "drivesToo=codingame:" + bots.driver().replace(" 0", " 99");
@@ -85,8 +92,28 @@ class SequentialProcessTest {
         String played = tableHead(league);
         assertEquals(whole, sprt("--into", league), "everything is stored");
         assertEquals(played, tableHead(league));
-        assertEquals(whole, done("league", "sprt", league("other", drives, stays), "drives", "stays", "--elo1", "200",
-            "--threads", "2"), "threads change nothing");
+        assertEquals(done("league", "sprt", league("other", drives, stays), "drives", "stays", "--elo1", "200"),
+            done("league", "sprt", league("third", drives, stays), "drives", "stays", "--elo1", "200", "--threads",
+                "2"), "threads change nothing");
+    }
+
+    @Test
+    void aTestOfBotsThatPlayAlikeUnderEverySeedStopsUndecided() {
+        scene = alike;
+        Cli cli = Cli.run("sprt", "--scene", scene, "--bot", drives, "--bot", stays, "--elo1", "200", "--seed", "3",
+            "--no-deadline");
+        assertEquals(0, cli.status(), cli.err());
+        assertTrue(cli.out().contains(": not decided") && cli.out().contains(
+            "1 seed, 2 games, 20 seeds that only repeat games left out"), cli.out());
+        assertTrue(cli.err().contains("the test ends undecided: the last 20 seeds repeat games"), cli.err());
+    }
+
+    @Test
+    void aLeagueOfBotsThatPlayAlikeEndsAndSaysSo() throws IOException {
+        scene = alike;
+        String said = done("league", "run", league("alike", drives, stays), "--games", "400");
+        assertTrue(said.startsWith("2 games of duel, ") && said.contains(" more that only repeat earlier ones"), said);
+        assertTrue(said.contains("The bots only repeat games that were played before"), said);
     }
 
     @Test
@@ -113,8 +140,9 @@ class SequentialProcessTest {
 
     @Test
     void aSearchGoesOnWhereItWasAndFindsTheBetterChoice() throws IOException {
+        scene = alike;
         String league = league("tuned");
-        List<String> words = new ArrayList<>(List.of("tune", "--scene", scene, "--bot",
+        List<String> words = new ArrayList<>(List.of("tune", "--scene", alike, "--bot",
             "mine=codingame:sh '" + folder.resolve("text pod.sh") + "' {way:stay|drive} 0", "--against", stays,
             "--games", "24", "--seeds", "1", "--test-games", "12", "--seed", "1", "--no-deadline"));
         String whole = done(words.toArray(String[]::new));
