@@ -96,11 +96,10 @@ public final class RoundOrder {
             return;
         }
         int[] tour = new int[bots];
-        tour[0] = bots - 1;
         for (int first = 0; first < bots / 2; first++) {
             for (int k = 1; k < bots; k++) {
                 int across = k % 2 == 0 ? k / 2 : -(k / 2);
-                tour[k] = (first + across + bots - 1) % (bots - 1);
+                tour[k] = 1 + (first + across + bots - 1) % (bots - 1);
             }
             for (int k = 0; k < 2 * bots; k += 2) {
                 addPair(tour[k % bots], tour[(k + 1) % bots]);
