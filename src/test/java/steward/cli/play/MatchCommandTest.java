@@ -55,7 +55,7 @@ class MatchCommandTest {
         assertTrue(cli.out().contains("far is out: no checkpoint in 51 turns\n"), cli.out());
         assertTrue(cli.out().contains("steward replay " + file), cli.out());
         assertEquals("", cli.err());
-        assertEquals("verified: states of 50 of 51 turns and the result\n",
+        assertEquals("verified: states of 51 of 51 turns and the result\n",
             Cli.run("replay", file.toString(), "--verify").out());
     }
 
@@ -64,7 +64,7 @@ class MatchCommandTest {
         Cli cli = duel("--seed", "7", "--out", "-");
         assertTrue(cli.err().startsWith("near wins: the other player is out, 51 turns (duel, seed 7)\n"), cli.err());
         Path file = Files.writeString(folder.resolve("piped.jsonl"), cli.out());
-        assertEquals("verified: states of 50 of 51 turns and the result\n",
+        assertEquals("verified: states of 51 of 51 turns and the result\n",
             Cli.run("replay", file.toString(), "--verify").out());
         duel("--out", "-", "--json").assertRefused("--json is printed to the standard output, expected a file");
         duel("--out", "-", "--games", "2").assertRefused("--out: found -, expected a folder");

@@ -182,7 +182,7 @@ class FeedCommandTest {
         assertTrue(cli.out().contains("turn   19  same\nturn   20  played, same\n"), cli.out());
         assertTrue(cli.out().contains("turn   30  played, differs: command[0].thrust recorded 100, now 90\n"
             + "turn   31  played\n"), cli.out());
-        assertTrue(cli.out().contains("19 turns compared: 19 the same, 0 different\n31 turns played by the bot\n"
+        assertTrue(cli.out().contains("19 turns compared: 19 the same, 0 different\n32 turns played by the bot\n"
             + "bot.sh wins: the other player is out, 51 turns (duel, seed 7)\n"), cli.out());
         assertEquals("verified: states of 51 of 51 turns and the result\n",
             Cli.run("replay", file.toString(), "--verify").out());
@@ -244,7 +244,7 @@ class FeedCommandTest {
         assertEquals("[{\"turn\":7,\"recordedFault\":null,\"fault\":null,\"fields\":[{\"field\":\"command[0].thrust\","
             + "\"recorded\":\"100\",\"now\":\"50\"}]}]", other.json().get("differing").toString());
         Cli played = feed("--json --from-turn 20 --replace --out " + folder.resolve("new.jsonl"), bot("100"));
-        assertEquals("{\"turns\":31,\"turnsInAll\":51,\"ending\":\"all others are out\",\"noResultBecause\":null,"
+        assertEquals("{\"turns\":32,\"turnsInAll\":51,\"ending\":\"all others are out\",\"noResultBecause\":null,"
             + "\"ahead\":[\"bot.sh\"],\"replay\":\"" + folder.resolve("new.jsonl") + "\"}",
             played.json().get("played").toString());
     }
@@ -258,7 +258,7 @@ class FeedCommandTest {
                 "--from-turn", "20", "--replace", "--quiet", "--out", "-", "--", "sh", script, "100", "0", "");
             assertEquals(ExitStatus.DONE, status, err.toString(StandardCharsets.UTF_8));
         }
-        assertTrue(err.toString(StandardCharsets.UTF_8).contains("31 turns played by the bot\n"));
+        assertTrue(err.toString(StandardCharsets.UTF_8).contains("32 turns played by the bot\n"));
         ByteArrayOutputStream verified = new ByteArrayOutputStream();
         Main.run(new Streams(new ByteArrayInputStream(out.toByteArray()), false, verified, err, false, false),
             "replay", "-", "--verify");
