@@ -7,6 +7,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine;
 import steward.cli.bench.BenchCommand;
+import steward.cli.check.CheckCommand;
 import steward.cli.lab.ExplainCommand;
 import steward.cli.lab.StabilityCommand;
 import steward.cli.lab.TradeoffCommand;
@@ -33,6 +34,7 @@ import steward.cli.shared.ExitStatus;
 import steward.cli.shared.NumberConverter;
 import steward.cli.shared.OutOfMemory;
 import steward.cli.shared.Streams;
+import steward.cli.tournament.TournamentCommand;
 
 /** The program. See {@link ExitStatus} for its exit statuses. */
 @Command(name = "steward", synopsisSubcommandLabel = "COMMAND",
@@ -50,7 +52,7 @@ public final class Main {
     private static final int WIDTH = 80;
 
     private static final List<String> COMMANDS = List.of("match", "replay", "feed", "scene", "explain", "demo",
-        "league", "worker", "sprt", "tune",
+        "league", "worker", "sprt", "tune", "check", "tournament",
         "simulate", "import", "key", "referee", "play", "stability", "tradeoff", "bench", "new", "doctor",
         CompletionCommand.NAME, HelpCommand.NAME);
 
@@ -149,6 +151,8 @@ public final class Main {
             case "worker" -> new WorkerCommand(streams);
             case "sprt" -> new SprtCommand(streams);
             case "tune" -> new TuneCommand(streams);
+            case "check" -> new CheckCommand(streams);
+            case "tournament" -> new TournamentCommand(streams);
             case "simulate" -> new SimulateCommand(streams);
             case "import" -> new ImportCommand(streams);
             case "key" -> new KeyCommand(streams);

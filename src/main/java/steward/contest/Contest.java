@@ -244,7 +244,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         }
     }
 
-    private static boolean hasText(GameSetup setup) {
+    static boolean hasText(GameSetup setup) {
         return setup.textCodec(setup.create(0)).isPresent();
     }
 

@@ -20,7 +20,7 @@ public record Failure(int player, int turn, String reason, List<String> stderr, 
     /** How many lines of stderr are kept at most. */
     public static final int LINES = 10;
 
-    private static final String RECEIVED = "; received: ";
+    static final String RECEIVED = "; received: ";
     private static final Pattern NUMBER = Pattern.compile("-?\\d+(\\.\\d+)?(E-?\\d+)?");
 
     /** Copies the lists. */
@@ -49,6 +49,11 @@ public record Failure(int player, int turn, String reason, List<String> stderr, 
      * each number. The status of an exit and the limit of an answer stay.
      */
     public String kind() {
+        return kind(reason);
+    }
+
+    /** The {@link #kind()} of failures for this reason. */
+    public static String kind(String reason) {
         int received = reason.indexOf(RECEIVED);
         String text = FaultMessages.withoutTimes(received < 0 ? reason : reason.substring(0, received));
         return FaultMessages.isExit(reason) || FaultMessages.isLate(reason) ? text

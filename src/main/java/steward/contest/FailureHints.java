@@ -39,6 +39,13 @@ final class FailureHints {
     private static final Pattern CLEAR = Pattern.compile("SyntaxError|IndentationError|ModuleNotFoundError|ImportError"
         + "|No such file|can't open|cannot open|ClassNotFound|Could not find or load|command not found|not found$");
 
+    private static final Pattern SYNTAX = Pattern.compile("SyntaxError|IndentationError|TabError|syntax error");
+    /** Where a program says that it was not let do something, or missed something. */
+    private static final Pattern OF_SANDBOX = Pattern.compile("OSError|Permission|No such file|NoSuchFile|FileNotFound"
+        + "|Read-only|not permitted|AccessDenied|EACCES|ENOENT|EROFS|EPERM|ModuleNotFound|ImportError|Cannot find"
+        + "|ClassNotFound|NoClassDef|KeyError|Network|network|[sS]ocket|Connect|connect|UnknownHost|resol"
+        + "|MemoryError|OutOfMemory|bad_alloc|terminate called");
+
     /** Where a program says with a traceback why it ended: a parser met JSON, or did not find its number. */
     private static final Pattern TRACEBACK = Pattern.compile("Traceback \\(most recent call last\\)"
         + "|^Exception in thread|^\\s+at .+[(:]\\S*\\d+\\)?$|^panicked at|^thread '.*' panicked");
@@ -81,7 +88,7 @@ final class FailureHints {
             if (sandbox.limits().memory() > 0) {
                 hints.add(MEMORY);
             }
-            if (answers == 0 && sandbox.level() != SandboxLevel.OFF) {
+            if (answers == 0 && sandbox.level() != SandboxLevel.OFF && !isExplained(stderr)) {
                 hints.add(sandbox.level() == SandboxLevel.STRICT ? STRICT : LIGHT);
             }
         }
@@ -92,6 +99,13 @@ final class FailureHints {
     static String missing(Path path) {
         return "strict does not show it what it seems to need; try --visible "
             + TextFormat.plain(CommandLine.quote(List.of(path.toString())));
+    }
+
+    /** True if the program says why it ended, and that is nothing that a sandbox does. */
+    private static boolean isExplained(List<String> stderr) {
+        return stderr.stream().anyMatch(line -> SYNTAX.matcher(line).find())
+            || stderr.stream().anyMatch(line -> TRACEBACK.matcher(line).find())
+            && stderr.stream().noneMatch(line -> OF_SANDBOX.matcher(line).find());
     }
 
     /** Whether it exited at its first input, or answered in the form of the other protocol. */

@@ -4,6 +4,9 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
+import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
+import java.util.stream.IntStream;
 import steward.Internal;
 import steward.bot.FaultMessages;
 import steward.bot.isolation.Isolation;
@@ -13,6 +16,7 @@ import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
+import steward.match.Protocol;
 import steward.match.Turn;
 import steward.replay.TranscriptDigest;
 import steward.text.TextFormat;
@@ -27,8 +31,10 @@ public final class GameLog implements MatchListener {
     /** How much of a line of stderr is kept, in characters. */
     private static final int LONGEST = 200;
 
-    private final Contest contest;
-    private final int rotation;
+    private final List<Protocol> protocols;
+    private final List<List<String>> commands;
+    private final BooleanSupplier bothProtocols;
+    private final Supplier<Isolation> isolation;
     private final String[][] stderr;
     private final int[] asked;
     private final int[] answers;
@@ -42,9 +48,28 @@ public final class GameLog implements MatchListener {
 
     /** @param rotation by how many places the bots have moved up */
     public GameLog(Contest contest, int rotation) {
-        this.contest = contest;
-        this.rotation = rotation;
-        int players = contest.players();
+        this(IntStream.range(0, contest.players())
+            .mapToObj(player -> contest.entrants().get(contest.entrantOf(player, rotation)).protocol()).toList(),
+            IntStream.range(0, contest.players())
+                .mapToObj(player -> contest.entrants().get(contest.entrantOf(player, rotation)).words()).toList(),
+            contest::hasBothProtocols, contest.isolation());
+    }
+
+    /**
+     * A log of a game between these players.
+     *
+     * @param protocols     what each speaks
+     * @param commands      the words of each command; none if they are not of this machine
+     * @param bothProtocols whether the scene has both, asked when a bot failed
+     * @param isolation     how bots are kept apart, {@code null} if that is not known; asked when a bot failed
+     */
+    GameLog(List<Protocol> protocols, List<List<String>> commands, BooleanSupplier bothProtocols,
+            Supplier<Isolation> isolation) {
+        this.protocols = protocols;
+        this.commands = commands;
+        this.bothProtocols = bothProtocols;
+        this.isolation = isolation;
+        int players = protocols.size();
         stderr = new String[players][Failure.LINES];
         asked = new int[players];
         answers = new int[players];
@@ -63,6 +88,11 @@ public final class GameLog implements MatchListener {
     @Override
     public void commands(Turn turn) {
         digest.commands(turn, codec);
+        note(turn);
+    }
+
+    /** Notes who failed, and how long answers took. */
+    void note(Turn turn) {
         for (int player = 0; player < turn.players(); player++) {
             if (!turn.asked(player)) {
                 continue;
@@ -103,14 +133,16 @@ public final class GameLog implements MatchListener {
 
     private Failure failure(int player, Turn turn) {
         List<String> lines = lastLines(stderr[player]);
-        String received = turn.answer(player) == null ? "" : turn.answer(player);
-        Contest.Entrant entrant = contest.entrants().get(contest.entrantOf(player, rotation));
-        Isolation sandbox = contest.isolation().get();
-        List<String> hints = new ArrayList<>(FailureHints.of(entrant.protocol(), contest::hasBothProtocols,
-            answers[player], turn.fault(player), received, lines, turn.timeSpent(player), sandbox));
-        if (answers[player] == 0 && sandbox.level() == SandboxLevel.STRICT
-            && FaultMessages.isExit(turn.fault(player))) {
-            MissingFiles.of(entrant.words(), lines, sandbox).forEach(path -> hints.add(FailureHints.missing(path)));
+        int behind = turn.fault(player).indexOf(Failure.RECEIVED);
+        String received = turn.answer(player) != null ? turn.answer(player)
+            : behind < 0 ? "" : turn.fault(player).substring(behind + Failure.RECEIVED.length());
+        Isolation sandbox = isolation.get();
+        List<String> hints = new ArrayList<>(FailureHints.of(protocols.get(player), bothProtocols, answers[player],
+            turn.fault(player), received, lines, turn.timeSpent(player), sandbox));
+        if (answers[player] == 0 && sandbox != null && sandbox.level() == SandboxLevel.STRICT
+            && !commands.isEmpty() && FaultMessages.isExit(turn.fault(player))) {
+            MissingFiles.of(commands.get(player), lines, sandbox).forEach(path ->
+                hints.add(FailureHints.missing(path)));
         }
         return new Failure(player, turn.number(), turn.fault(player), lines, hints, turn.timeSpent(player));
     }
@@ -136,7 +168,7 @@ public final class GameLog implements MatchListener {
     }
 
     /** How long answers took, by player; when the game is over. */
-    List<AnswerTimes> times() {
+    public List<AnswerTimes> times() {
         return List.of(times);
     }
 

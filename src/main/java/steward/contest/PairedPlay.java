@@ -4,7 +4,10 @@ import java.io.UncheckedIOException;
 import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.Deque;
-import java.util.Objects;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 import steward.Internal;
@@ -29,26 +32,33 @@ public final class PairedPlay {
     private final Deque<Game> waiting = new ArrayDeque<>();
     /** Seeds that are not over, by number. */
     private final TreeMap<Integer, Seed> open = new TreeMap<>();
+    /** Games of these that were played here and in which a bot failed. */
+    private final Map<Integer, Map<Series.Played, List<Failure>>> failed = new HashMap<>();
     /** How many of their games are not over. */
     private final TreeMap<Integer, Integer> missing = new TreeMap<>();
     private int begun;
-    private int number;
     private boolean over;
-
-    /** A game that has been played before. */
-    public interface Known {
-
-        /** What it came to; {@code null} if it is not known. */
-        Past game(long seed, int rotation);
-    }
+    private final FailureCounts failures;
 
     /**
      * A game that is over.
      *
-     * @param transcript see {@link GameFacts}
-     * @param values     by player, more is better
+     * @param values    by player, more is better; {@code null} where the game has no result, or all players failed in
+     *                  the same turn, which tells of none that it is better
+     * @param allFailed whether it is that
+     * @param transcript see {@link GameFacts}; 0 if it is not known
+     * @param failed    by player, whether it failed
      */
-    public record Past(long transcript, double... values) {
+    public record Outcome(double[] values, boolean allFailed, long transcript, boolean... failed) {
+
+        private static final Outcome NONE = new Outcome(null, false, 0);
+    }
+
+    /** A game that has been played before. */
+    public interface Known {
+
+        /** How it went, or {@code null} if that is not known. */
+        Outcome outcome(long seed, int rotation);
     }
 
     /** Takes the results of seeds, in their order. */
@@ -62,13 +72,13 @@ public final class PairedPlay {
      * All games of a seed.
      *
      * @param seed  it
-     * @param games by rotation; {@code null} for a game without a result
+     * @param games by rotation
      */
-    public record Seed(long seed, Past... games) {
+    public record Seed(long seed, Outcome... games) {
 
-        /** Whether every game has a result. */
+        /** True if every game has values. */
         public boolean isWhole() {
-            return Arrays.stream(games).allMatch(Objects::nonNull);
+            return Arrays.stream(games).allMatch(game -> game.values() != null);
         }
 
         /** Adds the games. @return true if each had been played before, see {@link Repeats} */
@@ -78,6 +88,11 @@ public final class PairedPlay {
                 all &= repeats.isRepeat(rotation, games[rotation].transcript());
             }
             return all;
+        }
+
+        /** True if in one of the games all players failed in the same turn. */
+        public boolean allFailed() {
+            return Arrays.stream(games).anyMatch(Outcome::allFailed);
         }
 
         /**
@@ -117,14 +132,16 @@ public final class PairedPlay {
      * @param first  the first seed
      * @param known  games that need not be played
      * @param keeper is told of every game that is over, by any thread; what it throws ends everything
+     * @param failures takes the failures of games, numbered in the order of seeds and rotations
      */
     public PairedPlay(Contest contest, long first, Hiccups hiccups, Known known, Consumer<Series.Played> keeper,
-                      Taker taker) {
+                      FailureCounts failures, Taker taker) {
         this.contest = contest;
         this.first = first;
         this.hiccups = hiccups;
         this.known = known;
         this.keeper = keeper;
+        this.failures = failures;
         this.taker = taker;
     }
 
@@ -151,12 +168,12 @@ public final class PairedPlay {
         while (!over && waiting.isEmpty()) {
             long seed = first + begun;
             int games = contest.isAlone() ? contest.entrants().size() : contest.players();
-            Past[] past = new Past[games];
-            open.put(begun, new Seed(seed, past));
+            Outcome[] outcomes = new Outcome[games];
+            open.put(begun, new Seed(seed, outcomes));
             missing.put(begun, 0);
             for (int rotation = 0; rotation < games; rotation++) {
-                past[rotation] = known.game(seed, rotation);
-                if (past[rotation] == null) {
+                outcomes[rotation] = known.outcome(seed, rotation);
+                if (outcomes[rotation] == null) {
                     waiting.add(new Game(begun, seed, rotation));
                     missing.merge(begun, 1, Integer::sum);
                 }
@@ -170,6 +187,8 @@ public final class PairedPlay {
     private void deliver() {
         while (!over && !open.isEmpty() && missing.get(open.firstKey()) == 0) {
             missing.remove(open.firstKey());
+            Map<Series.Played, List<Failure>> found = failed.remove(open.firstKey());
+            failures.addSeed(open.firstEntry().getValue().games().length, found == null ? Map.of() : found);
             over = !taker.take(open.pollFirstEntry().getValue());
         }
     }
@@ -177,6 +196,7 @@ public final class PairedPlay {
     private void play(Game game) throws InterruptedException {
         Series.Played before = null;
         Series.Played played = null;
+        List<Failure> found = List.of();
         for (int attempt = 1; attempt <= 2; attempt++) {
             GameLog log = new GameLog(contest, game.rotation());
             MatchResult result = null;
@@ -190,9 +210,9 @@ public final class PairedPlay {
                 if (over) {
                     return;
                 }
-                number++;
-                played = new Series.Played(number, game.seed(), game.rotation(), result, problem,
-                    log.failures().stream().map(Failure::brief).toList(), null, log.facts(), before);
+                found = log.failures();
+                played = new Series.Played(game.rotation() + 1, game.seed(), game.rotation(), result, problem,
+                    found.stream().map(Failure::brief).toList(), null, log.facts(), before);
             }
             if (!hiccups.demandAnother(played)) {
                 break;
@@ -201,12 +221,26 @@ public final class PairedPlay {
         }
         keeper.accept(played);
         synchronized (this) {
-            Seed seed = open.get(game.number());
-            seed.games()[game.rotation()] = played.result() == null ? null
-                : new Past(played.facts().transcript(), values(played.result()));
+            open.get(game.number()).games()[game.rotation()] = outcome(played);
+            if (!found.isEmpty()) {
+                failed.computeIfAbsent(game.number(), any -> new LinkedHashMap<>()).put(played, found);
+            }
             missing.merge(game.number(), -1, Integer::sum);
             deliver();
         }
+    }
+
+    private Outcome outcome(Series.Played game) {
+        MatchResult result = game.result();
+        if (result == null) {
+            return Outcome.NONE;
+        }
+        boolean[] faults = new boolean[result.players().size()];
+        for (int player = 0; player < faults.length; player++) {
+            faults[player] = result.players().get(player).fault() != null;
+        }
+        return new Outcome(game.allFailed() ? null : values(result), game.allFailed(), game.facts().transcript(),
+            faults);
     }
 
     private double[] values(MatchResult result) {

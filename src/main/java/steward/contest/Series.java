@@ -84,6 +84,10 @@ public record Series(Contest contest, long first, int seeds, boolean swap, Path 
             return new Played(number, seed, rotation, null, problem, failures, replay, GameFacts.UNKNOWN, starved);
         }
 
+        Played numbered(int other) {
+            return new Played(other, seed, rotation, result, failure, failures, replay, facts, starved);
+        }
+
         Played keptAs(Path file) {
             return new Played(number, seed, rotation, result, failure, failures, file, facts, starved);
         }

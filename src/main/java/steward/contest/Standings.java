@@ -1,10 +1,6 @@
 package steward.contest;
 
-import java.util.ArrayList;
-import java.util.Comparator;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.TreeMap;
 import steward.match.MatchResult;
 
@@ -21,14 +17,11 @@ public final class Standings {
     private int results;
     private int failed;
 
-    /** The first failure of each kind, with its lines, by bot and kind. */
-    private final Map<List<Object>, FirstFailure> firsts = new LinkedHashMap<>();
-
-    private record FirstFailure(int game, Failure failure) {
-    }
+    private final FailureCounts failures;
 
     Standings(Contest contest) {
         this.contest = contest;
+        failures = new FailureCounts(contest);
         int entrants = contest.entrants().size();
         points = new double[entrants];
         times = new AnswerTimes[entrants];
@@ -40,16 +33,12 @@ public final class Standings {
     /**
      * Adds a game.
      *
-     * @param failures with their lines, of which only those of the first failure of a kind are kept
+     * @param found    failures with their lines, of which only those of the first failure of a kind are kept
      * @param measured answer times by player
      */
-    synchronized void add(Series.Played game, List<Failure> failures, List<AnswerTimes> measured) {
+    synchronized void add(Series.Played game, List<Failure> found, List<AnswerTimes> measured) {
         games.put(game.number(), game);
-        for (Failure failure : failures) {
-            FirstFailure one = new FirstFailure(game.number(), failure);
-            firsts.merge(List.of(game.entrantOf(contest, failure.player()), failure.kind()), one,
-                (before, now) -> now.game() < before.game() ? now : before);
-        }
+        failures.add(game, found);
         for (int player = 0; player < measured.size(); player++) {
             times[game.entrantOf(contest, player)].addAll(measured.get(player), game.number());
         }
@@ -111,18 +100,6 @@ public final class Standings {
 
     /** Why bots failed, the bot and kind of the earliest game first. */
     public synchronized List<FailureKind> failures() {
-        Map<List<Object>, List<FailureKind.Occurrence>> found = new LinkedHashMap<>();
-        for (Series.Played game : games.values()) {
-            for (Failure failure : game.failures()) {
-                found.computeIfAbsent(List.of(game.entrantOf(contest, failure.player()), failure.kind()),
-                    key -> new ArrayList<>()).add(new FailureKind.Occurrence(game, failure.turn()));
-            }
-        }
-        List<FailureKind> kinds = new ArrayList<>();
-        found.forEach((key, occurrences) -> kinds.add(
-            new FailureKind((Integer) key.get(0), List.copyOf(occurrences), firsts.get(key).failure())));
-        kinds.sort(Comparator.comparingInt((FailureKind kind) -> kind.game().number())
-            .thenComparingInt(FailureKind::entrant));
-        return kinds;
+        return failures.kinds();
     }
 }

@@ -11,12 +11,24 @@ import steward.bot.command.BotCommand;
  * @param files   what its identity is made of besides the command; {@code null} for every argument that is a file
  * @param random  whether it draws by lot: its games cannot be played again to the bit
  * @param retired whether it plays no more; its games stay
+ * @param resumed the decision from which on failures in a row pause it; 0 for all
  */
-public record LeagueBot(String name, String command, List<String> files, boolean random, boolean retired) {
+public record LeagueBot(String name, String command, List<String> files, boolean random, boolean retired,
+                        int resumed) {
 
     /** Copies the list. */
     public LeagueBot {
         files = files == null ? null : List.copyOf(files);
+    }
+
+    /** One whose failures all matter. */
+    public LeagueBot(String name, String command, List<String> files, boolean random, boolean retired) {
+        this(name, command, files, random, retired, 0);
+    }
+
+    /** The same, of which failures before a decision do not matter. */
+    public LeagueBot resumed(int decision) {
+        return new LeagueBot(name, command, files, random, retired, decision);
     }
 
     /** As it would be typed in a call. */
@@ -31,11 +43,11 @@ public record LeagueBot(String name, String command, List<String> files, boolean
 
     /** The same under another name. */
     public LeagueBot named(String other) {
-        return new LeagueBot(other, command, files, random, retired);
+        return new LeagueBot(other, command, files, random, retired, resumed);
     }
 
     /** The same, to play no more or again. */
     public LeagueBot retired(boolean now) {
-        return new LeagueBot(name, command, files, random, now);
+        return new LeagueBot(name, command, files, random, now, resumed);
     }
 }

@@ -29,7 +29,7 @@ public final class LeagueReader {
     static final String GAUNTLET = "gauntlet ";
 
     /** What a bot may be called. */
-    public static final Pattern NAME = Pattern.compile("[A-Za-z0-9._-]{1,100}");
+    public static final Pattern NAME = Pattern.compile("[\\p{L}\\p{M}\\p{N}._-]{1,100}");
     /** The same in words. */
     public static final String NAME_FORM = "1 to 100 letters, digits, dots, underscores and hyphens";
 
@@ -181,7 +181,7 @@ public final class LeagueReader {
             }
             LeagueBot bot = new LeagueBot(name, block.text("command"),
                 block.has("files") ? texts(block, "files") : null, block.flag("random", false),
-                block.flag("retired", false));
+                block.flag("retired", false), block.integer("resumed", 0, Integer.MAX_VALUE, 0));
             try {
                 bot.parsed();
             } catch (IllegalArgumentException problem) {

@@ -55,7 +55,8 @@ final class LeagueText {
         return "{ " + field("name", text(bot.name())) + ", " + field("command", text(bot.command()))
             + (bot.files() == null ? "" : ", " + field("files", list(bot.files())))
             + (bot.random() ? ", " + field("random", "true") : "")
-            + (bot.retired() ? ", " + field("retired", "true") : "") + " }";
+            + (bot.retired() ? ", " + field("retired", "true") : "")
+            + (bot.resumed() > 0 ? ", " + field("resumed", Integer.toString(bot.resumed())) : "") + " }";
     }
 
     private static String sandbox(List<String> words) {

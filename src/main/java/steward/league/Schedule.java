@@ -8,7 +8,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.IntPredicate;
 import java.util.function.Predicate;
@@ -34,6 +37,12 @@ public final class Schedule {
     private final TreeMap<Integer, Integer> open = new TreeMap<>();
     private final Deque<Task> waiting = new ArrayDeque<>();
 
+    private PausedBots pauses;
+    private Consumer<Integer> pauseListener = version -> { };
+    /** All that may play, those that are paused among them. */
+    private Collection<Integer> roster = List.of();
+    private Function<List<Integer>, Pairing> make;
+    private Set<Integer> paused = Set.of();
     private List<Integer> active = List.of();
     private Pairing pairing;
     private RepeatedGroups repeated;
@@ -66,23 +75,74 @@ public final class Schedule {
         this.earlier = earlier;
         last = earlier.last();
         repeated = new RepeatedGroups(players == 1);
+        pauses = new PausedBots(0, lag);
+    }
+
+    /**
+     * Pauses bots; before {@link #play}.
+     *
+     * @param bots     with the games of earlier runs
+     * @param listener is told of each version when it is paused
+     */
+    public void pausing(PausedBots bots, Consumer<Integer> listener) {
+        pauses = bots;
+        pauseListener = listener;
     }
 
     /**
      * Who plays from now on. Games that were decided and not begun are dropped if one of theirs plays no more.
      *
      * @param versions in any order
-     * @param make     makes a pairing of them
+     * @param maker    makes a pairing of them
      */
-    public void play(Collection<Integer> versions, Function<List<Integer>, Pairing> make) {
-        active = versions.stream().sorted().toList();
-        if (players > 1) {
+    public void play(Collection<Integer> versions, Function<List<Integer>, Pairing> maker) {
+        roster = List.copyOf(versions);
+        make = maker;
+        paused = Set.of();
+        play();
+    }
+
+    private void play() {
+        active = roster.stream().filter(version -> !paused.contains(version)).sorted().toList();
+        if (players > 1 && active.size() >= players) {
             pairing = make.apply(active);
             earlier.tellWhole(this::made);
             untold.clear();
             untold.putAll(made);
         }
-        waiting.removeIf(task -> Arrays.stream(task.lineup()).anyMatch(version -> !active.contains(version)));
+        waiting.removeIf(task -> {
+            boolean gone = Arrays.stream(task.lineup()).anyMatch(version -> !active.contains(version));
+            if (gone) {
+                pauses.forget(task);
+            }
+            return gone;
+        });
+    }
+
+    /** The versions that play and are not paused, ascending. */
+    public List<Integer> active() {
+        return active;
+    }
+
+    /** Pauses bots that are to be paused from the next decision on; false if games that are not over decide that. */
+    private boolean pause() {
+        Set<Integer> found = new TreeSet<>();
+        for (int version : roster) {
+            PausedBots.State state = pauses.at(version, next);
+            if (state == PausedBots.State.OPEN) {
+                return false;
+            }
+            if (state == PausedBots.State.PAUSED) {
+                found.add(version);
+            }
+        }
+        if (!found.equals(paused)) {
+            Set<Integer> before = paused;
+            paused = found;
+            play();
+            found.stream().filter(version -> !before.contains(version)).forEach(pauseListener);
+        }
+        return true;
     }
 
     /** Asks no more for groups whose games only repeat earlier ones; it ends where there are no others. */
@@ -127,7 +187,7 @@ public final class Schedule {
             if (games + waiting.size() >= most || firstOpen() <= next - lag) {
                 return null;
             }
-            if (players == 1 && next > last && active.isEmpty() || ended) {
+            if (ended || next > last && (!pause() || active.size() < players || active.isEmpty())) {
                 return null;
             }
             decide();
@@ -192,7 +252,9 @@ public final class Schedule {
         for (int[] lineup : lineups) {
             boolean playable = Arrays.stream(lineup).allMatch(active::contains);
             if (playable && done.stream().noneMatch(each -> Arrays.equals(each, lineup))) {
-                waiting.add(new Task(number, firstSeed + number, lineup));
+                Task task = new Task(number, firstSeed + number, lineup);
+                waiting.add(task);
+                pauses.expect(task);
             }
         }
     }
@@ -211,8 +273,16 @@ public final class Schedule {
         return pairing.choose(group -> !repeated.isRepeated(group));
     }
 
-    /** A game is over, or will not be. */
-    public void over(Task task) {
+    /**
+     * A game is over, or will not be.
+     *
+     * @param failed by seat, whether the bot failed; nothing where there is no result
+     */
+    public void over(Task task, boolean... failed) {
+        pauses.forget(task);
+        for (int seat = 0; seat < failed.length; seat++) {
+            pauses.over(task.decision(), task.lineup()[seat], failed[seat]);
+        }
         open.computeIfPresent(task.decision(), (number, count) -> count == 1 ? null : count - 1);
     }
 
@@ -221,6 +291,7 @@ public final class Schedule {
         games--;
         if (Arrays.stream(task.lineup()).allMatch(active::contains)) {
             waiting.addFirst(task);
+            pauses.expect(task);
         }
     }
 
@@ -230,6 +301,7 @@ public final class Schedule {
         games--;
         if (Arrays.stream(task.lineup()).allMatch(active::contains)) {
             waiting.addFirst(task);
+            pauses.expect(task);
         }
     }
 }

@@ -17,7 +17,7 @@ import steward.contest.GameFacts;
  * @param decision which decision of the schedule it belongs to, or -1 for none
  * @param seed     its seed
  * @param attempt  1, or 2 if it was played again
- * @param counts   whether it counts: neither was it played again, nor is it without a result
+ * @param counts   whether it counts as played: neither was it played again, nor is it without a result
  * @param turns    how many were played
  * @param problem  why there is no result, or {@code null}
  * @param played   when it ended, in milliseconds since 1970
@@ -100,6 +100,20 @@ public record StoredGame(long id, byte[] name, int decision, long seed, int atte
             }
             return values;
         }
+    }
+
+    /**
+     * True if all of several players failed in the same turn: then nobody has earned the result, and no rating uses it.
+     * Who failed was asked once for each turn up to the one in which it did.
+     */
+    public boolean allFailed() {
+        return seats.size() > 1 && seats.stream().allMatch(seat -> seat.fault() != null
+            && seat.answers() == seats.get(0).answers());
+    }
+
+    /** True if ratings use it. */
+    public boolean isRated() {
+        return counts && !allFailed();
     }
 
     /** The versions in the order of seats. */

@@ -37,7 +37,7 @@ public record TimeControl(long firstNanos, long turnNanos, TimeBasis basis) {
     }
 
     /** The limit of a player's n-th answer, counted from 0. */
-    long limit(int answersBefore) {
+    public long limit(int answersBefore) {
         return answersBefore == 0 ? firstNanos : turnNanos;
     }
 }

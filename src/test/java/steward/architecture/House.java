@@ -40,7 +40,7 @@ final class House {
         "lab.timing", "lab.calibration", "lab.tradeoff", "lab.tradeoff.report",
         "bench", "bench.textbook", "bench.section",
         "cli.shared", "cli.options", "cli.bench", "cli.lab", "cli.replay", "cli.play", "cli.sequential",
-        "cli.league.view", "cli.league.run", "cli.league", "cli.machines",
+        "cli.check", "cli.league.view", "cli.league.run", "cli.league", "cli.tournament", "cli.machines",
         "cli.setup", "cli");
 
     /** The game for which there are commands and formats of its own. */

@@ -39,7 +39,7 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
     private static final int LONGEST_NAME = 100;
     private static final int SHOWN = 20;
 
-    private static final Pattern NAMED = Pattern.compile("([A-Za-z0-9._-]+)=(.*)", Pattern.DOTALL);
+    private static final Pattern NAMED = Pattern.compile("([\\p{L}\\p{M}\\p{N}._-]+)=(.*)", Pattern.DOTALL);
 
     private static final Pattern UNKNOWN_PREFIX = Pattern.compile("([A-Za-z]+):.*", Pattern.DOTALL);
 

@@ -8,6 +8,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import steward.bot.command.BotCommand;
+import steward.cli.check.CheckCommand;
 import steward.cli.league.view.LeagueArgument;
 import steward.cli.league.view.LeagueOpening;
 import steward.cli.options.BuiltinBotWords;
@@ -45,6 +46,10 @@ final class AddCommand implements Callable<Integer> {
         + "bot is a new version; can be repeated (default: every word of the command that is a file).")
     private List<String> files;
 
+    @Option(names = "--check", description = "Tries it first, as 'steward check' does, and adds it only if nothing is "
+        + "wrong.")
+    private boolean check;
+
     @Option(names = "--random", description = "Says that it draws by lot: its games cannot be played again alike.")
     private boolean random;
 
@@ -53,7 +58,7 @@ final class AddCommand implements Callable<Integer> {
     }
 
     @Override
-    public Integer call() {
+    public Integer call() throws InterruptedException {
         LeagueFolder folder = league.open();
         LeagueSettings settings = folder.read();
         LeagueBot added = parsed();
@@ -68,6 +73,12 @@ final class AddCommand implements Callable<Integer> {
         }
         Contest.checkProtocols(LeagueOpening.setup(folder, settings), List.of(entrant));
         refuseTwins(settings, added);
+        int status = check ? CheckCommand.run(streams, LeagueOpening.contest(folder, settings, streams), entrant)
+            : ExitStatus.DONE;
+        if (status != ExitStatus.DONE) {
+            streams.err().println("steward: " + added.name() + " is not added");
+            return status;
+        }
         folder.write(settings.with(added));
         streams.out().println(added.name() + " plays from now on: " + added.command());
         return ExitStatus.DONE;

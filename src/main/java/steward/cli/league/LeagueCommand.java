@@ -66,6 +66,7 @@ public final class LeagueCommand implements Callable<Integer> {
         commands.put("init", new InitCommand(streams));
         commands.put("add", new AddCommand(streams));
         commands.put("retire", new RetireCommand(streams));
+        commands.put("resume", new ResumeCommand(streams));
         commands.put("rename", new RenameCommand(streams));
         commands.put("list", new ListCommand(streams));
         commands.put("run", null);                      // its options are known further up

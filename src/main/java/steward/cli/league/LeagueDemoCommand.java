@@ -6,24 +6,21 @@ import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
 import java.util.concurrent.Callable;
-import java.util.function.Consumer;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine;
 import steward.cli.league.run.RunCommand;
-import steward.cli.league.run.Serving;
+import steward.cli.league.run.NoServing;
 import steward.cli.league.view.PageCommand;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Streams;
-import steward.contest.Contest;
 import steward.contest.KeptReplays;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.league.LeagueBot;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
-import steward.league.Season;
 
 /** {@code steward league demo}: the bundled bots in a small league. */
 @Command(name = "demo", description = "Plays a small league of the bots that come with the program, in less than a "
@@ -70,7 +67,8 @@ final class LeagueDemoCommand implements Callable<Integer> {
         say("steward league run " + path + " --threads " + threads + " --for " + time);
         streams.out().println();
         streams.out().flush();
-        int status = run(new RunCommand(streams, new Alone()), path.toString(), "--threads", threads, "--for", time);
+        int status = run(new RunCommand(streams, new NoServing()), path.toString(), "--threads", threads, "--for",
+            time);
         if (status != ExitStatus.DONE) {
             return status;
         }
@@ -102,16 +100,5 @@ final class LeagueDemoCommand implements Callable<Integer> {
             }
         }
         return path;
-    }
-
-    /** Without other machines. */
-    @Command
-    private static final class Alone implements Serving {
-
-        @Override
-        public Service start(LeagueFolder folder, Season season, Contest contest, LeagueSettings settings,
-                             Consumer<String> teller) {
-            return null;
-        }
     }
 }

@@ -1,5 +1,7 @@
 package steward.cli.options;
 
+import com.sun.management.OperatingSystemMXBean;
+import java.lang.management.ManagementFactory;
 import java.util.Iterator;
 import java.util.List;
 import picocli.CommandLine.Option;
@@ -18,13 +20,18 @@ public final class ThreadsOption {
     }
 
     private static final String AUTO = "auto";
+    /** A tenth of two processors is what a system does by itself. */
+    private static final double IDLE = 0.1;
 
     private final CallCheck check = CallCheck.withHelp();
 
     @Option(names = "--threads", paramLabel = "T|auto", completionCandidates = Auto.class,
         description = "Plays so many games at the same time (default: 1); auto: as many as there are processors, less "
-            + "one. The games do not depend on it, but bots that share processors take longer to answer.")
+            + "one, or both of two where nothing else runs. The "
+            + "games do not depend on it, but bots that share processors take longer to answer.")
     private String threads;
+    /** As it was first counted, since bots of this run are load, too; 0 before. */
+    private int counted;
 
     /** Refuses what is no number of threads. */
     public void check() {
@@ -40,7 +47,8 @@ public final class ThreadsOption {
     /** How many games at the same time; warns if there are too few processors for them. */
     public int count(Streams streams) {
         int processors = Runtime.getRuntime().availableProcessors();
-        int count = threads(processors);
+        counted = counted == 0 ? threads(processors) : counted;
+        int count = counted;
         if (count > processors) {
             streams.warn("--threads " + count + " are more games at a time than the " + processors
                 + " processors here carry: bots will take longer to answer, perhaps too long; --threads auto takes "
@@ -65,8 +73,38 @@ public final class ThreadsOption {
         }
     }
 
-    /** A game keeps one processor busy, since bots are asked in turns; one is left for everything else. */
-    static int auto(int processors) {
-        return Math.max(1, Math.min(processors - 1, CallCheck.MOST_THREADS));
+    private static int auto(int processors) {
+        return auto(processors, processors == 2 && Load.ofOthers() < IDLE);
+    }
+
+    /**
+     * A game keeps one processor busy, since bots are asked in turns; one is left for everything else, but not where
+     * that would be half of them and nothing else runs.
+     */
+    static int auto(int processors, boolean idle) {
+        return Math.max(1, Math.min(processors == 2 && idle ? 2 : processors - 1, CallCheck.MOST_THREADS));
+    }
+
+    /** How busy other programs keep the processors. */
+    private static final class Load {
+
+        private static final long SAMPLE_MS = 200;
+
+        /** The share of all processors, 0..1; 1 if the system does not tell. */
+        static double ofOthers() {
+            if (!(ManagementFactory.getOperatingSystemMXBean() instanceof OperatingSystemMXBean system)) {
+                return 1;
+            }
+            system.getCpuLoad();                       // the next call is about the time since this one
+            system.getProcessCpuLoad();
+            try {
+                Thread.sleep(SAMPLE_MS);
+            } catch (InterruptedException interrupted) {
+                Thread.currentThread().interrupt();
+                return 1;
+            }
+            double all = system.getCpuLoad();
+            return all < 0 ? 1 : all - Math.max(0, system.getProcessCpuLoad());
+        }
     }
 }

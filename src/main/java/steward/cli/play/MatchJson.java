@@ -5,8 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
-import steward.bot.TimeBasis;
-import steward.bot.TimeSpent;
+import steward.cli.shared.FailureJson;
 import steward.cli.shared.Json;
 import steward.cli.shared.Streams;
 import steward.contest.Contest;
@@ -67,7 +66,7 @@ final class MatchJson {
             out.writeNull();
         } else {
             out.writeStartObject();
-            writeFailure(out, failure);
+            FailureJson.write(out, failure);
             out.writeEndObject();
         }
         out.writeObjectPropertyStart("answerMs");
@@ -77,37 +76,6 @@ final class MatchJson {
         out.writeEndObject();
         writeStrings(out, "warnings", warnings(player));
         writeData(out, player.data());
-    }
-
-    /** The turn, and what may help. */
-    static void writeFailure(JsonGenerator out, Failure failure) {
-        out.writeNumberProperty("turn", failure.turn());
-        writeStrings(out, "stderr", failure.stderr());
-        writeStrings(out, "hints", failure.hints());
-        writeTime(out, "time", failure.time());
-    }
-
-    /** Where the time of a late answer went, in milliseconds; null for what the system does not show. */
-    static void writeTime(JsonGenerator out, String name, TimeSpent time) {
-        out.writeName(name);
-        if (time == null) {
-            out.writeNull();
-            return;
-        }
-        boolean any = time.shows() != TimeSpent.Shows.NOTHING;
-        boolean waiting = any && time.shows() != TimeSpent.Shows.STEPS;
-        out.writeStartObject();
-        out.writeStringProperty("limitOf", (time.overCpu() ? TimeBasis.CPU : TimeBasis.WALL).word());
-        JsonNumbers.write(out, "limitMs", time.limit() / NANOS_PER_MS);
-        JsonNumbers.write(out, "takenMs", time.taken() / NANOS_PER_MS);
-        JsonNumbers.writeOrNull(out, "unobservedMs", any ? time.unobserved() / NANOS_PER_MS : Double.NaN);
-        JsonNumbers.writeOrNull(out, "computedMs", any ? time.computed() / NANOS_PER_MS : Double.NaN);
-        JsonNumbers.writeOrNull(out, "waitedMs", waiting ? time.waited() / NANOS_PER_MS : Double.NaN);
-        JsonNumbers.writeOrNull(out, "otherMs", any ? time.other() / NANOS_PER_MS : Double.NaN);
-        JsonNumbers.writeOrNull(out, "cpuMs", any ? time.cpu() / NANOS_PER_MS : Double.NaN);
-        out.writeBooleanProperty("inSteps", any && time.shows() != TimeSpent.Shows.ALL);
-        out.writeBooleanProperty("starved", time.starved());
-        out.writeEndObject();
     }
 
     private static void writeStrings(JsonGenerator out, String name, List<String> texts) {

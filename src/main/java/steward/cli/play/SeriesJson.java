@@ -2,11 +2,11 @@ package steward.cli.play;
 
 import java.nio.file.Path;
 import java.util.List;
+import steward.cli.shared.FailureJson;
 import steward.cli.shared.Streams;
 import steward.contest.AnswerTimes;
 import steward.contest.Contest;
 import steward.contest.Failure;
-import steward.contest.FailureKind;
 import steward.contest.Series;
 import steward.contest.SeriesPlay;
 import steward.contest.Standings;
@@ -53,13 +53,7 @@ final class SeriesJson {
                 out.writeEndObject();
             }
             out.writeEndArray();
-            out.writeArrayPropertyStart("failures");
-            for (FailureKind kind : standings.failures()) {
-                out.writeStartObject();
-                writeKind(out, kind);
-                out.writeEndObject();
-            }
-            out.writeEndArray();
+            FailureReport.json(out, standings.failures());
             out.writeArrayPropertyStart("list");
             for (Series.Played game : standings.games()) {
                 out.writeStartObject();
@@ -93,16 +87,6 @@ final class SeriesJson {
         }
         out.writeEndArray();
         JsonNumbers.writeOrNull(out, "meanScore", tally.score());
-    }
-
-    private static void writeKind(JsonGenerator out, FailureKind kind) {
-        out.writeNumberProperty("bot", kind.entrant());
-        out.writeNumberProperty("games", kind.occurrences().size());
-        out.writeNumberProperty("game", kind.game().number());
-        out.writeStringProperty("seed", Long.toString(kind.game().seed()));
-        out.writeStringProperty("fault", kind.first().reason());
-        MatchJson.writeFailure(out, kind.first());
-        writePath(out, kind.game().replay());
     }
 
     private static void writeGame(JsonGenerator out, Series series, Series.Played game) {
@@ -158,7 +142,7 @@ final class SeriesJson {
             if (failure.time() != null) {
                 out.writeStartObject();
                 out.writeNumberProperty("player", failure.player());
-                MatchJson.writeTime(out, "time", failure.time());
+                FailureJson.writeTime(out, "time", failure.time());
                 out.writeEndObject();
             }
         }

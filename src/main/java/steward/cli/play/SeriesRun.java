@@ -38,6 +38,10 @@ record SeriesRun(Streams streams, Series series, Verbosity report, boolean stric
         series.prepare(overwrite);
         SeriesPlay play = new SeriesPlay(series, overwrite);
         AtomicBoolean told = new AtomicBoolean();
+        if (report == Verbosity.FULL && series.games() != series.seeds()) {
+            streams.err().println(TextFormat.count(series.seeds(), "seed") + ", "
+                + TextFormat.count(series.games(), "game"));
+        }
         ProgressLine progress = report == Verbosity.LINE || !streams.errTerminal() ? null
             : new ProgressLine(streams.err(), series.games());
         try (Interruption interruption = new Interruption(streams, () -> told.getAndSet(true) ? null

@@ -1,17 +1,11 @@
 package steward.cli.play;
 
 import java.io.PrintStream;
-import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.stream.Collectors;
 import steward.cli.shared.Colour;
-import steward.cli.shared.FailureText;
 import steward.contest.AnswerTimes;
 import steward.contest.Contest;
 import steward.contest.Failure;
-import steward.contest.FailureKind;
 import steward.contest.KeptReplays;
 import steward.contest.Series;
 import steward.contest.Standings;
@@ -22,8 +16,6 @@ import steward.text.TextFormat;
 final class SeriesText {
 
     private static final int KINDS_SHOWN = 10;
-    /** How many games are named in a line. */
-    private static final int GAMES_SHOWN = 8;
     private static final double NANOS_PER_MS = 1e6;
     static final double PERCENTILE = 0.99;
 
@@ -79,7 +71,7 @@ final class SeriesText {
         out.println(legend(series.contest()));
         out.println("Times without first answers, which include the start of the program; p99 is at most 1.6% high.");
         allFailed(out, colour, series, standings.allFailed());
-        failures(out, colour, series, standings.failures());
+        FailureReport.print(out, colour, series.contest(), standings.failures());
         playedAgain(out, series, standings.playedAgain());
         replays(out, series, standings.games());
     }
@@ -140,53 +132,13 @@ final class SeriesText {
 
     private static void allFailed(PrintStream out, Colour colour, Series series, List<Series.Played> games) {
         if (!games.isEmpty()) {
-            List<String> numbers = games.stream().limit(GAMES_SHOWN).map(game -> "game " + game.number()).toList();
+            List<String> numbers = games.stream().limit(FailureReport.GAMES_SHOWN)
+                .map(game -> "game " + game.number()).toList();
             String bots = (series.contest().entrants().size() == 2 ? "Both" : "All") + " bots failed";
             out.println(colour.warning(bots) + " in the same turn in " + TextFormat.count(games.size(), "game") + " ("
-                + more(numbers, games.size()) + "): no draws of merit, and not counted as such; points as for a draw.");
+                + FailureReport.more(numbers, games.size())
+                + "): no draws of merit, and not counted as such; points as for a draw.");
         }
-    }
-
-    private static String more(List<String> shown, int all) {
-        return String.join("; ", shown) + (all > shown.size() ? "; and " + (all - shown.size()) + " more" : "");
-    }
-
-    private static void failures(PrintStream out, Colour colour, Series series, List<FailureKind> kinds) {
-        List<List<FailureKind>> alike = alike(kinds);
-        for (List<FailureKind> bots : alike.subList(0, Math.min(KINDS_SHOWN, alike.size()))) {
-            FailureKind kind = bots.get(0);
-            List<FailureKind.Occurrence> all = kind.occurrences();
-            out.println();
-            out.println(TextFormat.plain(bots.stream().map(bot -> series.contest().entrants().get(bot.entrant()).name())
-                .collect(Collectors.joining(" and "))) + " "
-                + colour.bad("failed") + TextFormat.plain(" in " + TextFormat.count(all.size(), "game")
-                + (all.size() == 1 ? ", game " : ", first in game ") + kind.game().number() + " (seed "
-                + kind.game().seed() + ") in turn " + kind.first().turn() + ": "
-                + kind.first().reason()));
-            FailureText.print(out, kind.first(), "  ");
-            if (kind.game().replay() != null) {
-                out.println(TextFormat.plain("  replay: " + kind.game().replay()));
-            }
-            if (all.size() > 1) {
-                out.println("  also in " + more(all.stream().skip(1).limit(GAMES_SHOWN).map(
-                    one -> "game " + one.game().number() + ", turn " + one.turn()).toList(), all.size() - 1));
-            }
-        }
-        if (alike.size() > KINDS_SHOWN) {
-            out.println();
-            out.println("and " + TextFormat.count(alike.size() - KINDS_SHOWN, "kind") + " of failure more; "
-                + "--json lists all");
-        }
-    }
-
-    /** Kinds about which the same would be said of several bots, together. */
-    private static List<List<FailureKind>> alike(List<FailureKind> kinds) {
-        Map<List<Object>, List<FailureKind>> alike = new LinkedHashMap<>();
-        for (FailureKind kind : kinds) {
-            alike.computeIfAbsent(List.of(kind.first().reason(), kind.first().stderr(), kind.first().hints(),
-                kind.occurrences()), any -> new ArrayList<>()).add(kind);
-        }
-        return List.copyOf(alike.values());
     }
 
     /** Games that were lost on time on a starved machine, with the evidence. */

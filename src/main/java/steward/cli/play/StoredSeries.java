@@ -8,6 +8,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -15,7 +16,6 @@ import java.util.stream.IntStream;
 import steward.bot.command.BotCommand;
 import steward.cli.shared.Games;
 import steward.contest.Contest;
-import steward.contest.Failure;
 import steward.contest.PairedPlay;
 import steward.contest.Series;
 import steward.files.InputException;
@@ -124,7 +124,7 @@ public final class StoredSeries implements AutoCloseable {
             Version version = versions.get(game.entrantOf(contest, player));
             identities[player] = version.identity();
             seats.add(result == null ? new StoredSeat(version.id(), 0, 0, null, 0, 0, 0, 0)
-                : seat(version, player, result, game));
+                : seat(version, result.players().get(player), game.facts().values(player)));
         }
         return new StoredGame(0, GameName.of(season, game.seed(), Arrays.asList(identities), attempt), -1, game.seed(),
             attempt, last && result != null, result == null ? 0 : result.turns(), result == null
@@ -132,16 +132,14 @@ public final class StoredSeries implements AutoCloseable {
             game.facts().transcript(), seats);
     }
 
-    private static StoredSeat seat(Version version, int player, MatchResult result, Series.Played game) {
-        MatchResult.PlayerResult found = result.players().get(player);
-        String fault = found.fault() == null ? null : game.failures().stream().filter(each -> each.player() == player)
-            .map(Failure::kind).findFirst().orElse(found.fault());
-        return new StoredSeat(version.id(), found.rank(), found.score(), fault, found.answers(), found.averageNanos(),
-            found.worstNanos(), found.firstNanos(), game.facts().values(player));
+    private static StoredSeat seat(Version version, MatchResult.PlayerResult found,
+                                   SortedMap<String, Double> own) {
+        return new StoredSeat(version.id(), found.rank(), found.score(), found.fault(), found.answers(),
+            found.averageNanos(), found.worstNanos(), found.firstNanos(), own);
     }
 
     /** The game as it is stored; {@code null} if it is not there. */
-    public PairedPlay.Past game(long seed, int rotation) {
+    public PairedPlay.Outcome outcome(long seed, int rotation) {
         List<String> identities = new ArrayList<>();
         for (int player = 0; player < season.players(); player++) {
             identities.add(versions.get(contest.entrantOf(player, rotation)).identity());
@@ -149,16 +147,22 @@ public final class StoredSeries implements AutoCloseable {
         for (int attempt = 1; attempt <= 2; attempt++) {
             Optional<GameStore.Outcome> found = store.outcome(GameName.of(season, seed, identities, attempt));
             if (found.isPresent()) {
-                return new PairedPlay.Past(found.get().transcript(), values(found.get()));
+                return outcome(found.get());
             }
         }
         return null;
     }
 
-    private double[] values(GameStore.Outcome outcome) {
-        return contest.isAlone() ? outcome.scores().stream()
+    private PairedPlay.Outcome outcome(GameStore.Outcome outcome) {
+        double[] values = contest.isAlone() ? outcome.scores().stream()
             .mapToDouble(score -> season.lowerScoreIsBetter() ? -score : score).toArray()
             : outcome.ranks().stream().mapToDouble(rank -> -rank).toArray();
+        boolean[] failed = new boolean[values.length];
+        for (int player = 0; player < failed.length; player++) {
+            failed[player] = outcome.failed().get(player);
+        }
+        return new PairedPlay.Outcome(outcome.allFailed() ? null : values, outcome.allFailed(),
+            outcome.transcript(), failed);
     }
 
     /** Seeds of games between these bots that are stored, ascending; not all of them have all games. */

@@ -3,8 +3,12 @@ package steward.cli.replay;
 import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import steward.cli.shared.FailureJson;
+import steward.cli.shared.Games;
 import steward.cli.shared.Json;
 import steward.cli.shared.Streams;
+import steward.contest.Failure;
+import steward.contest.RecordedFailures;
 import steward.match.MatchResult;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayHeader;
@@ -18,20 +22,22 @@ record ReplayJson(Streams streams, ReplayReader replay) {
 
     /** The match and its result. */
     void summary() {
+        RecordedFailures failures = new RecordedFailures(Games.types(), replay);
         int turns = 0;
         long impacts = 0;
         for (RecordedTurn turn = replay.next(); turn != null; turn = replay.next()) {
             turns = turn.number();
+            failures.add(turn);
             Map<String, Object> outcome = Json.object(turn.outcome());
             impacts += outcome.containsKey("impactsInAll") ? (long) Json.number(outcome.get("impactsInAll"))
                 : Json.objects(outcome.get("impacts")).size();
         }
         int played = turns;
         long counted = impacts;
-        Json.print(streams, out -> summary(out, played, counted));
+        Json.print(streams, out -> summary(out, played, counted, failures));
     }
 
-    private void summary(JsonGenerator out, int turns, long impacts) {
+    private void summary(JsonGenerator out, int turns, long impacts, RecordedFailures failures) {
         ReplayHeader header = replay.header();
         MatchResult result = RecordedResult.of(replay, replay.header().names());
         out.writeStringProperty("scene", Json.word(Json.object(header.scene()).get("name"), 0));
@@ -57,6 +63,15 @@ record ReplayJson(Streams streams, ReplayReader replay) {
                 out.writeStringProperty("fault", result.players().get(player).fault());
                 out.writeStringProperty("out", result.players().get(player).out());
             }
+            out.writeEndObject();
+        }
+        out.writeEndArray();
+        out.writeArrayPropertyStart("failures");
+        for (Failure failure : failures.failures()) {
+            out.writeStartObject();
+            out.writeNumberProperty("player", failure.player());
+            out.writeStringProperty("fault", failure.reason());
+            FailureJson.write(out, failure);
             out.writeEndObject();
         }
         out.writeEndArray();

@@ -4,9 +4,11 @@ import java.io.PrintStream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import steward.cli.shared.Games;
 import steward.cli.shared.Json;
 import steward.cli.shared.MatchText;
 import steward.cli.shared.Streams;
+import steward.contest.RecordedFailures;
 import steward.match.MatchResult;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayHeader;
@@ -26,6 +28,7 @@ final class TurnTable {
     private final Streams streams;
     private final PrintStream out;
     private final ReplayReader replay;
+    private final RecordedFailures failures;
     private final List<String> columns = new ArrayList<>();
     private final List<String> leftOut = new ArrayList<>();
     private long impacts;
@@ -36,6 +39,7 @@ final class TurnTable {
         this.streams = streams;
         this.out = streams.out();
         this.replay = replay;
+        failures = new RecordedFailures(Games.types(), replay);
     }
 
     /**
@@ -54,6 +58,7 @@ final class TurnTable {
         int last = 0;
         for (RecordedTurn turn = replay.next(); turn != null && !streams.outEnded(); turn = replay.next()) {
             last = turn.number();
+            failures.add(turn);
             Map<String, Object> outcome = Json.object(turn.outcome());
             int count = Json.objects(outcome.get("impacts")).size();
             impacts += outcome.containsKey("impactsInAll") ? (long) Json.number(outcome.get("impactsInAll")) : count;
@@ -171,7 +176,7 @@ final class TurnTable {
         if (result == null) {
             out.println(turns == 0 ? "no turn was recorded" : "no result after " + TextFormat.count(turns, "turn"));
         } else {
-            MatchText.print(out, streams.outColour(), scene(), replay.header().seed(), result, List.of());
+            MatchText.print(out, streams.outColour(), scene(), replay.header().seed(), result, failures.failures());
         }
         out.println(TextFormat.count(impacts, "impact") + " in all");
     }

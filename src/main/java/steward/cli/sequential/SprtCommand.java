@@ -35,8 +35,8 @@ import steward.league.sequential.Gsprt;
         "", "Examples:",
         "  steward sprt --bot new=./new --bot old=./old --threads auto",
         "  steward sprt --bot ./new --bot ./old --elo0 -5 --elo1 5 --into night",
-        "", "Exit status: 0 it was decided, or has played --games; 1 games have no result;",
-        "2 wrong call; 130 interrupted."})
+        "", "Exit status: 0 it was decided, or has played --games; 1 games have no result, or",
+        "a bot failed in 10 games in a row; 2 wrong call; 130 interrupted."})
 public final class SprtCommand implements Callable<Integer> {
 
     private final Streams streams;
@@ -101,12 +101,12 @@ public final class SprtCommand implements Callable<Integer> {
             .limitedBy(pace.basis()).isolatedBy(sandbox.isolation(streams));
         Verbosity report = json ? Verbosity.JSON : quiet ? Verbosity.LINE : Verbosity.FULL;
         if (into == null) {
-            return new SprtRun(streams, contest, test, options.budget(), null, report)
+            return new SprtRun(streams, contest, test, options.budget(), options.keepGoing(), null, report)
                 .play(seed.orDrawn(), threads.count(streams));
         }
         try (StoredSeries store = StoredSeries.open(OutputFiles.path(into), contest, factor, sandbox.variables())) {
             store.refuseTwins();
-            return new SprtRun(streams, contest, test, options.budget(), store, report)
+            return new SprtRun(streams, contest, test, options.budget(), options.keepGoing(), store, report)
                 .play(seed.or(store.ownSeed()), threads.count(streams));
         }
     }

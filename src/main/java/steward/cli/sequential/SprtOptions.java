@@ -50,6 +50,14 @@ public final class SprtOptions {
         description = "Ends after N games without a decision; stored ones count too.")
     private Integer games;
 
+    @Option(names = "--keep-going", description = "Goes on when a bot has failed in 10 games in a row.")
+    private boolean keepGoing;
+
+    /** True if a bot that fails in every game does not end the test. */
+    public boolean keepGoing() {
+        return keepGoing;
+    }
+
     /** Refuses what cannot be tested. */
     public Gsprt test() {
         check.that(Math.abs(elo0) <= MOST_ELO, "--elo0: found " + elo0 + ", expected -1000 to 1000");

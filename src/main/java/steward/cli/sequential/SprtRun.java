@@ -1,9 +1,12 @@
 package steward.cli.sequential;
 
+import java.util.Arrays;
+import java.util.Objects;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
+import steward.cli.play.FailureReport;
 import steward.cli.play.StoredSeries;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Interruption;
@@ -11,6 +14,8 @@ import steward.cli.shared.Json;
 import steward.cli.shared.Streams;
 import steward.cli.shared.Verbosity;
 import steward.contest.Contest;
+import steward.contest.FailureCounts;
+import steward.contest.FailureStreaks;
 import steward.contest.Hiccups;
 import steward.contest.PairedPlay;
 import steward.contest.Repeats;
@@ -31,6 +36,7 @@ public final class SprtRun {
     private final Contest contest;
     private final Gsprt test;
     private final long budget;
+    private final boolean keepGoing;
     private final StoredSeries store;
     private final Verbosity report;
     private final SprtText text;
@@ -40,19 +46,26 @@ public final class SprtRun {
     private final Repeats seen = new Repeats();
     private long repeats;
     private int repeatsInARow;
+    private final FailureStreaks streaks = new FailureStreaks();
+    private final FailureCounts failures;
     private long without;
+    private long allFailed;
     private int withoutInARow;
     private long told = System.nanoTime();
 
     /**
      * @param budget games in all
+     * @param keepGoing whether it goes on when a bot fails in every game
      * @param store  where games are stored and found, or {@code null}
      */
-    public SprtRun(Streams streams, Contest contest, Gsprt test, long budget, StoredSeries store, Verbosity report) {
+    public SprtRun(Streams streams, Contest contest, Gsprt test, long budget, boolean keepGoing, StoredSeries store,
+                   Verbosity report) {
         this.streams = streams;
         this.contest = contest;
         this.test = test;
         this.budget = budget;
+        this.keepGoing = keepGoing;
+        failures = new FailureCounts(contest);
         this.store = store;
         this.report = report;
         random = store != null && store.isRandom();
@@ -73,8 +86,8 @@ public final class SprtRun {
         }
         AtomicBoolean over = new AtomicBoolean();
         PairedPlay play = new PairedPlay(contest, first, Hiccups.REPLAY,
-            store == null ? (seed, rotation) -> null : store::game, store == null ? game -> { } : store::add,
-            this::take);
+            store == null ? (seed, rotation) -> null : store::outcome, store == null ? game -> { } : store::add,
+            failures, this::take);
         if (!takeStored(first)) {
             return end();
         }
@@ -95,13 +108,12 @@ public final class SprtRun {
             if (seed >= first && seed < first + OWN) {
                 continue;
             }
-            PairedPlay.Past[] games =
-                new PairedPlay.Past[contest.isAlone() ? contest.entrants().size() : contest.players()];
+            PairedPlay.Outcome[] games =
+                new PairedPlay.Outcome[contest.isAlone() ? contest.entrants().size() : contest.players()];
             for (int rotation = 0; rotation < games.length; rotation++) {
-                games[rotation] = store.game(seed, rotation);
+                games[rotation] = store.outcome(seed, rotation);
             }
-            PairedPlay.Seed found = new PairedPlay.Seed(seed, games);
-            if (found.isWhole() && !take(found)) {
+            if (Arrays.stream(games).allMatch(Objects::nonNull) && !take(new PairedPlay.Seed(seed, games))) {
                 return false;
             }
         }
@@ -117,17 +129,21 @@ public final class SprtRun {
             scores.add((1 + seed.difference(contest, 0, 1)) / 2);
             repeatsInARow = 0;
             withoutInARow = 0;
+        } else if (seed.allFailed()) {
+            allFailed++;
         } else {
             without++;
             withoutInARow++;
         }
+        streaks.add(contest, seed);
         if (report == Verbosity.FULL && System.nanoTime() - told > TELL_NANOS) {
             told = System.nanoTime();
             streams.err().println(text.standing(scores));
         }
         return test.state(scores) == Gsprt.State.OPEN && withoutInARow < MOST_WITHOUT
             && repeatsInARow < Repeats.ENOUGH
-            && (scores.observations() + without + repeats + 1) * scores.games() <= budget;
+            && (keepGoing || streaks.failing() == null)
+            && (scores.observations() + without + allFailed + repeats + 1) * scores.games() <= budget;
     }
 
     private synchronized int end() {
@@ -141,15 +157,25 @@ public final class SprtRun {
             streams.err().println("steward: the test ends undecided: the last " + Repeats.ENOUGH + " seeds repeat "
                 + "games that were played before. These bots play alike whatever the seed is, so that more games tell "
                 + "nothing");
+        } else if (test.state(scores) == Gsprt.State.OPEN && !keepGoing && streaks.failing() != null) {
+            streams.err().println("steward: " + streaks.ending("the test"));
+            return ExitStatus.FAILED;
         }
         return ExitStatus.DONE;
     }
 
     private void tell() {
+        SprtText.Unused unused = new SprtText.Unused(without, allFailed, repeats);
         switch (report) {
-            case JSON -> Json.print(streams, out -> text.json(out, scores, without, repeats));
-            case LINE -> streams.out().println(text.lines(scores, without, repeats, streams.outColour()).get(1));
-            default -> text.lines(scores, without, repeats, streams.outColour()).forEach(streams.out()::println);
+            case JSON -> Json.print(streams, out -> {
+                text.json(out, scores, unused);
+                FailureReport.json(out, failures.kinds());
+            });
+            case LINE -> streams.out().println(text.lines(scores, unused, streams.outColour()).get(1));
+            default -> {
+                text.lines(scores, unused, streams.outColour()).forEach(streams.out()::println);
+                FailureReport.print(streams.out(), streams.outColour(), contest, failures.kinds());
+            }
         }
     }
 

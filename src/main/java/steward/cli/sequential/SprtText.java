@@ -28,6 +28,16 @@ final class SprtText {
         this.other = other;
     }
 
+    /**
+     * Seeds that the test does not use.
+     *
+     * @param without   a game of which has no result
+     * @param allFailed in a game of which all players failed in the same turn
+     * @param repeats   that only repeat games
+     */
+    record Unused(long without, long allFailed, long repeats) {
+    }
+
     private String model() {
         return test.model().name().toLowerCase(Locale.ROOT);
     }
@@ -65,7 +75,7 @@ final class SprtText {
     }
 
     /** How it ended or stands. */
-    List<String> lines(ScoreCounts scores, long without, long repeats, Colour colour) {
+    List<String> lines(ScoreCounts scores, Unused unused, Colour colour) {
         List<String> lines = new ArrayList<>();
         Gsprt.State state = test.state(scores);
         String result = switch (state) {
@@ -75,11 +85,14 @@ final class SprtText {
         };
         lines.add(heading());
         lines.add(colour.strong(ratio(scores) + ": " + result)
-            + (repeats > 0 ? "" : left(scores)));
+            + (unused.repeats() > 0 ? "" : left(scores)));
         lines.add(TextFormat.count(scores.observations(), "seed") + ", "
-            + TextFormat.count(scores.observations() * scores.games(), "game") + (without == 0 ? ""
-            : ", " + TextFormat.count(without, "seed") + " without a result left out")
-            + (repeats == 0 ? "" : ", " + TextFormat.count(repeats, "seed") + " that only repeat games left out"));
+            + TextFormat.count(scores.observations() * scores.games(), "game") + (unused.without() == 0 ? ""
+            : ", " + TextFormat.count(unused.without(), "seed") + " without a result left out")
+            + (unused.allFailed() == 0 ? "" : ", " + TextFormat.count(unused.allFailed(), "seed")
+            + " left out in which all players failed in the same turn")
+            + (unused.repeats() == 0 ? "" : ", " + TextFormat.count(unused.repeats(), "seed")
+            + " that only repeat games left out"));
         lines.add("Scores by seed: " + scores.counts().entrySet().stream().filter(each -> each.getValue() > 0)
             .map(each -> TextFormat.number(each.getKey(), 3) + " " + each.getValue() + " times")
             .collect(Collectors.joining(", ")));
@@ -106,7 +119,7 @@ final class SprtText {
     }
 
     /** The fields of JSON. */
-    void json(JsonGenerator out, ScoreCounts scores, long without, long repeats) {
+    void json(JsonGenerator out, ScoreCounts scores, Unused unused) {
         out.writeStringProperty("state", test.state(scores).name());
         out.writeStringProperty("model", model());
         out.writeNumberProperty("elo0", test.elo0());
@@ -116,8 +129,9 @@ final class SprtText {
         out.writeNumberProperty("upper", test.upper());
         out.writeNumberProperty("seeds", scores.observations());
         out.writeNumberProperty("gamesOfSeed", scores.games());
-        out.writeNumberProperty("without", without);
-        out.writeNumberProperty("repeats", repeats);
+        out.writeNumberProperty("without", unused.without());
+        out.writeNumberProperty("allFailed", unused.allFailed());
+        out.writeNumberProperty("repeats", unused.repeats());
         out.writeArrayPropertyStart("scores");
         scores.counts().forEach((score, count) -> {
             out.writeStartArray();

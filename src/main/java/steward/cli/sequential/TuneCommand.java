@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
@@ -22,6 +23,7 @@ import steward.cli.options.SceneOptions;
 import steward.cli.options.SeedOption;
 import steward.cli.options.ThreadsOption;
 import steward.cli.options.TimeLimitOptions;
+import steward.cli.play.FailureReport;
 import steward.cli.play.StoredSeries;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
@@ -30,6 +32,8 @@ import steward.cli.shared.Interruption;
 import steward.cli.shared.Streams;
 import steward.cli.shared.Verbosity;
 import steward.contest.Contest;
+import steward.contest.FailureCounts;
+import steward.contest.FailureStreaks;
 import steward.contest.Hiccups;
 import steward.contest.PairedPlay;
 import steward.contest.Repeats;
@@ -54,7 +58,8 @@ import steward.text.TextFormat;
         "", "Example:",
         "  steward tune --bot 'mine=./mine --aggression {a:0.2..2} --look {n:1..9}' \\",
         "      --against builtin:veteran --games 4000 --into night",
-        "", "Exit status: 0 done; 1 games have no result; 2 wrong call; 130 interrupted."})
+        "", "Exit status: 0 done; 1 games have no result, or a bot failed in",
+        "10 games in a row; 2 wrong call; 130 interrupted."})
 public final class TuneCommand implements Callable<Integer> {
 
     private static final long TELL_NANOS = TimeUnit.SECONDS.toNanos(10);
@@ -112,6 +117,9 @@ public final class TuneCommand implements Callable<Integer> {
         description = "Stores the games in this league, and takes those that it has; its table does not list them.")
     private String into;
 
+    @Option(names = "--keep-going", description = "Goes on when a bot has failed in 10 games in a row.")
+    private boolean keepGoing;
+
     @Option(names = "--plots", paramLabel = "DIR",
         description = "Writes the path of the parameters into this folder, as "
         + "PNG and SVG.")
@@ -123,6 +131,9 @@ public final class TuneCommand implements Callable<Integer> {
     @Mixin
     private final SandboxOptions sandbox = new SandboxOptions();
 
+    private final FailureStreaks streaks = new FailureStreaks();
+    /** By the bot that is played against. */
+    private final Map<String, Failures> failures = new LinkedHashMap<>();
     private GameSetup setup;
     private TunedCommand command;
     private double factor;
@@ -130,6 +141,9 @@ public final class TuneCommand implements Callable<Integer> {
     /** True if a game of the step was not played before. */
     private boolean fresh;
     private long told = System.nanoTime();
+
+    private record Failures(Contest contest, FailureCounts counts) {
+    }
 
     public TuneCommand(Streams streams) {
         this.streams = streams;
@@ -245,22 +259,36 @@ public final class TuneCommand implements Callable<Integer> {
                     : StoredSeries.open(OutputFiles.path(into), contest, factor, sandbox.variables())) {
                 int[] over = new int[1];
                 new PairedPlay(contest, firstSeed, Hiccups.REPLAY,
-                    store == null ? (number, rotation) -> null : store::game,
-                    store == null ? game -> { } : store::add, result -> {
+                    store == null ? (number, rotation) -> null : store::outcome,
+                    store == null ? game -> { } : store::add,
+                    failures.computeIfAbsent(other, bot -> new Failures(contest, new FailureCounts(contest))).counts(),
+                    result -> {
                         if (result.isWhole()) {
                             fresh |= !result.isRepeat(seen.computeIfAbsent(players(contest), key -> new Repeats()))
                                 || store != null && store.isRandom();
                             sum[0] += (1 + result.difference(contest, 0, 1)) / 2;
                             count[0]++;
                         }
-                        return ++over[0] < seeds;
+                        streaks.add(contest, result);
+                        return ++over[0] < seeds && (keepGoing || streaks.failing() == null);
                     }).play(Math.min(threads.count(streams), seeds * 2));
             }
         }
+        if (!keepGoing && streaks.failing() != null) {
+            printFailures();
+            streams.out().flush();
+            throw new FailedException(streaks.ending("the search"));
+        }
         if (count[0] == 0) {
+            printFailures();
             throw new FailedException("no game of " + command.text(places) + " has a result");
         }
         return sum[0] / count[0];
+    }
+
+    private void printFailures() {
+        failures.values().forEach(each ->
+            FailureReport.print(streams.out(), streams.outColour(), each.contest(), each.counts().kinds()));
     }
 
     private void tell(Spsa search) {
@@ -275,6 +303,7 @@ public final class TuneCommand implements Callable<Integer> {
                 + command.parameters().get(k).value(result[k] + 2 * spread[k]));
         }
         streams.out().println("Bot:    " + command.with(result));
+        printFailures();
         streams.out().flush();
         if (plots != null) {
             Path folder = OutputFiles.path(plots);
@@ -300,11 +329,11 @@ public final class TuneCommand implements Callable<Integer> {
         Gsprt test = new Gsprt(0, GAIN, ALPHA, ALPHA, Gsprt.Model.NORMALIZED);
         streams.out().println();
         if (into == null) {
-            return new SprtRun(streams, contest, test, testGames, null, Verbosity.FULL)
+            return new SprtRun(streams, contest, test, testGames, keepGoing, null, Verbosity.FULL)
                 .play(first + games, threads.count(streams));
         }
         try (StoredSeries store = StoredSeries.open(OutputFiles.path(into), contest, factor, sandbox.variables())) {
-            return new SprtRun(streams, contest, test, testGames, store, Verbosity.FULL)
+            return new SprtRun(streams, contest, test, testGames, keepGoing, store, Verbosity.FULL)
                 .play(store.ownSeed(), threads.count(streams));
         }
     }

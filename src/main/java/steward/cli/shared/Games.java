@@ -1,6 +1,7 @@
 package steward.cli.shared;
 
 import java.util.List;
+import java.util.Map;
 import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.GameTypes;
@@ -28,6 +29,12 @@ public final class Games {
     public static GameTypes types() {
         return new GameTypes(List.of(new PodRaceType(), new SearchRaceType(), new MeanMaxType(),
             new FantasticBitsType(), new PokerChipRaceType()));
+    }
+
+    /** The weakest bundled bot of a game, or {@code null} if it has none. */
+    public static String weakestBot(String game) {
+        return Map.of("pod-race", "racer", "search-race", "driver", "mean-max", "gatherer", "fantastic-bits", "chaser",
+            "poker-chip-race", "nibbler").get(game);
     }
 
     /** The ids of all games. */

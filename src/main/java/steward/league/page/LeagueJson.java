@@ -142,6 +142,7 @@ public final class LeagueJson {
         JsonNumbers.writeOrNull(out, "draws", row.draws());
         JsonNumbers.writeOrNull(out, "losses", row.losses());
         out.writeNumberProperty("faults", row.sums().faults());
+        out.writeNumberProperty("allFailed", row.sums().allFailed());
         JsonNumbers.writeOrNull(out, "score", row.sums().meanScore());
         JsonNumbers.writeOrNull(out, "meanMs", row.sums().meanNanos() / NANOS_PER_MS);
         JsonNumbers.writeOrNull(out, "worstMs",

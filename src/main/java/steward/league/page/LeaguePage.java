@@ -2,6 +2,7 @@ package steward.league.page;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -32,7 +33,21 @@ public final class LeaguePage {
     private static final String LIVE = "live";
     private static final String IN_PAGE = "page";
 
+    /** Stands in the head of each page. */
+    private static final String GENERATOR = "<meta name=\"generator\" content=\"steward league\">";
+    private static final int HEAD = 2000;
+
     private LeaguePage() {
+    }
+
+    /** True if a file is a page that was written here, or is empty. */
+    public static boolean isOne(Path file) {
+        try (InputStream in = Files.newInputStream(file)) {
+            String head = new String(in.readNBytes(HEAD), StandardCharsets.UTF_8);
+            return head.isEmpty() || head.contains(GENERATOR);
+        } catch (IOException unreadable) {
+            return false;
+        }
     }
 
     /**

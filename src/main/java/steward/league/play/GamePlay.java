@@ -120,9 +120,7 @@ public record GamePlay(Season season, Contest contest, Recordings recordings, St
             return new StoredSeat(version, 0, 0, null, 0, 0, 0, 0);
         }
         MatchResult.PlayerResult player = result.players().get(seat);
-        String fault = player.fault() == null ? null : log.failures().stream()
-            .filter(failure -> failure.player() == seat).map(Failure::kind).findFirst().orElse(player.fault());
-        return new StoredSeat(version, player.rank(), player.score(), fault, player.answers(), player.averageNanos(),
-            player.worstNanos(), player.firstNanos(), log.facts().values(seat));
+        return new StoredSeat(version, player.rank(), player.score(), player.fault(), player.answers(),
+            player.averageNanos(), player.worstNanos(), player.firstNanos(), log.facts().values(seat));
     }
 }

@@ -28,6 +28,7 @@ import steward.league.rating.Ratings;
 import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
 import steward.league.store.GameWriter;
+import steward.text.TextFormat;
 
 /**
  * A league while it is played: threads that take games from the schedule, play them, and hand them over to be stored.
@@ -46,6 +47,7 @@ public final class LeagueRun {
     private final RosterWatch watch;
     private final Schedule schedule;
     private final Limits limits;
+    private final Consumer<String> teller;
     private final Consumer<StoredGame> listener;
     private final long end;
     private final GameQueries queries;
@@ -66,6 +68,7 @@ public final class LeagueRun {
     private boolean ended;
     private String stopped;
     private long handed;
+    private Pauses pauses;
 
     /**
      * How long to play.
@@ -94,6 +97,7 @@ public final class LeagueRun {
         this.store = store;
         this.season = season;
         this.limits = limits;
+        this.teller = teller;
         this.listener = listener;
         play = new GamePlay(key, contest, new KeptGames(folder), machine, System::currentTimeMillis);
         queries = new GameQueries(store, season, key);
@@ -107,6 +111,7 @@ public final class LeagueRun {
             learn();
         }
         watch = new RosterWatch(folder, reader, teller);
+        pauses = new Pauses(0, roster.settings().lag(), folder, queries, teller);
         use(roster);
         end = limits.nanos() == Long.MAX_VALUE ? Long.MAX_VALUE : System.nanoTime() + limits.nanos();
         writer = new GameWriter(store, season);
@@ -117,6 +122,7 @@ public final class LeagueRun {
         roster = next;
         members = next.byVersion();
         LeagueSettings settings = next.settings();
+        pauses.use(next, schedule);
         schedule.play(next.versions(), versions -> pairing(settings, versions, next));
     }
 
@@ -142,7 +148,7 @@ public final class LeagueRun {
     public synchronized void until(StopRule stop) {
         rule = stop;
         learn();
-        leagueEnd = new LeagueEnd(stop, known, roster.settings().lag(), () -> roster.versions());
+        leagueEnd = new LeagueEnd(stop, known, roster.settings().lag(), schedule::active);
         schedule.until(leagueEnd);
         use(roster);
     }
@@ -155,7 +161,7 @@ public final class LeagueRun {
     /** Tells what is to be learnt from a game. */
     private void know(List<Member> members, List<StoredGame> attempts) {
         for (StoredGame game : attempts) {
-            if (game.counts()) {
+            if (game.isRated()) {
                 know(members, game.decision(), game.seed(), game.lineup(), game.seats().get(0).score(),
                     game.transcript(), game.seats().stream().mapToInt(StoredGame.StoredSeat::rank).toArray());
             }
@@ -179,6 +185,12 @@ public final class LeagueRun {
     /** Lets other machines play, too; before {@link #play}. */
     public void with(Elsewhere machines) {
         elsewhere = machines;
+    }
+
+    /** Pauses bots that failed in so many games in a row, 0 for never; before {@link #play}. */
+    public synchronized void pauseAfter(int most) {
+        pauses = new Pauses(most, roster.settings().lag(), folder, queries, teller);
+        use(roster);
     }
 
     /** Plays until an end is reached. Call once. */
@@ -291,13 +303,23 @@ public final class LeagueRun {
             return List.of();
         }
         know(game.members(), attempts);
-        schedule.over(game.task());
+        schedule.over(game.task(), failed(attempts));
         handed += attempts.size();
         if (!writer.add(attempts)) {
             stop(writer.problem().getMessage());
             return List.of();
         }
         return attempts;
+    }
+
+    /** By seat, whether the bot failed in the game that counts; nothing if there is none. */
+    private static boolean[] failed(List<StoredGame> attempts) {
+        StoredGame game = attempts.get(attempts.size() - 1);
+        boolean[] failed = new boolean[game.counts() ? game.seats().size() : 0];
+        for (int seat = 0; seat < failed.length; seat++) {
+            failed[seat] = game.seats().get(seat).fault() != null;
+        }
+        return failed;
     }
 
     /** The next games, one if there is any, and more as long as none has to be waited for; none at the end. */
@@ -328,6 +350,10 @@ public final class LeagueRun {
                 return null;
             }
             Schedule.Task task = takeNow(can);
+            if (task == null && underWay == 0 && schedule.active().size() < Math.max(1, play.season().players())) {
+                stop("found " + TextFormat.count(schedule.active().size(), "bot") + " that is not paused, expected at "
+                    + "least " + Math.max(1, play.season().players()));
+            }
             if (task != null || underWay == 0 && !watch.isPaused() && !schedule.isLeft(limits.games())) {
                 return task;
             }
@@ -350,21 +376,29 @@ public final class LeagueRun {
                 return task;
             }
             store.adopt(name, task.decision());
-            knowStored(task);
-            schedule.over(task);
+            schedule.over(task, knowStored(task));
             task = schedule.next(limits.games(), can);
         }
         return null;
     }
 
-    /** The same of a game that was stored before it was decided on. */
-    private void knowStored(Schedule.Task task) {
+    /** The same of a game that was stored before it was decided on; by seat, whether the bot failed. */
+    private boolean[] knowStored(Schedule.Task task) {
         List<Member> seats = members(task);
+        boolean[][] failed = {new boolean[0]};
         for (int attempt = 1; attempt <= 2; attempt++) {
-            store.outcome(play.name(task, seats, attempt)).ifPresent(found -> know(seats, task.decision(),
-                task.seed(), task.lineup(), found.scores().get(0), found.transcript(),
-                found.ranks().stream().mapToInt(rank -> rank).toArray()));
+            store.outcome(play.name(task, seats, attempt)).ifPresent(found -> {
+                failed[0] = new boolean[seats.size()];
+                for (int seat = 0; seat < seats.size(); seat++) {
+                    failed[0][seat] = found.failed().get(seat);
+                }
+                if (!found.allFailed()) {
+                    know(seats, task.decision(), task.seed(), task.lineup(), found.scores().get(0), found.transcript(),
+                        found.ranks().stream().mapToInt(rank -> rank).toArray());
+                }
+            });
         }
+        return failed[0];
     }
 
     /**

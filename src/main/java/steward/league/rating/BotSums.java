@@ -8,6 +8,7 @@ public final class BotSums {
     private long games;
     private double score;
     private long faults;
+    private long allFailed;
     private long answers;
     private double nanos;
     private long worstNanos;
@@ -41,6 +42,15 @@ public final class BotSums {
     /** Games in which it failed. */
     public long faults() {
         return faults;
+    }
+
+    void addAllFailed(long more) {
+        allFailed += more;
+    }
+
+    /** Games besides those that count, in which all players failed in the same turn. */
+    public long allFailed() {
+        return allFailed;
     }
 
     /** In nanoseconds; NaN without answers. */

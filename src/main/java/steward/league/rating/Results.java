@@ -43,6 +43,10 @@ public final class Results {
             addOthers(game.problem() == null ? 1 : 0, game.problem() == null ? 0 : 1);
             return;
         }
+        if (game.allFailed()) {
+            game.seats().forEach(seat -> addAllFailed(seat.version(), 1));
+            return;
+        }
         game.seats().forEach(seat -> sums(seat.version()).add(seat));
         if (isRepeat(lineup(game.lineup()), game.transcript())) {
             return;
@@ -79,6 +83,11 @@ public final class Results {
     /** How many games were equal to earlier ones, and count for nothing but sums. */
     public long repeats() {
         return repeats.count();
+    }
+
+    /** Adds games of a version in which all players failed in the same turn. */
+    public void addAllFailed(int version, long count) {
+        sums(version).addAllFailed(count);
     }
 
     /** Adds games that do not count: those that were played again, and those without a result. */

@@ -23,8 +23,11 @@ import steward.league.rating.Results;
 public final class GameQueries {
 
     private static final String SUMS = "SELECT version, count(*), sum(score), count(fault), sum(answers), "
-        + "sum(mean_nanos * 1.0 * answers), max(worst_nanos) FROM seat WHERE season = ? AND game NOT IN "
-        + "(SELECT id FROM game WHERE counts = 0) GROUP BY version";
+        + "sum(mean_nanos * 1.0 * answers), max(worst_nanos) FROM seat WHERE season = ?1 AND game NOT IN "
+        + "(SELECT id FROM game WHERE counts = 0) AND game NOT IN (SELECT id FROM game WHERE season = ?1 AND counts = "
+        + GameRows.ALL_FAILED + ") GROUP BY version";
+    private static final String ALL_FAILED = "SELECT version, count(*) FROM seat WHERE game IN (SELECT id FROM game "
+        + "WHERE season = ? AND counts = " + GameRows.ALL_FAILED + ") GROUP BY version";
     private static final String GAME = "SELECT g.id, g.name, g.decision, g.seed, g.attempt, g.counts, g.turns, "
         + "g.problem, g.played, m.name, g.replay, s.version, s.rank, s.score, s.fault, s.answers, s.mean_nanos, "
         + "s.worst_nanos, s.first_nanos, s.own, coalesce(g.transcript, 0) "
@@ -62,6 +65,11 @@ public final class GameQueries {
                 while (row.next()) {
                     results.addSums(row.getInt(1), row.getLong(2), row.getDouble(3), row.getLong(4), row.getLong(5),
                         row.getDouble(6), row.getLong(7));
+                }
+            }
+            try (ResultSet row = database.query(ALL_FAILED, season)) {
+                while (row.next()) {
+                    results.addAllFailed(row.getInt(1), row.getLong(2));
                 }
             }
             if (key.players() == 1) {
@@ -162,7 +170,7 @@ public final class GameQueries {
             // In the order of the table, as by an index every row would be looked up; both numbers as one, since
             // fetching a number costs more than finding it.
             try (ResultSet row = database.query("SELECT decision << 32 | lineup FROM game NOT INDEXED "
-                + "WHERE season = ? AND decision IS NOT NULL AND (counts = 1 OR problem IS NOT NULL)", season)) {
+                + "WHERE season = ? AND decision IS NOT NULL AND (counts > 0 OR problem IS NOT NULL)", season)) {
                 while (row.next()) {
                     long both = row.getLong(1);
                     earlier.add((int) (both >>> Integer.SIZE), lineups.get((int) both));
@@ -233,6 +241,32 @@ public final class GameQueries {
             }
             return null;
         });
+    }
+
+    /** Takes whether a version failed in a game of the schedule; returns whether an earlier one is wanted. */
+    public interface FailureTaker {
+        boolean game(int decision, boolean failed);
+    }
+
+    /** Tells of the games of the schedule of a version, the latest first. */
+    public void failures(int version, FailureTaker taker) {
+        database.with(() -> {
+            try (ResultSet row = database.query("SELECT g.decision, s.fault IS NOT NULL FROM seat s JOIN game g "
+                + "ON g.id = s.game WHERE s.season = ? AND s.version = ? AND g.counts > 0 AND g.decision IS NOT NULL "
+                + "ORDER BY s.game DESC", season, version)) {
+                boolean more = true;
+                while (more && row.next()) {
+                    more = taker.game(row.getInt(1), row.getBoolean(2));
+                }
+            }
+            return null;
+        });
+    }
+
+    /** The number after that of the last decision that has a game. */
+    public int nextDecision() {
+        return (int) (long) database.with(() -> number("SELECT coalesce(max(decision), -1) + 1 FROM game "
+            + "WHERE season = ?", season));
     }
 
     /** How the ratings of these versions went. */
@@ -382,7 +416,7 @@ public final class GameQueries {
     private static StoredGame head(ResultSet row) throws SQLException {
         int decision = row.getInt(3);
         return new StoredGame(row.getLong(1), row.getBytes(2), row.wasNull() ? -1 : decision, row.getLong(4),
-            row.getInt(5), row.getBoolean(6), row.getInt(7), row.getString(8), row.getLong(9), row.getString(10),
+            row.getInt(5), row.getInt(6) > 0, row.getInt(7), row.getString(8), row.getLong(9), row.getString(10),
             row.getString(11), row.getLong(21), List.of());
     }
 

@@ -17,6 +17,9 @@ import steward.league.StoredGame.StoredSeat;
  */
 final class GameRows {
 
+    /** In the column {@code counts}: a game that counts in no rating, see {@link StoredGame#allFailed}. */
+    static final int ALL_FAILED = 2;
+
     private final Database database;
     private final Map<String, Long> lineups = new HashMap<>();
     private final Map<String, Long> machines = new HashMap<>();
@@ -59,7 +62,7 @@ final class GameRows {
         row.setLong(5, lineup(game));
         row.setString(6, game.ranks());
         row.setInt(7, game.attempt());
-        row.setInt(8, game.counts() ? 1 : 0);
+        row.setInt(8, !game.counts() ? 0 : game.allFailed() ? ALL_FAILED : 1);
         row.setInt(9, game.turns());
         row.setString(10, game.problem());
         row.setLong(11, game.played());

@@ -237,38 +237,47 @@ public final class GameStore implements AutoCloseable {
         return database.with(() -> database.value("SELECT 1 FROM game WHERE name = ?", (Object) name) != null);
     }
 
-    /** Ranks by seat of the game of this name, and scores; empty if it is not there or does not count. */
+    /** How the game of this name ended; empty if it is not there, was played again or has no result. */
     public Optional<Outcome> outcome(byte[] name) {
         return database.with(() -> {
             List<Integer> ranks = new ArrayList<>();
             List<Double> scores = new ArrayList<>();
+            List<Boolean> failed = new ArrayList<>();
+            boolean allFailed = false;
             long transcript = 0;
-            try (ResultSet row = database.query("SELECT s.rank, s.score, g.transcript FROM game g JOIN seat s "
-                + "ON s.game = g.id "
-                + "WHERE g.name = ? AND g.counts = 1 ORDER BY s.seat", (Object) name)) {
+            try (ResultSet row = database.query("SELECT s.rank, s.score, s.fault IS NOT NULL, g.counts, g.transcript "
+                + "FROM game g JOIN seat s ON s.game = g.id WHERE g.name = ? AND g.counts > 0 ORDER BY s.seat",
+                (Object) name)) {
                 while (row.next()) {
                     ranks.add(row.getInt(1));
                     scores.add(row.getDouble(2));
-                    transcript = row.getLong(3);
+                    failed.add(row.getBoolean(3));
+                    allFailed = row.getInt(4) == GameRows.ALL_FAILED;
+                    transcript = row.getLong(5);
                 }
             }
-            return ranks.isEmpty() ? Optional.empty() : Optional.of(new Outcome(ranks, scores, transcript));
+            return ranks.isEmpty() ? Optional.empty() : Optional.of(new Outcome(ranks, scores, failed, allFailed,
+                transcript));
         });
     }
 
     /**
      * How a game ended, by seat.
      *
-     * @param ranks      0 is best
-     * @param scores     the game's own
+     * @param ranks  0 is best
+     * @param scores the game's own
+     * @param failed whether the player failed
+     * @param allFailed whether all did, in the same turn
      * @param transcript see {@link GameFacts}; 0 if it is not known
      */
-    public record Outcome(List<Integer> ranks, List<Double> scores, long transcript) {
+    public record Outcome(List<Integer> ranks, List<Double> scores, List<Boolean> failed, boolean allFailed,
+                          long transcript) {
 
         /** Copies. */
         public Outcome {
             ranks = List.copyOf(ranks);
             scores = List.copyOf(scores);
+            failed = List.copyOf(failed);
         }
     }
 
@@ -322,7 +331,7 @@ public final class GameStore implements AutoCloseable {
         return database.inTransaction(() -> {
             List<SetAside> games = new ArrayList<>();
             try (ResultSet row = database.query("SELECT coalesce(decision, -1), seed, (SELECT versions FROM lineup l "
-                + "WHERE l.id = game.lineup) FROM game" + of + " AND counts = 1", season, machine, machine)) {
+                + "WHERE l.id = game.lineup) FROM game" + of + " AND counts > 0", season, machine, machine)) {
                 while (row.next()) {
                     games.add(new SetAside(row.getInt(1), row.getLong(2), row.getString(3)));
                 }

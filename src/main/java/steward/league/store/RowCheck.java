@@ -97,10 +97,10 @@ final class RowCheck {
         check.table("game", GAME, List.of(new Rule("name", "name < x'' OR length(name) <> 16", "16 bytes"),
             Rule.refers("season", "season"), Rule.small("decision"), Rule.whole("seed", -Long.MAX_VALUE, Long.MAX_VALUE,
             "a whole number"), Rule.refers("lineup", "lineup"), Rule.text("ranks"), Rule.whole("attempt", 1,
-            Integer.MAX_VALUE, "a whole number from 1 on"), Rule.flag("counts"), Rule.small("turns"),
-            Rule.text("problem"), new Rule("problem", "counts AND problem IS NOT NULL", "nothing, as the game counts"),
-            Rule.whole("played"), Rule.refers("machine", "machine"), Rule.text("replay"),
-            Rule.whole("transcript", -Long.MAX_VALUE, Long.MAX_VALUE, "a whole number")));
+            Integer.MAX_VALUE, "a whole number from 1 on"), Rule.whole("counts", 0, GameRows.ALL_FAILED, "0, 1 or 2"),
+            Rule.small("turns"), Rule.text("problem"), new Rule("problem", "counts AND problem IS NOT NULL",
+            "nothing, as the game counts"), Rule.whole("played"), Rule.refers("machine", "machine"),
+            Rule.text("replay"), Rule.whole("transcript", -Long.MAX_VALUE, Long.MAX_VALUE, "a whole number")));
         check.table("seat", SEAT, List.of(Rule.whole("seat", 0, MOST_PLAYERS - 1, "a seat of the game"),
             Rule.whole("rank", 0, MOST_PLAYERS - 1, "a rank of the game"), new Rule("score", "score NOT BETWEEN "
             + "-1.7976931348623157e308 AND 1.7976931348623157e308", "a finite number"), Rule.text("fault"),

@@ -85,7 +85,10 @@ final class SchemaVersion {
         List.of("ALTER TABLE season ADD COLUMN lower_is_better INTEGER NOT NULL DEFAULT 0",
             "UPDATE season SET lower_is_better = 1 WHERE players = 1"),
         // Earlier games get theirs from their replays, where these are kept.
-        List.of("ALTER TABLE game ADD COLUMN transcript INTEGER", "ALTER TABLE seat ADD COLUMN own TEXT"));
+        List.of("ALTER TABLE game ADD COLUMN transcript INTEGER", "ALTER TABLE seat ADD COLUMN own TEXT"),
+        // Form 3 rated games in which all players failed in the same turn, see StoredGame.allFailed.
+        List.of("UPDATE game SET counts = 2 WHERE counts = 1 AND id IN (SELECT game FROM seat GROUP BY game "
+            + "HAVING count(*) > 1 AND count(fault) = count(*) AND min(answers) = max(answers))"));
 
     /** The newest one. */
     static final int NEWEST = STEPS.size();

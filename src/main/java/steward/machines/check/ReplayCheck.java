@@ -5,7 +5,6 @@ import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
 import steward.contest.Contest;
-import steward.contest.Failure;
 import steward.contest.GameFacts;
 import steward.game.GameTypes;
 import steward.game.JsonNumbers;
@@ -143,10 +142,8 @@ public final class ReplayCheck {
         long[] first = nanos(times, "firstNanos", asked.length);
         List<Seat> seats = new ArrayList<>();
         for (int player = 0; player < asked.length; player++) {
-            String fault = faults[player] == null ? null
-                : new Failure(player, 0, faults[player], List.of(), List.of()).kind();
-            seats.add(new Seat(standing.get(player).integer("rank"), standing.get(player).number("score", 0), fault,
-                asked[player], mean[player], worst[player], first[player]));
+            seats.add(new Seat(standing.get(player).integer("rank"), standing.get(player).number("score", 0),
+                faults[player], asked[player], mean[player], worst[player], first[player]));
         }
         return new Outcome(turns, facts, seats);
     }

@@ -10,7 +10,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import steward.contest.Contest;
-import steward.contest.Failure;
 import steward.contest.GameFacts;
 import steward.game.Game;
 import steward.game.JsonNumbers;
@@ -309,10 +308,8 @@ public final class TranscriptCheck {
             List<ReplayCheck.Seat> seats = new ArrayList<>();
             List<MatchResult.PlayerResult> results = new ArrayList<>();
             for (int player = 0; player < players; player++) {
-                String kind = faults[player] == null ? null
-                    : new Failure(player, 0, faults[player], List.of(), List.of()).kind();
-                seats.add(new ReplayCheck.Seat(game.ranks()[player], game.scores()[player], kind, asked[player],
-                    times.get(0)[player], times.get(1)[player], times.get(2)[player]));
+                seats.add(new ReplayCheck.Seat(game.ranks()[player], game.scores()[player], faults[player],
+                    asked[player], times.get(0)[player], times.get(1)[player], times.get(2)[player]));
                 results.add(new MatchResult.PlayerResult(expected.names().get(player), game.ranks()[player],
                     game.scores()[player], faults[player], game.eliminationReason(player), asked[player],
                     times.get(0)[player], times.get(1)[player], times.get(2)[player], (int) times.get(3)[player],

@@ -261,6 +261,33 @@ class GameStoreTest {
         }
     }
 
+    /** On seed 7 both fail in the first turn, on seed 8 a wins. Form 3 knew no difference between these games. */
+    @Test
+    void gamesInWhichAllFailedAreRatedByNothingAlsoThoseOfAnOlderForm() throws SQLException {
+        StoredGame failed;
+        try (GameStore store = GameStore.write(folder)) {
+            int season = store.open(SEASON);
+            Version a = store.add("a", "./a", false, "1a", 1);
+            Version b = store.add("b", "./b", false, "1b", 2);
+            failed = new StoredGame(0, GameName.of(SEASON, 7, List.of("1a", "1b"), 1), 7, 7, 1, true, 1, null, 1007,
+                "here", null, List.of(new StoredSeat(a.id(), 0, 0, "exited", 1, 100, 100, 100),
+                new StoredSeat(b.id(), 0, 0, "exited", 1, 100, 100, 100)));
+            store.add(season, List.of(failed, game(a, b, 8, -1, 1, true)));
+        }
+        for (String older : List.of("UPDATE game SET decision = decision", "UPDATE game SET counts = 1")) {
+            run(older, "PRAGMA user_version = " + (older.contains("counts") ? 3 : SchemaVersion.NEWEST));
+            try (GameStore store = GameStore.write(folder)) {
+                assertEquals(List.of(), store.badRows(1));
+                assertTrue(store.outcome(failed.name()).orElseThrow().allFailed());
+                Results results = new GameQueries(store, 1, SEASON).results();
+                assertEquals(1, results.games());
+                assertEquals(1, results.of(1).games());
+                assertEquals(1, results.of(1).allFailed());
+                assertEquals(1, results.points(1, 2), 1e-12);
+            }
+        }
+    }
+
     @Test
     void transcriptsAndOwnValuesComeOutAsTheyWentIn() {
         try (GameStore store = GameStore.write(folder)) {

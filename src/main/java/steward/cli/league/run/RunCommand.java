@@ -79,6 +79,10 @@ public final class RunCommand implements Callable<Integer> {
     @Mixin
     private final UntilOptions until = new UntilOptions();
 
+    @Option(names = "--pause-after", paramLabel = "N", defaultValue = "20", description = "Pauses a bot that failed in "
+        + "N games in a row, see 'league resume'; 0 for never (default: ${DEFAULT-VALUE}).")
+    private Integer pauseAfter;
+
     @Option(names = "--durable", description = "Waits with every game until it is on the disk: nothing is lost when "
         + "the power fails, either.")
     private boolean durable;
@@ -117,6 +121,7 @@ public final class RunCommand implements Callable<Integer> {
         StopRule rule = until.rule();
         check.that(!anew || !keepRules,
             "--keep-rules: expected no --new-season with it: it goes on with the old table");
+        check.range("--pause-after", pauseAfter, 0, Integer.MAX_VALUE);
         check.range("--games", games, 1, Integer.MAX_VALUE);
         LeagueRun.Limits limits = new LeagueRun.Limits(threads.count(streams), games == null ? Long.MAX_VALUE : games,
             nanos(time));
@@ -180,6 +185,7 @@ public final class RunCommand implements Callable<Integer> {
                 }
             });
         progress.goOn(done(past));
+        run.pauseAfter(pauseAfter);
         if (rule.isAny()) {
             run.until(rule);
         }

@@ -42,6 +42,11 @@ final class GameFilter {
         check.that(bot != null || !won && !lost, (won ? "--won" : "--lost") + ": expected --bot with it");
     }
 
+    /** True if only failed games are asked for. */
+    boolean failed() {
+        return failed;
+    }
+
     /** The version of {@code --bot}, or -1. */
     int version(List<LeagueTable.Entry> entries) {
         return version(bot, entries);

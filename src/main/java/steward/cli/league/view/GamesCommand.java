@@ -18,17 +18,26 @@ import picocli.CommandLine.Option;
 import steward.cli.options.CallCheck;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
+import steward.cli.shared.FailureJson;
+import steward.cli.shared.Json;
 import steward.cli.shared.Pages;
 import steward.cli.shared.Streams;
+import steward.contest.Failure;
 import steward.files.InputException;
 import steward.files.OutputFiles;
+import steward.game.JsonNumbers;
+import steward.league.LeagueFolder;
 import steward.league.StoredGame.StoredSeat;
 import steward.league.StoredGame;
 import steward.text.TextFormat;
+import tools.jackson.core.JsonGenerator;
 
 /** {@code steward league games}: lists games and opens their replays. */
 @Command(name = "games", description = "Lists games of a league, the latest first, and opens the replay of one.",
-    footer = {"", "Examples:",
+    footer = {"", "With --failed or --game, below each game: which turn failed and why, what the bot",
+        "wrote to stderr, and hints, as far as the replay was kept.",
+        "", "Examples:",
+        "  steward league games night --failed",
         "  steward league games night --bot mine --lost",
         "  steward league games night --bot mine --lost --open"})
 public final class GamesCommand implements Callable<Integer> {
@@ -51,6 +60,9 @@ public final class GamesCommand implements Callable<Integer> {
     @Option(names = "--game", paramLabel = "N", description = "Only this game.")
     private Long number;
 
+    @Option(names = "--json", description = "Prints one JSON object and nothing else.")
+    private boolean json;
+
     @Option(names = "--open", description = "Opens the latest of them that has a replay, in the browser.")
     private boolean open;
 
@@ -65,6 +77,7 @@ public final class GamesCommand implements Callable<Integer> {
     public Integer call() throws InterruptedException {
         filter.check();
         check.range("--limit", limit, 1, MOST);
+        check.that(!json || !open && view == null, "--json: expected no --open and no --view with it");
         try (LeagueOpening.Opened opened = LeagueOpening.read(league.open())) {
             Map<Integer, String> names = new HashMap<>();
             opened.entries().forEach(entry -> names.put(entry.version(), entry.name()));
@@ -72,9 +85,11 @@ public final class GamesCommand implements Callable<Integer> {
             int opponent = filter.opponent(opened.entries());
             List<StoredGame> found = new ArrayList<>();
             int[] all = {0};
+            GameFailures failures = new GameFailures();
             read(opened, version, game -> {
                 if ((number == null || game.id() == number) && filter.takes(game, version, opponent)) {
                     all[0]++;
+                    failures.add(game);
                     if (found.size() < limit || (open || view != null) && game.replay() != null
                         && found.stream().noneMatch(each -> each.replay() != null)) {
                         found.add(game);
@@ -85,9 +100,20 @@ public final class GamesCommand implements Callable<Integer> {
                 throw new InputException("--game: found no game " + number
                     + " among them, expected one of the league's");
             }
-            for (StoredGame game : found.subList(0, Math.min(limit, found.size()))) {
-                streams.out().println(TextFormat.plain(line(game, names)));
+            List<StoredGame> listed = found.subList(0, Math.min(limit, found.size()));
+            if (json) {
+                Json.print(streams, out -> json(out, listed, all[0], opened.folder(), names));
+                return ExitStatus.DONE;
             }
+            for (StoredGame game : listed) {
+                Path replay = replay(opened.folder(), game);
+                streams.out().println(TextFormat.plain(line(game, names) + (replay == null ? "" : ", replay "
+                    + replay)));
+                if (filter.failed() || number != null) {
+                    GameFailures.print(streams.out(), game, replay, names);
+                }
+            }
+            failures.lines(names).forEach(streams.out()::println);
             streams.out().println(all[0] == 0 ? "no such games" : TextFormat.count(all[0], "game")
                 + (all[0] > limit ? ", the latest " + limit + " are listed" : ""));
             streams.out().flush();
@@ -119,7 +145,57 @@ public final class GamesCommand implements Callable<Integer> {
         } else if (!game.counts()) {
             line.append(", played again since others used the processors");
         }
-        return line + (game.replay() == null ? "" : ", replay");
+        return line + (game.counts() && game.allFailed() ? ", not rated since all failed in the same turn" : "");
+    }
+
+    /** The file of a game's replay, or {@code null}. */
+    private static Path replay(LeagueFolder folder, StoredGame game) {
+        return game.replay() == null ? null : folder.replays().resolve(game.replay());
+    }
+
+    private static void json(JsonGenerator out, List<StoredGame> games, int all, LeagueFolder folder,
+                             Map<Integer, String> names) {
+        out.writeNumberProperty("games", all);
+        out.writeArrayPropertyStart("list");
+        for (StoredGame game : games) {
+            Path replay = replay(folder, game);
+            List<Failure> failures = GameFailures.of(replay);
+            out.writeStartObject();
+            out.writeNumberProperty("game", game.id());
+            out.writeStringProperty("seed", Long.toString(game.seed()));
+            out.writeStringProperty("played", Instant.ofEpochMilli(game.played()).toString());
+            out.writeNumberProperty("turns", game.turns());
+            out.writeBooleanProperty("counts", game.counts());
+            out.writeBooleanProperty("allFailed", game.allFailed());
+            out.writeStringProperty("problem", game.problem());
+            out.writeStringProperty("replay", replay == null ? null : replay.toString());
+            out.writeArrayPropertyStart("seats");
+            for (int player = 0; player < game.seats().size(); player++) {
+                seat(out, player, game.seats().get(player), names, failures);
+            }
+            out.writeEndArray();
+            out.writeEndObject();
+        }
+        out.writeEndArray();
+    }
+
+    private static void seat(JsonGenerator out, int player, StoredSeat seat, Map<Integer, String> names,
+                             List<Failure> failures) {
+        out.writeStartObject();
+        out.writeStringProperty("bot", names.get(seat.version()));
+        out.writeNumberProperty("rank", seat.rank());
+        JsonNumbers.write(out, "score", seat.score());
+        out.writeStringProperty("fault", seat.fault());
+        out.writeName("failure");
+        Failure failure = failures.stream().filter(each -> each.player() == player).findFirst().orElse(null);
+        if (failure == null) {
+            out.writeNull();
+        } else {
+            out.writeStartObject();
+            FailureJson.write(out, failure);
+            out.writeEndObject();
+        }
+        out.writeEndObject();
     }
 
     private int show(LeagueOpening.Opened opened, List<StoredGame> found, Map<Integer, String> names)

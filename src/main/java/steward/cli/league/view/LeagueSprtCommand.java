@@ -78,7 +78,8 @@ public final class LeagueSprtCommand implements Callable<Integer> {
         try (StoredSeries store = StoredSeries.open(folder.path(), contest, settings.factor(),
                 List.copyOf(LeagueOpening.environment(settings).keySet()))) {
             store.refuseTwins();
-            return new SprtRun(streams, contest, test, options.budget(), store, json ? Verbosity.JSON : Verbosity.FULL)
+            return new SprtRun(streams, contest, test, options.budget(), options.keepGoing(), store,
+                json ? Verbosity.JSON : Verbosity.FULL)
                 .play(store.ownSeed(), threads.count(streams));
         }
     }

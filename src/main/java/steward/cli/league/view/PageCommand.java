@@ -3,6 +3,7 @@ package steward.cli.league.view;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -15,6 +16,7 @@ import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
 import steward.cli.shared.Pages;
 import steward.cli.shared.Streams;
+import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.league.StoredGame;
 import steward.league.page.LeaguePage;
@@ -40,8 +42,8 @@ public final class PageCommand implements Callable<Integer> {
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
 
-    @Option(names = "--out", paramLabel = "FILE", description = "Where it goes; replaced if it exists (default: a "
-        + "temporary file, with --open).")
+    @Option(names = "--out", paramLabel = "FILE", description = "Where it goes; an earlier page is replaced "
+        + "(default: a temporary file, with --open).")
     private String out;
 
     @Option(names = "--open", description = "Opens it in the browser.")
@@ -58,6 +60,10 @@ public final class PageCommand implements Callable<Integer> {
         try (LeagueOpening.Opened opened = LeagueOpening.read(league.open())) {
             Path path = out == null ? Pages.unnamed() : OutputFiles.path(out);
             OutputFiles.check(path, true);
+            if (out != null && Files.exists(path) && !LeaguePage.isOne(path)) {
+                throw new InputException(path + ": exists already, and 'league page' did not write it; expected "
+                    + "another name");
+            }
             ByteArrayOutputStream html = new ByteArrayOutputStream();
             int replays = write(opened, opened.table(), html);
             try {

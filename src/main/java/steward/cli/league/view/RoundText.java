@@ -32,10 +32,14 @@ public final class RoundText {
             + (settings.adaptive() ? "; after " + AdaptivePairing.FIRST + " rounds those play who are in doubt" : "");
     }
 
-    /** How far the round is that has begun and is not complete; empty if there is none, or each bot plays alone. */
+    /**
+     * How far the round is that has begun and is not complete; empty if there is none, or each bot plays alone, or that
+     * is not known: of a game in which all failed, the table does not say who met.
+     */
     public static Optional<String> unfinished(LeagueTable table, LeagueSettings settings, int players) {
         List<Row> rows = table.rows().stream().filter(row -> row.entry().active()).toList();
-        if (players == 1 || rows.size() < players || table.results().games() == 0) {
+        if (players == 1 || rows.size() < players || table.results().games() == 0
+            || rows.stream().anyMatch(row -> row.sums().allFailed() > 0)) {
             return Optional.empty();
         }
         double[] met = met(rows, table, settings.gauntlet());

@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
+import java.util.function.Consumer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -17,7 +18,9 @@ import steward.files.OutputFiles;
 import steward.league.page.LeagueJson;
 import steward.league.page.LeaguePlots;
 import steward.league.rating.Difference;
+import steward.league.StoredGame;
 import steward.league.rating.LeagueTable;
+import steward.league.rating.Results;
 import steward.text.CsvRow;
 import steward.text.TextFormat;
 
@@ -44,6 +47,13 @@ public final class TableCommand implements Callable<Integer> {
     @Option(names = "--html", description = "Prints the page of 'league page'.")
     private boolean html;
 
+    @Mixin
+    private final PartOptions part = new PartOptions();
+
+    @Option(names = "--values", description = "Also prints the games' own values by bot, means with their spread: "
+        + "score, turns, and laps, water, goals or chips, as the game has them.")
+    private boolean values;
+
     @Option(names = "--plots", paramLabel = "DIR", description = "Writes the ratings with their bars and the ratings "
         + "over games into this folder, as PNG and SVG.")
     private String plots;
@@ -55,12 +65,25 @@ public final class TableCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         check.that((json ? 1 : 0) + (csv ? 1 : 0) + (html ? 1 : 0) <= 1, "--json, --csv and --html exclude each other");
+        check.that(!part.isAny() || !html && plots == null, (html ? "--html" : "--plots") + ": expected the whole "
+            + "league, found a part of its games");
+        check.that(!values || !csv && !html, "--values: expected text or --json with it");
+        part.check();
         try (LeagueOpening.Opened opened = LeagueOpening.read(league.open())) {
-            LeagueTable table = opened.table();
+            LeagueTable table = part.isAny() ? partial(opened) : opened.table();
+            OwnValues own = new OwnValues();
+            if (values) {
+                each(opened, own::add);
+            }
             if (json) {
-                Json.print(streams, out -> LeagueJson.table(out, opened.season(), table, opened.workers()));
+                Json.print(streams, out -> {
+                    LeagueJson.table(out, opened.season(), table, opened.workers());
+                    if (values) {
+                        own.json(out, table);
+                    }
+                });
             } else if (csv) {
-                printCsv(table);
+                streams.out().print(csv(table));
             } else if (html) {
                 ByteArrayOutputStream page = new ByteArrayOutputStream();
                 PageCommand.write(opened, table, page);
@@ -68,12 +91,30 @@ public final class TableCommand implements Callable<Integer> {
             } else {
                 TableText.whole(table, opened.season(), opened.workers(), streams.outColour())
                     .forEach(streams.out()::println);
+                if (values) {
+                    streams.out().println();
+                    own.lines(table).forEach(streams.out()::println);
+                }
             }
             if (plots != null) {
                 writePlots(opened, table);
             }
         }
         return ExitStatus.DONE;
+    }
+
+    private void each(LeagueOpening.Opened opened, Consumer<StoredGame> taker) {
+        if (part.isAny()) {
+            part.each(opened, taker);
+        } else {
+            opened.games().games(taker);
+        }
+    }
+
+    private LeagueTable partial(LeagueOpening.Opened opened) {
+        Results results = new Results(opened.season());
+        part.each(opened, results::add);
+        return LeagueTable.of(results, part.rows(opened.entries()));
     }
 
     private void writePlots(LeagueOpening.Opened opened, LeagueTable table) {
@@ -89,19 +130,22 @@ public final class TableCommand implements Callable<Integer> {
         }
     }
 
-    private void printCsv(LeagueTable table) {
-        streams.out().print(new CsvRow().words("rank", "bot", "version", "active", "random", "rating", "bar", "anytime",
-            "best", "worst", "games", "points", "wins", "draws", "losses", "faults", "score", "meanMs",
-            "worstMs").line());
+    /** A line for each bot, below the heads of the columns. */
+    public static String csv(LeagueTable table) {
+        StringBuilder lines = new StringBuilder(new CsvRow().words("rank", "bot", "version", "active", "random",
+            "rating", "bar", "anytime", "best", "worst", "games", "points", "wins", "draws", "losses", "faults",
+            "allFailed", "score", "meanMs", "worstMs").line());
         for (LeagueTable.Row row : table.rows()) {
-            streams.out().print(new CsvRow().words(Integer.toString(row.rank()), row.entry().name(),
+            lines.append(new CsvRow().words(Integer.toString(row.rank()), row.entry().name(),
                 Integer.toString(row.entry().version()), Boolean.toString(row.entry().active()),
                 Boolean.toString(row.entry().random()), number(row.rating()), bar(row.bar()), bar(row.anytime()),
                 Integer.toString(row.best()), Integer.toString(row.worst()),
                 Long.toString(row.sums().games()), number(row.points()), number(row.wins()), number(row.draws()),
-                number(row.losses()), Long.toString(row.sums().faults()), number(row.sums().meanScore()),
-                number(row.sums().meanNanos() / NANOS_PER_MS), number(row.sums().worstNanos() / NANOS_PER_MS)).line());
+                number(row.losses()), Long.toString(row.sums().faults()), Long.toString(row.sums().allFailed()),
+                number(row.sums().meanScore()), number(row.sums().meanNanos() / NANOS_PER_MS),
+                number(row.sums().worstNanos() / NANOS_PER_MS)).line());
         }
+        return lines.toString();
     }
 
     private static String bar(double bar) {

@@ -81,7 +81,7 @@ public final class TableText {
         int width = table.rows().stream().mapToInt(row -> name(row).length()).max().orElse(3);
         List<String> lines = new ArrayList<>();
         lines.add("  # " + TextFormat.left("bot", width)
-            + "  rating    bar anytime  ranks   games  points  faults  mean ms  worst ms  mean score");
+            + "  rating    bar anytime  ranks   games  points  faults  all failed  mean ms  worst ms  mean score");
         for (Row row : table.rows()) {
             boolean played = row.sums().games() > 0;
             String faults = TextFormat.right(Long.toString(row.sums().faults()), 8);
@@ -94,6 +94,7 @@ public final class TableText {
                 + TextFormat.right(Long.toString(row.sums().games()), 8)
                 + TextFormat.right(TextFormat.fixed(row.points(), 3), 8)
                 + (row.sums().faults() > 0 ? colour.bad(faults) : faults)
+                + TextFormat.right(Long.toString(row.sums().allFailed()), 12)
                 + TextFormat.right(TextFormat.fixed(row.sums().meanNanos() / NANOS_PER_MS, 2), 9)
                 + TextFormat.right(played ? TextFormat.ms(row.sums().worstNanos()) : "-", 10)
                 + TextFormat.right(TextFormat.fixed(row.sums().meanScore(), 2), 12));

@@ -1,0 +1,103 @@
+package steward.cli.check;
+
+import java.io.PrintStream;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import steward.bot.command.BotCommand;
+import steward.cli.options.BuiltinBotWords;
+import steward.cli.options.ProtocolWord;
+import steward.cli.options.SandboxOptions;
+import steward.cli.options.SceneOptions;
+import steward.cli.options.TimeLimitOptions;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.FailureText;
+import steward.cli.shared.Games;
+import steward.cli.shared.Streams;
+import steward.contest.Contest;
+import steward.files.InputException;
+import steward.game.GameSetup;
+import steward.text.TextFormat;
+
+/** {@code steward check}: is this bot ready to play? */
+@Command(name = "check", description = "Tries a bot: whether it starts, answers in time and plays a whole game, and if "
+    + "not, what to do.",
+    footer = {"",
+        "It plays against the weakest bundled bot of the game, and against players that",
+        "never answer. Its slowest answer has to leave a fifth of the limit.",
+        "", "Examples:",
+        "  steward check 'python3 bot.py'",
+        "  steward check codingame:./bot --scene duel",
+        "", "Exit status: 0 it is ready; 1 something is wrong; 2 the call is wrong, or the",
+        "program is not there."})
+public final class CheckCommand implements Callable<Integer> {
+
+    private static final int WIDTH = 80;
+
+    private final Streams streams;
+
+    @Parameters(index = "0", paramLabel = "BOT", completionCandidates = BuiltinBotWords.class,
+        description = "The bot, [NAME=][json:|codingame:]COMMAND.")
+    private String bot;
+
+    @Mixin
+    private final SceneOptions scene = new SceneOptions();
+
+    @Option(names = "--protocol", paramLabel = "P", defaultValue = "json",
+        completionCandidates = ProtocolWord.Candidates.class,
+        description = "What it speaks without a prefix: json or codingame (default: ${DEFAULT-VALUE}).")
+    private String protocol;
+
+    @Mixin
+    private final TimeLimitOptions pace = new TimeLimitOptions();
+
+    @Mixin
+    private final SandboxOptions sandbox = new SandboxOptions();
+
+    public CheckCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() throws InterruptedException {
+        double factor = pace.factor();
+        GameSetup setup = Games.warn(scene.open(streams), streams);
+        Contest empty = Contest.withoutBots(setup, factor).limitedBy(pace.basis())
+            .isolatedBy(sandbox.isolation(streams));
+        return run(streams, empty, Contest.entrant(bot, ProtocolWord.parse(protocol)));
+    }
+
+    /**
+     * Checks a bot and says what came of it.
+     *
+     * @return the exit status
+     * @throws InputException if it cannot be started, or the scene does not have its protocol
+     */
+    public static int run(Streams streams, Contest empty, Contest.Entrant entrant) throws InterruptedException {
+        if (entrant.problem() != null) {
+            throw new InputException(entrant.problem() + Advice.missing(BotCommand.parse(entrant.bot()).words())
+                .map(advice -> ". " + advice).orElse(""));
+        }
+        Contest.checkProtocols(empty.setup(), List.of(entrant));
+        BotCheck check = BotCheck.of(empty, entrant);
+        print(streams.out(), check);
+        return check.passes() ? ExitStatus.DONE : ExitStatus.FAILED;
+    }
+
+    /** All that the check found, in some ten lines. */
+    public static void print(PrintStream out, BotCheck check) {
+        out.println(TextFormat.plain(check.bot().name() + " in " + check.contest().sceneName()));
+        check.steps().forEach(step -> out.println(TextFormat.plain(step)));
+        check.problems().forEach(problem -> out.println(TextFormat.wrap(TextFormat.plain(problem) + ".", " ", WIDTH,
+            "")));
+        if (check.failure() != null && !check.failure().stderr().isEmpty()) {
+            FailureText.print(out, check.failure(), "  ");
+        }
+        if (check.passes()) {
+            out.println("It is ready.");
+        }
+    }
+}

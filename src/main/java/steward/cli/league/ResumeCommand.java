@@ -1,0 +1,49 @@
+package steward.cli.league;
+
+import java.nio.file.Files;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Parameters;
+import steward.cli.league.view.LeagueArgument;
+import steward.cli.league.view.LeagueOpening;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Streams;
+import steward.league.LeagueBot;
+import steward.league.LeagueFolder;
+import steward.league.LeagueSettings;
+
+/** {@code steward league resume}: a bot that was paused plays again. */
+@Command(name = "resume", description = "Lets a bot play again that failed in many games in a row and was paused.",
+    footer = {"",
+        "Its failures so far do not pause it again; later ones do. A bot whose program has",
+        "changed plays by itself: it is a new version.",
+        "", "Example:", "  steward league resume night mine"})
+final class ResumeCommand implements Callable<Integer> {
+
+    private final Streams streams;
+
+    @Mixin
+    private final LeagueArgument league = new LeagueArgument();
+
+    @Parameters(index = "1", paramLabel = "NAME", description = "The bot.")
+    private String name;
+
+    ResumeCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() {
+        LeagueFolder folder = league.open();
+        LeagueSettings settings = folder.read();
+        LeagueBot bot = LeagueOpening.bot(settings, name);
+        if (Files.exists(folder.database())) {
+            try (LeagueOpening.Opened opened = LeagueOpening.read(folder)) {
+                folder.write(settings.replaced(name, bot.resumed(opened.games().nextDecision())));
+            }
+        }
+        streams.out().println(name + " plays again; its failures so far do not pause it");
+        return ExitStatus.DONE;
+    }
+}

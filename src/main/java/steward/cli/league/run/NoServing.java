@@ -1,0 +1,19 @@
+package steward.cli.league.run;
+
+import java.util.function.Consumer;
+import picocli.CommandLine.Command;
+import steward.contest.Contest;
+import steward.league.LeagueFolder;
+import steward.league.LeagueSettings;
+import steward.league.Season;
+
+/** No other machines. */
+@Command
+public final class NoServing implements Serving {
+
+    @Override
+    public Service start(LeagueFolder folder, Season season, Contest contest, LeagueSettings settings,
+                         Consumer<String> teller) {
+        return null;
+    }
+}

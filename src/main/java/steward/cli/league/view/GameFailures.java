@@ -1,0 +1,85 @@
+package steward.cli.league.view;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import steward.cli.shared.FailureText;
+import steward.cli.shared.Games;
+import steward.contest.Failure;
+import steward.contest.RecordedFailures;
+import steward.league.StoredGame;
+import steward.replay.ReplayException;
+import steward.replay.ReplayReader;
+import steward.text.TextFormat;
+
+/** Why bots failed in games of a league: each game's failures from its replay, and how often each kind came. */
+public final class GameFailures {
+
+    private static final int MOST = 10;
+
+    private final Map<List<Object>, Kind> kinds = new LinkedHashMap<>();
+
+    private static final class Kind {
+        private int games;
+        private long example;
+        private String reason;
+    }
+
+    /** Adds a game; the first one of a kind is its example. */
+    public void add(StoredGame game) {
+        for (StoredGame.StoredSeat seat : game.seats()) {
+            if (seat.fault() != null) {
+                Kind kind = kinds.computeIfAbsent(List.of(seat.version(), Failure.kind(seat.fault())),
+                    key -> new Kind());
+                kind.games++;
+                kind.example = kind.games == 1 ? game.id() : kind.example;
+                kind.reason = kind.games == 1 ? seat.fault() : kind.reason;
+            }
+        }
+    }
+
+    /** One line for each bot and kind, the most frequent first. */
+    public List<String> lines(Map<Integer, String> names) {
+        List<String> lines = new ArrayList<>();
+        kinds.entrySet().stream().sorted(Comparator.comparingInt((Map.Entry<?, Kind> each) -> -each.getValue().games))
+            .limit(MOST).forEach(each -> lines.add(TextFormat.plain(names.get((Integer) each.getKey().get(0))
+                + " failed in " + TextFormat.count(each.getValue().games, "game") + ", such as game "
+                + each.getValue().example + ": " + each.getValue().reason)));
+        if (kinds.size() > MOST) {
+            lines.add("and in " + TextFormat.count(kinds.size() - MOST, "other way"));
+        }
+        return lines;
+    }
+
+    /**
+     * The failures of a game by its replay.
+     *
+     * @param replay or {@code null} if none was kept
+     * @return none if the replay cannot be read
+     */
+    static List<Failure> of(Path replay) {
+        if (replay == null || !Files.isRegularFile(replay)) {
+            return List.of();
+        }
+        try (ReplayReader reader = ReplayReader.open(replay)) {
+            return reader.header() == null ? List.of() : RecordedFailures.of(Games.types(), reader);
+        } catch (IOException | ReplayException damaged) {
+            return List.of();
+        }
+    }
+
+    /** Everything about the failures of a game. */
+    static void print(PrintStream out, StoredGame game, Path replay, Map<Integer, String> names) {
+        for (Failure failure : of(replay)) {
+            out.println(TextFormat.plain("         " + names.get(game.seats().get(failure.player()).version())
+                + " failed in turn " + failure.turn() + ": " + failure.reason()));
+            FailureText.print(out, failure, "           ");
+        }
+    }
+}

@@ -1,0 +1,105 @@
+package steward.cli.tournament;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.text.Normalizer;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.stream.Stream;
+import steward.files.InputException;
+import steward.files.OutputFiles;
+import steward.text.TextFormat;
+
+/**
+ * The programs of a folder.
+ *
+ * @param programs in the order of their file names
+ * @param others   names of files and folders that are no programs
+ */
+record Programs(List<Program> programs, List<String> others) {
+
+    private static final int LONGEST = 80;
+    /** Names that a league keeps for parameters that are tried. */
+    private static final String TUNED = "tune.";
+
+    /** How a program is made ready to run. */
+    enum Kind { PYTHON, JS, JAVA, CPP, FOLDER }
+
+    /**
+     * A program as its author hands it in.
+     *
+     * @param name   in the table: letters and digits of any language, dots, underscores and hyphens
+     * @param source a file, or a folder with a file {@code run}
+     */
+    record Program(String name, Path source, Kind kind) {
+    }
+
+    /**
+     * Finds the programs.
+     *
+     * @param without a folder that is none of them
+     * @throws InputException if there are none, or the folder cannot be read
+     */
+    static Programs in(Path folder, Path without) {
+        List<Path> entries = new ArrayList<>();
+        try (Stream<Path> files = Files.list(folder)) {
+            files.filter(file -> !file.getFileName().toString().startsWith("."))
+                .filter(file -> !file.toAbsolutePath().normalize().equals(without.toAbsolutePath().normalize()))
+                .sorted().forEach(entries::add);
+        } catch (IOException problem) {
+            throw new InputException(folder + ": " + (Files.isDirectory(folder) ? "cannot be read: "
+                + OutputFiles.reason(folder, problem) : (Files.exists(folder) ? "found a file" : "found no such folder")
+                + ", expected a folder with programs"));
+        }
+        List<Program> programs = new ArrayList<>();
+        List<String> others = new ArrayList<>();
+        Set<String> names = new HashSet<>();
+        for (Path entry : entries) {
+            Kind kind = kind(entry);
+            if (kind == null) {
+                others.add(entry.getFileName().toString());
+            } else {
+                programs.add(new Program(unique(name(entry, kind), names), entry, kind));
+            }
+        }
+        if (programs.isEmpty()) {
+            throw new InputException(folder + ": found no program" + (others.isEmpty() ? "" : " among "
+                + TextFormat.count(others.size(), "file")) + ", expected source files that end in .py, .java, .cpp or "
+                + ".js, or folders with a file 'run' that holds a command");
+        }
+        return new Programs(programs, others);
+    }
+
+    private static Kind kind(Path entry) {
+        if (Files.isDirectory(entry)) {
+            return Files.isRegularFile(entry.resolve("run")) ? Kind.FOLDER : null;
+        }
+        String name = entry.getFileName().toString().toLowerCase(Locale.ROOT);
+        return !Files.isRegularFile(entry) ? null : name.endsWith(".py") ? Kind.PYTHON
+            : name.endsWith(".js") || name.endsWith(".mjs") || name.endsWith(".cjs") ? Kind.JS
+            : name.endsWith(".java") ? Kind.JAVA
+            : name.endsWith(".cpp") || name.endsWith(".cc") || name.endsWith(".cxx") ? Kind.CPP : null;
+    }
+
+    private static String name(Path entry, Kind kind) {
+        String file = entry.getFileName().toString();
+        String bare = kind == Kind.FOLDER ? file : file.substring(0, file.lastIndexOf('.'));
+        String name = Normalizer.normalize(bare, Normalizer.Form.NFC).replaceAll("[^\\p{L}\\p{M}\\p{N}._-]+", "-")
+            .replaceAll("^[-.]+|-+$", "").replaceFirst("^tune\\.", "tune-");
+        int end = Math.min(LONGEST, name.length());
+        name = name.substring(0, end > 0 && Character.isHighSurrogate(name.charAt(end - 1)) ? end - 1 : end);
+        return name.isEmpty() || name.startsWith(TUNED) ? "bot" : name;
+    }
+
+    private static String unique(String name, Set<String> names) {
+        String found = name;
+        for (int k = 2; !names.add(found.toLowerCase(Locale.ROOT)); k++) {
+            found = name + "-" + k;
+        }
+        return found;
+    }
+}

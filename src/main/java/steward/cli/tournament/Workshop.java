@@ -1,0 +1,223 @@
+package steward.cli.tournament;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
+import java.util.Enumeration;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalInt;
+import java.util.concurrent.TimeUnit;
+import java.util.jar.JarEntry;
+import java.util.jar.JarFile;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import steward.bot.command.CommandLine;
+import steward.bot.command.ProgramFinder;
+import steward.bot.isolation.Isolation;
+import steward.bot.isolation.Launch;
+import steward.bot.process.ProgramRun;
+import steward.cli.tournament.Programs.Program;
+
+/**
+ * Makes programs ready to run: each gets a folder of its own with a copy of its source; what has to be compiled is
+ * compiled once, in the sandbox. A compiler writes what it makes to its standard output, so that it needs to write
+ * nowhere else but to temporary files.
+ *
+ * @param folder    of all of them
+ * @param isolation of compilers
+ * @param limitMs   for one program
+ */
+record Workshop(Path folder, Isolation isolation, long limitMs) {
+
+    /** So much of what a compiler says is kept, in bytes. */
+    private static final int SAID = 20_000;
+    private static final int MOST_FILES = 10_000;
+    /** The source that was compiled last. */
+    private static final String COMPILED = "compiled.txt";
+    private static final Pattern PUBLIC = Pattern.compile(
+        "\\bpublic\\s+(?:final\\s+|abstract\\s+|strictfp\\s+|sealed\\s+)*(?:class|record|enum|interface)\\s+(\\w+)");
+
+    /** Both take the source, the compiler, and another tool. */
+    private static final String BEGIN = "d=$(mktemp -d) || exit 1; trap 'rm -rf \"$d\"' EXIT; ";
+    private static final String CPP = BEGIN + "ulimit -v 4000000 2>/dev/null; "
+        + "\"$1\" -O2 -std=c++17 -o \"$d/bot\" \"$0\" >&2 && cat \"$d/bot\"";
+    private static final String JAVA = BEGIN + "mkdir \"$d/classes\"; "
+        + "\"$1\" -J-Xmx512m -encoding UTF-8 -proc:none -nowarn -d \"$d/classes\" \"$0\" >&2 "
+        + "&& \"$2\" -J-Xmx512m --create --file \"$d/bot.jar\" -C \"$d/classes\" . >&2 "
+        + "&& cat \"$d/bot.jar\"";
+
+    /**
+     * A program that was made ready.
+     *
+     * @param command its words, or {@code null} if it cannot run
+     * @param files   that it consists of
+     * @param problem why it cannot run, what the compiler said; or {@code null}
+     */
+    record Ready(Program program, List<String> command, List<Path> files, String problem) {
+    }
+
+    /**
+     * Makes a program ready, unless that has been done with the same source.
+     *
+     * @throws IOException if files cannot be copied
+     */
+    Ready make(Program program) throws IOException, InterruptedException {
+        Path own = folder.resolve(program.name());
+        Files.createDirectories(own);
+        return switch (program.kind()) {
+            case PYTHON -> script(program, own.resolve("bot.py"), "python3");
+            case JS -> script(program, own.resolve(program.source().getFileName().toString().toLowerCase(
+                Locale.ROOT).endsWith(".mjs") ? "bot.mjs" : "bot.cjs"), "node");
+            case CPP -> cpp(program, own);
+            case JAVA -> java(program, own);
+            case FOLDER -> folder(program, own.resolve("folder"));
+        };
+    }
+
+    private static Ready failed(Program program, String problem) {
+        return new Ready(program, null, List.of(), problem);
+    }
+
+    private static Ready script(Program program, Path copy, String interpreter) throws IOException {
+        copy(program.source(), copy);
+        return ProgramFinder.find(interpreter) == null
+            ? failed(program, "there is no program '" + interpreter + "' on the PATH of this machine")
+            : new Ready(program, List.of(interpreter, copy.toString()), List.of(copy), null);
+    }
+
+    /** A file that is the same already is left alone, so that its bot is the same version. */
+    private static void copy(Path from, Path to) throws IOException {
+        if (!Files.isRegularFile(to) || Files.mismatch(from, to) >= 0) {
+            Files.copy(from, to, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.COPY_ATTRIBUTES);
+        }
+    }
+
+    private Ready cpp(Program program, Path own) throws IOException, InterruptedException {
+        Path compiler = Stream.of("g++", "clang++", "c++").map(ProgramFinder::find).filter(each -> each != null)
+            .findFirst().orElse(null);
+        Path source = own.resolve("bot.cpp");
+        Path made = own.resolve("bot");
+        copy(program.source(), source);
+        String problem = compiler == null ? "there is no C++ compiler (g++ or clang++) on the PATH of this machine"
+            : compile(source, made, CPP, compiler.toString());
+        if (problem != null) {
+            return failed(program, problem);
+        }
+        return made.toFile().setExecutable(true) ? new Ready(program, List.of(made.toString()), List.of(made), null)
+            : failed(program, made + " cannot be made executable");
+    }
+
+    private Ready java(Program program, Path own) throws IOException, InterruptedException {
+        String text = new String(Files.readAllBytes(program.source()), StandardCharsets.UTF_8)
+            .replaceFirst("^\uFEFF", "");
+        Matcher named = PUBLIC.matcher(text);
+        Path source = own.resolve((named.find() ? named.group(1) : "Bot") + ".java");
+        Path made = own.resolve("bot.jar");
+        if (!Files.exists(source) || !Files.readString(source).equals(text)) {
+            Files.writeString(source, text);
+        }
+        Path javac = tool("javac");
+        Path jar = tool("jar");
+        String problem = javac == null || jar == null
+            ? "there is no Java compiler (javac and jar, of a JDK) on this machine"
+            : compile(source, made, JAVA, javac.toString(), jar.toString());
+        if (problem != null) {
+            return failed(program, problem);
+        }
+        String main = main(made);
+        return main == null ? failed(program, "found no class with a method 'public static void main(String[] args)'")
+            : new Ready(program, List.of(tool("java").toString(), "-cp", made.toString(), main), List.of(made), null);
+    }
+
+    private static Path tool(String name) {
+        Path own = Path.of(System.getProperty("java.home"), "bin", name);
+        return Files.isExecutable(own) ? own : ProgramFinder.find(name);
+    }
+
+    /** The first class in which both the name and the type of a main method stand. */
+    private static String main(Path made) throws IOException {
+        try (JarFile jar = new JarFile(made.toFile())) {
+            for (Enumeration<JarEntry> entries = jar.entries(); entries.hasMoreElements();) {
+                JarEntry entry = entries.nextElement();
+                if (entry.getName().endsWith(".class") && !entry.getName().contains("$")) {
+                    try (InputStream in = jar.getInputStream(entry)) {
+                        String bytes = new String(in.readAllBytes(), StandardCharsets.ISO_8859_1);
+                        if (bytes.contains("\1\0\4main") && bytes.contains("([Ljava/lang/String;)V")) {
+                            return entry.getName().replaceFirst("\\.class$", "").replace('/', '.');
+                        }
+                    }
+                }
+            }
+        }
+        return null;
+    }
+
+    private static Ready folder(Program program, Path copy) throws IOException {
+        Files.createDirectories(copy);
+        List<Path> files = new ArrayList<>();
+        try (Stream<Path> all = Files.walk(program.source())) {
+            for (Path file : all.limit(MOST_FILES + 1L).toList()) {
+                Path to = copy.resolve(program.source().relativize(file).toString());
+                if (Files.isDirectory(file)) {
+                    Files.createDirectories(to);
+                } else {
+                    copy(file, to);
+                    files.add(to);
+                }
+            }
+        }
+        if (files.size() >= MOST_FILES) {
+            return failed(program, "found " + files.size() + " files or more, expected fewer than " + MOST_FILES);
+        }
+        String run = Files.readString(copy.resolve("run")).replaceFirst("^\uFEFF", "");
+        List<String> words = new ArrayList<>(List.of("sh", "-c", "cd \"$0\" && exec \"$@\"", copy.toString()));
+        try {
+            if (run.startsWith("#!") && !copy.resolve("run").toFile().setExecutable(true)) {
+                return failed(program, "run: cannot be made executable");
+            }
+            words.addAll(run.startsWith("#!") ? List.of("./run")
+                : CommandLine.split(run.lines().map(String::strip).filter(line -> !line.isEmpty()).findFirst()
+                    .orElse("")));
+        } catch (IllegalArgumentException problem) {
+            return failed(program, "run: " + problem.getMessage());
+        }
+        return words.size() == 4
+            ? failed(program, "run: found an empty file, expected a command such as 'python3 main.py'")
+            : new Ready(program, words, files, null);
+    }
+
+    /** Compiles, unless it was compiled from the same source; returns what the compiler said if that failed. */
+    private String compile(Path source, Path made, String script, String... tools)
+            throws IOException, InterruptedException {
+        Path known = made.resolveSibling(COMPILED);
+        if (Files.isRegularFile(made) && Files.isRegularFile(known) && Files.mismatch(source, known) < 0) {
+            return null;
+        }
+        Path part = made.resolveSibling("bot.part");
+        Path said = made.resolveSibling("compiler.txt");
+        List<String> command = new ArrayList<>(List.of("sh", "-c", script, source.toString()));
+        command.addAll(List.of(tools));
+        OptionalInt status = ProgramRun.of(new Launch(command, isolation, List.of()), part, said, limitMs);
+        String text = beginning(said);
+        if (status.isEmpty() || status.getAsInt() != 0) {
+            Files.deleteIfExists(part);
+            return (status.isPresent() ? "the compiler failed:" : "the compiler did not end within "
+                + TimeUnit.MILLISECONDS.toSeconds(limitMs) + " s") + "\n" + text;
+        }
+        Files.move(part, made, StandardCopyOption.REPLACE_EXISTING);
+        Files.copy(source, known, StandardCopyOption.REPLACE_EXISTING);
+        return null;
+    }
+
+    private static String beginning(Path file) throws IOException {
+        try (InputStream in = Files.newInputStream(file)) {
+            return new String(in.readNBytes(SAID), StandardCharsets.UTF_8);
+        }
+    }
+}

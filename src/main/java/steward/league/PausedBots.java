@@ -1,0 +1,125 @@
+package steward.league;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.TreeMap;
+
+/**
+ * Bots that failed in many games in a row, and are not chosen any more. Whether a bot is paused at a decision follows
+ * from the results of the decisions before, so that neither threads nor interruptions change it:
+ *
+ * <ul>
+ * <li>A bot whose last game at least {@code lag} decisions back was without failure plays: nothing is waited for.
+ * <li>Of any other, all games before the decision are taken into account. Where one that is under way could complete
+ * the row, the decision waits for it.
+ * </ul>
+ *
+ * <p>A decision in which the bot did not fail in every game ends the row. Not thread-safe.
+ */
+public final class PausedBots {
+
+    /** How a bot stands at a decision. */
+    enum State {
+        PLAYS, PAUSED,
+        /** That depends on games that are not over. */
+        OPEN
+    }
+
+    private final int most;
+    private final int lag;
+    private final Map<Integer, Row> rows = new HashMap<>();
+
+    /** Games of a version. */
+    private static final class Row {
+        private final TreeMap<Integer, Count> decisions = new TreeMap<>();
+        /** Earlier failures do not matter. */
+        private int since;
+        /** Games in a row in which it failed, in decisions that are not in the map any more. */
+        private int failures;
+        private boolean hasEarlier;
+    }
+
+    /** Games of a version in a decision. */
+    private static final class Count {
+        private int open;
+        private int failed;
+        private int fine;
+    }
+
+    /**
+     * @param most how many games in a row pause a bot; 0 for never
+     * @param lag  of the schedule, in decisions
+     */
+    public PausedBots(int most, int lag) {
+        this.most = most;
+        this.lag = lag;
+    }
+
+    private Row row(int version) {
+        return rows.computeIfAbsent(version, any -> new Row());
+    }
+
+    /** Lets a version play again: its failures in decisions below this one do not matter. */
+    public void resume(int version, int decision) {
+        Row row = row(version);
+        if (decision > row.since) {
+            row.since = decision;
+            row.failures = 0;
+            row.hasEarlier = false;
+            row.decisions.headMap(decision).clear();
+        }
+    }
+
+    /** A game that will be played. */
+    void expect(Schedule.Task task) {
+        for (int version : task.lineup()) {
+            count(task.decision(), version).open++;
+        }
+    }
+
+    /** A game that was expected is over, or will not be played. */
+    void forget(Schedule.Task task) {
+        for (int version : task.lineup()) {
+            Count count = count(task.decision(), version);
+            count.open = Math.max(0, count.open - 1);
+        }
+    }
+
+    /** A game of a version is over. */
+    public void over(int decision, int version, boolean failed) {
+        Count count = count(decision, version);
+        count.failed += failed ? 1 : 0;
+        count.fine += failed ? 0 : 1;
+    }
+
+    private Count count(int decision, int version) {
+        Row row = row(version);
+        return decision < row.since || most == 0 ? new Count()
+            : row.decisions.computeIfAbsent(decision, any -> new Count());
+    }
+
+    /** How a version stands at a decision; those {@code lag} or more back are over. */
+    State at(int version, int decision) {
+        Row row = row(version);
+        while (!row.decisions.isEmpty() && row.decisions.firstKey() <= decision - lag && row.failures < most) {
+            Count count = row.decisions.pollFirstEntry().getValue();
+            row.failures = count.fine > 0 ? 0 : row.failures + count.failed;
+            row.hasEarlier |= count.fine + count.failed > 0;
+        }
+        if (most == 0 || row.hasEarlier && row.failures == 0) {
+            return State.PLAYS;
+        }
+        int sure = row.failures;
+        int possible = row.failures;
+        boolean open = false;
+        for (Count count : row.decisions.headMap(decision).values()) {
+            sure = count.fine > 0 || count.open > 0 ? 0 : sure + count.failed;
+            possible = count.fine > 0 ? 0 : possible + count.failed + count.open;
+            open |= possible >= most;
+            if (sure >= most) {
+                return State.PAUSED;
+            }
+        }
+        return sure >= most ? State.PAUSED : open ? State.OPEN : State.PLAYS;
+    }
+}

@@ -1,0 +1,64 @@
+package steward.league.play;
+
+import java.util.HashSet;
+import java.util.Set;
+import java.util.function.Consumer;
+import steward.league.LeagueFolder;
+import steward.league.PausedBots;
+import steward.league.Schedule;
+import steward.league.play.Roster.Member;
+import steward.league.store.GameQueries;
+
+/** Pauses the bots of a run that failed in many games in a row, those of earlier runs included. Not thread-safe. */
+final class Pauses {
+
+    private final int most;
+    private final LeagueFolder folder;
+    private final GameQueries queries;
+    private final Consumer<String> teller;
+    private final int lag;
+    private final PausedBots bots;
+    /** Versions whose earlier failures are known. */
+    private final Set<Integer> learnt = new HashSet<>();
+    private Roster roster;
+
+    /** @param most games in a row; 0 for never */
+    Pauses(int most, int lag, LeagueFolder folder, GameQueries queries, Consumer<String> teller) {
+        this.most = most;
+        this.lag = lag;
+        this.folder = folder;
+        this.queries = queries;
+        this.teller = teller;
+        bots = new PausedBots(most, lag);
+    }
+
+    /** Takes bots that play from now on. */
+    void use(Roster next, Schedule schedule) {
+        roster = next;
+        for (Member member : next.members()) {
+            int version = member.version().id();
+            bots.resume(version, member.bot().resumed());
+            if (most > 0 && learnt.add(version)) {
+                learn(version);
+            }
+        }
+        schedule.pausing(bots, this::tell);
+    }
+
+    /** Reads the games of a version back to one without failure that is surely the last one. */
+    private void learn(int version) {
+        int[] fine = {-1};
+        queries.failures(version, (decision, failed) -> {
+            bots.over(decision, version, failed);
+            fine[0] = failed ? fine[0] : Math.max(fine[0], decision);
+            return decision >= fine[0] - lag;
+        });
+    }
+
+    private void tell(int version) {
+        Member member = roster.byVersion().get(version);
+        teller.accept(member.version().display() + " is paused: it failed in " + most + " games in a row; "
+            + "'steward league games " + folder.path() + " --failed' says how, 'steward league resume " + folder.path()
+            + " " + member.bot().name() + "' lets it play again");
+    }
+}

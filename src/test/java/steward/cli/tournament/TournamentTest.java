@@ -1,0 +1,87 @@
+package steward.cli.tournament;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import steward.cli.Cli;
+import steward.cli.ShellBots;
+import steward.files.InputException;
+
+/** A folder of programs, some of which fail, becomes a table and a page for each author. */
+class TournamentTest {
+
+    private static final String BOT = "read -r setup\nwhile read -r turn; do\n"
+        + "echo '{\"pods\":[{\"x\":1,\"y\":%s,\"thrust\":100}]}'\ndone\n";
+
+    @TempDir
+    private Path folder;
+
+    private Path program(String name, String file, String content) throws IOException {
+        Path own = Files.createDirectories(folder.resolve("in").resolve(name));
+        return Files.writeString(own.resolve(file), content);
+    }
+
+    @Test
+    void namesKeepLettersOfAnyLanguageAndAreUnlike() throws IOException {
+        Path in = Files.createDirectory(folder.resolve("names"));
+        for (String name : List.of("Jo\u0308rg Mu\u0308ller.py", "a b.py", "a+b.js", "tune.x.py", "+.java", "notes.txt",
+                ".hidden.py")) {
+            Files.createFile(in.resolve(name));
+        }
+        Programs programs = Programs.in(in, folder);
+        assertEquals(List.of("bot", "J\u00f6rg-M\u00fcller", "a-b", "a-b-2", "tune-x"),
+            programs.programs().stream().map(Programs.Program::name).toList());
+        assertEquals(List.of("notes.txt"), programs.others());
+    }
+
+    @Test
+    void aFolderWithoutProgramsIsRefused() throws IOException {
+        Path in = Files.createDirectory(folder.resolve("none"));
+        assertThrows(InputException.class, () -> Programs.in(in, folder));
+        assertThrows(InputException.class, () -> Programs.in(folder.resolve("gone"), folder));
+    }
+
+    /** Three pairs of the three that can run, two games each: 6. The C++ program is no C++, with a compiler or none. */
+    @Test
+    @Tag("process")
+    @Tag("slow")
+    @Timeout(300)
+    void everybodyMeetsEverybodyAndWhoFailsStopsNobody() throws IOException {
+        assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
+        ShellBots.shortDuel(folder);
+        program("J\u00f6rg M\u00fcller", "run", "sh main.sh\r\n");
+        program("J\u00f6rg M\u00fcller", "main.sh", BOT.formatted("1"));
+        program("\u5c0f\u660e", "run", "sh main.sh\n");
+        program("\u5c0f\u660e", "main.sh", BOT.formatted("9000"));
+        program("crash", "run", "sh -c 'read -r setup; echo oh no >&2; exit 3'");
+        Files.writeString(folder.resolve("in/broken.cpp"), "int main() { return <b>; }\n");
+        String[] call = {"tournament", folder.resolve("in").toString(), "--scene",
+            folder.resolve("short.json").toString(), "--games", "1", "--protocol", "json",
+            "--page", folder.resolve("out").toString()};
+        Cli first = Cli.run(call);
+        assertEquals(0, first.status(), first.err());
+        assertTrue(first.out().contains("6 games in this run"), first.out());
+        assertTrue(first.err().contains("broken: cannot run"), first.err());
+        String crash = Files.readString(folder.resolve("out/bots/crash.html"));
+        assertTrue(crash.contains("exited with status 3 before answering") && crash.contains("oh no")
+            && crash.contains("failed in 4 games"), crash);
+        String good = Files.readString(folder.resolve("out/bots/J\u00f6rg-M\u00fcller.html"));
+        assertTrue(good.contains("It is ready") && good.contains("&quot;thrust&quot;:100"), good);
+        assertFalse(Files.readString(folder.resolve("out/bots/broken.html")).contains("<b>"));
+        assertEquals(4, Files.readAllLines(folder.resolve("out/table.csv")).size(), "heads and three bots");
+        assertTrue(Files.readString(folder.resolve("out/index.html")).contains("league.html"));
+        Cli again = Cli.run(call);
+        assertTrue(again.out().contains("0 games in this run"), again.out() + again.err());
+    }
+}
