@@ -209,7 +209,9 @@ class PartTest {
         refused("found that of another game, expected the game of seed 5 between fast and still");
 
         edit("UPDATE recording SET replay = ? WHERE game = 1", (Object) whole);
-        edit("UPDATE game SET ranks = '1 0', turns = 7 WHERE id = 1");
+        edit("UPDATE game SET ranks = '1 0' WHERE id = 1");
+        refused("table game, row id = 1, column ranks: found '1 0'");
+        edit("UPDATE game SET ranks = '0 1', turns = 7 WHERE id = 1");
         refused("found 7 turns");
         edit("UPDATE game SET counts = 0 WHERE id = 2");
         refused("found attempt 1 that does not count, expected that the last one counts");
