@@ -54,7 +54,7 @@ class FramePrinterTest {
     @Test
     void aBotThatIsOutWasStillSentTheEnd() throws IOException {
         String three = SceneFiles.load("duel").text().replace("\"players\": 2", "\"players\": 3")
-            .replace("\"turnsWithoutCheckpoint\": 50", "\"turnsWithoutCheckpoint\": 40");
+            .replace("\"turnsWithoutCheckpoint\": 50", "\"turnsWithoutCheckpoint\": 39");
         Path scene = Files.writeString(folder.resolve("three.json"), three);
         Recorded recorded = Recorded.play(Games.open(scene.toString()), 2, "dsd", 0);
         String sent = recorded.sent().get(1).toString();
