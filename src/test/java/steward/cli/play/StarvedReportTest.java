@@ -25,6 +25,7 @@ import steward.contest.Hiccups;
 import steward.contest.KeptReplays;
 import steward.contest.Series;
 import steward.contest.SeriesPlay;
+import steward.game.Game;
 import steward.match.MatchResult;
 import steward.match.Protocol;
 import steward.match.TimeControl;
@@ -58,6 +59,8 @@ class StarvedReportTest {
                 Turn turn = Turn.of(4, 2);
                 turn.fail(0, fault, null, 76 * MS);
                 turn.late(0, SPENT);
+                Game game = contest.setup().create(seed);
+                follower.start(game, contest.setup().codec(game));
                 follower.commands(turn);
             }
             return new MatchResult(9, "over", List.of(

@@ -83,7 +83,7 @@ class ViewTest {
         Path page = folder.resolve("m.html");
         Cli cli = Cli.run(match("--view", page.toString(), "--json"));
         assertEquals(ExitStatus.DONE, cli.status(), cli.err());
-        assertEquals(50, cli.json().get("turns").intValue());
+        assertEquals(51, cli.json().get("turns").intValue());
         assertEquals("Page: " + page + "\n", cli.err());
         assertPage(page, "near against far");
     }
