@@ -170,8 +170,9 @@ class LeagueCommandTest {
             + "10 games of before; expected 'steward league run TMP/a --keep-rules', which goes on by the rules of "
             + "before, or 'steward league run TMP/a --new-season', which begins a new table and keeps the old games\n",
             refused("run", "TMP/a", "--games", "10"));
-        assertEquals("steward: TMP/a/scene.json is the scene with the rules of before, and league.json names it\n",
-            league("run", "TMP/a", "--games", "10", "--keep-rules").done().err().replace(folder.toString(), "TMP"));
+        String said = league("run", "TMP/a", "--games", "10", "--keep-rules").done().err();
+        assertTrue(said.replace(folder.toString(), "TMP").startsWith("steward: TMP/a/scene.json is the scene with the "
+            + "rules of before, and league.json names it\n"), said);
         assertEquals(before, Files.readString(folder.resolve("a/scene.json")));
         assertEquals(played, season("a"));
         assertTrue(done("run", "TMP/a", "--games", "10", "--keep-rules").startsWith("10 games of duel"), "once more");

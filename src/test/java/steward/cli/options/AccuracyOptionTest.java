@@ -124,7 +124,7 @@ class AccuracyOptionTest {
             .replace("\"official\"", "\"official\", \"stepps\": 3"));
         Cli cli = Cli.run("explain", file.toString(), "--accuracy", "exact");
         assertEquals(ExitStatus.UNUSABLE, cli.status());
-        assertTrue(cli.err().contains(file + ":24:") && cli.err().contains("accuracy.stepps: found an unknown field"),
+        assertTrue(cli.err().contains(file + ":25:") && cli.err().contains("accuracy.stepps: found an unknown field"),
             cli.err());
     }
 }
