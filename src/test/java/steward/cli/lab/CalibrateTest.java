@@ -14,6 +14,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
+import java.util.Set;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -51,6 +52,12 @@ class CalibrateTest {
     /** Scenes whose truth is slow to compute. */
     private static final Map<String, Integer> FEWER_STATES = Map.of("fantastic-bits-contest", 50_000,
         "poker-chip-race", 10_000);
+    /**
+     * Scenes with figures of the first laws of {@code compensated} and {@code exact}, which are passed over until they
+     * are measured anew; those of the other rungs hold.
+     */
+    private static final Set<String> OF_OLDER_LAWS = Set.of("mean-max", "poker-chip-race", "fantastic-bits",
+        "fantastic-bits-contest");
     /** Times the rungs in this JVM, and as briefly as can be. */
     static final Timing HERE = new Timing(new TimingEffort(1, 1, 0, 0, 0), bytes -> {
         try (DataInputStream job = new DataInputStream(new ByteArrayInputStream(bytes))) {
@@ -215,7 +222,8 @@ class CalibrateTest {
         AccuracyFigures figures = shipped(name);
         assertEquals(FEWER_STATES.getOrDefault(name, Calibration.STATES), figures.states());
         assertEquals(SceneKey.of(setup.scene()), figures.key());
-        assertEquals(figures.rungs(), figures.holding().rungs());
+        assertEquals(!OF_OLDER_LAWS.contains(name), figures.rungs().equals(figures.holding().rungs()));
+        assertFalse(figures.holding().rungs().isEmpty());
     }
 
     /** The first states of them, played and measured again. */

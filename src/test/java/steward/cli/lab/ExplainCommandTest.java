@@ -105,7 +105,7 @@ class ExplainCommandTest {
         Cli refused = Cli.run("explain", impossible.toString());
         assertEquals(ExitStatus.UNUSABLE, refused.status());
         assertTrue(refused.err().startsWith("steward: " + impossible
-            + ":22:26: race.maps[0].checkpoints[0]: found pod "), refused.err());
+            + ":23:26: race.maps[0].checkpoints[0]: found pod "), refused.err());
     }
 
     /** At once, from what was measured once: each scene's own shares; every part that has been measured has one. */
