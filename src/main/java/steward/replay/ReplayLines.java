@@ -137,7 +137,7 @@ public final class ReplayLines {
         open(TURN);
         JsonNumbers.write(out, Name.TURN, turn.number());
         out.writeName(Name.COMMANDS);
-        TranscriptDigest.write(out, turn.players(), turn::answered, turn::asked, codec);
+        TranscriptDigest.write(out, turn, codec);
         writeTexts(Text.FAULT, turn);
     }
 

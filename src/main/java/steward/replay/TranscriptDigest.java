@@ -26,7 +26,9 @@ public final class TranscriptDigest {
 
     /** Adds the commands of a turn that is about to be played. */
     public void commands(Turn turn, FrameCodec codec) {
-        commands(turn.players(), turn::answered, turn::asked, codec);
+        commands.reset();
+        write(out, turn, codec);
+        add();
     }
 
     /**
@@ -37,7 +39,15 @@ public final class TranscriptDigest {
      */
     public void commands(int players, IntPredicate answered, IntPredicate asked, FrameCodec codec) {
         commands.reset();
-        write(out, players, answered, asked, codec);
+        out.writeStartArray();
+        for (int player = 0; player < players; player++) {
+            write(out, player, answered.test(player), asked.test(player), codec);
+        }
+        out.writeEndArray();
+        add();
+    }
+
+    private void add() {
         out.flush();
         InputHash.add(hash, ReplayHeader.FORMAT, commands.bytes(), 0, commands.size());
     }
@@ -52,17 +62,20 @@ public final class TranscriptDigest {
         return hash.value() == 0 ? 1 : hash.value();
     }
 
-    /** Writes an array of commands, one for each player, or null. */
-    public static void write(JsonGenerator out, int players, IntPredicate answered, IntPredicate asked,
-                             FrameCodec codec) {
+    /** Writes an array of commands, one for each player, or null. Allocates nothing: matches write it in each turn. */
+    public static void write(JsonGenerator out, Turn turn, FrameCodec codec) {
         out.writeStartArray();
-        for (int player = 0; player < players; player++) {
-            if (answered.test(player) || asked.test(player) && codec.state().hasPartialCommand(player)) {
-                codec.state().writeCommand(out, player);
-            } else {
-                out.writeNull();
-            }
+        for (int player = 0; player < turn.players(); player++) {
+            write(out, player, turn.answered(player), turn.asked(player), codec);
         }
         out.writeEndArray();
+    }
+
+    private static void write(JsonGenerator out, int player, boolean answered, boolean asked, FrameCodec codec) {
+        if (answered || asked && codec.state().hasPartialCommand(player)) {
+            codec.state().writeCommand(out, player);
+        } else {
+            out.writeNull();
+        }
     }
 }

@@ -63,6 +63,12 @@ public final class ShellBots {
             .replace("\"firstAnswerMs\": 1000", "\"firstAnswerMs\": 60000"));
     }
 
+    /** Lets a duel draw its places from the seed, so that no two games are repeats. */
+    public static void drawn(Path scene) throws IOException {
+        Files.writeString(scene, Files.readString(scene).replace("\"turnsWithoutCheckpoint\"",
+            "\"jitter\": 30, \"turnsWithoutCheckpoint\""));
+    }
+
     /** Whether the scripts can run here. */
     public static boolean runnable() {
         return Files.isExecutable(Path.of("/bin/sh"));

@@ -84,7 +84,7 @@ public final class TranscriptWriter implements MatchListener {
             out.writeStartObject();
             out.writeName("commands");
         }
-        TranscriptDigest.write(out, turn.players(), turn::answered, turn::asked, codec);
+        TranscriptDigest.write(out, turn, codec);
         for (int player = 0; player < turn.players(); player++) {
             if (turn.asked(player)) {
                 times.writeNumber(turn.nanos(player));

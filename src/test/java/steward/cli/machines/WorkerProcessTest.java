@@ -56,6 +56,7 @@ class WorkerProcessTest {
         Files.writeString(folder.resolve("short.json"), Files.readString(Path.of("config/scenes/duel.json"))
             .replace("\"maximumTurns\": 200", "\"maximumTurns\": 5").replace("\"answerMs\": 75", "\"answerMs\": 60000")
             .replace("\"firstAnswerMs\": 1000", "\"firstAnswerMs\": 60000"));
+        ShellBots.drawn(folder.resolve("short.json"));
         Files.writeString(folder.resolve("pause.sh"), "#!/bin/sh\nsleep 0.4; exec \"$@\"\n");
         TextShellBots bots = new TextShellBots(folder);
         done("init", folder.resolve("night").toString(), "--scene", folder.resolve("short.json").toString());

@@ -74,6 +74,7 @@ class WorkerTest {
     void prepare() throws IOException {
         assumeTrue(ShellBots.runnable(), "skipped: there is no /bin/sh");
         ShellBots.shortDuel(folder);
+        ShellBots.drawn(folder.resolve("short.json"));
         bots = new TextShellBots(folder);
         try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             port = free.getLocalPort();

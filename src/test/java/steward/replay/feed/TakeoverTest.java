@@ -100,7 +100,7 @@ class TakeoverTest {
             }
         };
         Recorded recorded = Recorded.of(TestScenes.open("duel"), SEED, List.of(new SeededBot(1, 0), idle));
-        assertEquals(50, recorded.result().turns());
+        assertEquals(51, recorded.result().turns());
         Takeover.Outcome outcome = play(recorded, 1, 1, new SeededBot(2, 0));
         assertNull(outcome.result());
         assertEquals("the recording ends", outcome.reason());
