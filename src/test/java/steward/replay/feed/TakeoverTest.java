@@ -90,7 +90,7 @@ class TakeoverTest {
         assertTrue(!recorded.lines().get(25).equals(written().lines().get(25)));
     }
 
-    /** The other one wins in turn 50 by the recording, but now there is an opponent. */
+    /** The other one wins in turn 51 by the recording, but now there is an opponent. */
     @Test
     void aMatchThatGoesOnLongerThanTheRecordingHasNoResult() {
         Bot idle = new FeedTest.Altered(seeded(1), 0, null) {
@@ -104,10 +104,10 @@ class TakeoverTest {
         Takeover.Outcome outcome = play(recorded, 1, 1, new SeededBot(2, 0));
         assertNull(outcome.result());
         assertEquals("the recording ends", outcome.reason());
-        assertEquals(50, outcome.turns());
-        assertEquals(50, written().verify().turns());
+        assertEquals(51, outcome.turns());
+        assertEquals(51, written().verify().turns());
         assertTrue(written().verify().agrees());
-        assertEquals("r.jsonl: cut off after turn 50: there is no result", written().verify().warning());
+        assertEquals("r.jsonl: cut off after turn 51: there is no result", written().verify().warning());
         assertTrue(!outcome.ahead().isEmpty());
     }
 
