@@ -55,6 +55,6 @@ public final class EndOfTurnCase implements StabilityCase {
                 progress.reached((n + 1.0) / count, tally::text);
             }
         }
-        return Finding.of(rung.isExact() || rung.arithmetic().isCompensated(), tally.wrong() == 0, tally.text());
+        return Finding.of(rung.isExact() || rung.arithmetic().isCompensated(), tally.isRight(), tally.text());
     }
 }
