@@ -298,7 +298,8 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
             seats.add(new Seat(starter.player(entrant, isolation.get(), others), entrant.protocol()));
         }
         MatchListener listener = recording == null ? follower
-            : new TeeListener(new ReplayWriter(recording, header(seed, rotation), key), follower);
+            : new TeeListener(new ReplayWriter(recording, header(seed, rotation), key,
+                isolation.get().text()), follower);
         return Referee.of(setup, seed, seats, time, listener).play();
     }
 

@@ -26,7 +26,7 @@ enum LineFields {
     RESULT(List.of("type", "turns", "ending", "standing", "players", "data", LineFields.RESULT_HASH, LineFields.TIMES),
         Set.of()),
     /** Behind the result of a replay that is signed. */
-    SIGNATURE(List.of("type", "signature"), Set.of());
+    SIGNATURE(List.of("type", "isolation", "signature"), Set.of());
 
     /** The version of the law of the scene's rung; absent for 1. */
     static final String LAW = "law";

@@ -285,8 +285,13 @@ public final class ReplayReader implements AutoCloseable {
     public String signature() {
         String text = signature == null ? null : signature.text("signature");
         boolean plain = text != null && Arrays.equals(signature.json(),
-            ReplayWriter.signatureLine(text).getBytes(StandardCharsets.UTF_8));
+            ReplayWriter.signatureLine(text, isolation()).getBytes(StandardCharsets.UTF_8));
         return plain ? text : null;
+    }
+
+    /** How bots were kept apart, as the line of the signature says it; or {@code null} where it does not. */
+    public String isolation() {
+        return signature != null && signature.has("isolation") ? signature.text("isolation") : null;
     }
 
     /** The result line, or {@code null} if the replay has none; known once {@link #next} has returned null. */

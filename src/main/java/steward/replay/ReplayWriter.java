@@ -34,6 +34,7 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
     private final JsonGenerator out;
     private final String sandbox;
     private final SigningKey key;
+    private final String isolation;
     private final LinesDigest digest;
     private Game game;
     private FrameCodec codec;
@@ -47,18 +48,29 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
     /** For a match that another referee has played: what was observed is kept in place of the computed outcomes. */
     @Internal
     public ReplayWriter(OutputStream file, ReplayHeader header, Observations observations) {
-        this(file, header, observations, null);
+        this(file, header, observations, null, null);
     }
 
     /** @param key to sign with, or {@code null} */
     @Internal
     public ReplayWriter(OutputStream file, ReplayHeader header, SigningKey key) {
-        this(file, header, null, key);
+        this(file, header, null, key, null);
     }
 
-    private ReplayWriter(OutputStream file, ReplayHeader header, Observations observations, SigningKey key) {
+    /**
+     * @param key       to sign with, or {@code null}
+     * @param isolation how bots are kept apart, which is signed as well: words without quotes
+     */
+    @Internal
+    public ReplayWriter(OutputStream file, ReplayHeader header, SigningKey key, String isolation) {
+        this(file, header, null, key, isolation);
+    }
+
+    private ReplayWriter(OutputStream file, ReplayHeader header, Observations observations, SigningKey key,
+                         String isolation) {
         this.file = file;
         this.key = key;
+        this.isolation = isolation;
         sandbox = header.sandbox();
         lines = new ReplayLines(header.signedBy(key == null ? null : key.publicKey().text()), observations);
         out = lines.out();
@@ -133,7 +145,8 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
         }
         LineBuffer last = endLine();
         if (key != null) {
-            byte[] signature = signatureLine(key.sign(digest.message())).getBytes(StandardCharsets.UTF_8);
+            byte[] signature = signatureLine(key.sign(digest.message(isolation)), isolation)
+                .getBytes(StandardCharsets.UTF_8);
             last.write(signature, 0, signature.length);
             last.write('\n');
         }
@@ -146,8 +159,9 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
     }
 
     /** The line of a signature, without its end. */
-    static String signatureLine(String signature) {
-        return "{\"type\":\"signature\",\"signature\":\"" + signature + "\"}";
+    static String signatureLine(String signature, String isolation) {
+        return "{\"type\":\"signature\"," + (isolation == null ? "" : "\"isolation\":\"" + isolation + "\",")
+            + "\"signature\":\"" + signature + "\"}";
     }
 
     private static void writeNumbers(JsonGenerator out, String name, MatchResult result,

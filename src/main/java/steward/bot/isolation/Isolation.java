@@ -42,6 +42,12 @@ public record Isolation(SandboxLevel level, boolean network, ResourceLimits limi
         return at(SandboxSupport.usual());
     }
 
+    /** Level and limits in words, the level first: what is signed with a replay. */
+    public String text() {
+        return level.word() + ", memory " + limits.memory() + ", processes " + limits.processes() + ", file size "
+            + limits.fileSize() + ", open files " + limits.openFiles() + (network ? ", network" : "");
+    }
+
     /** The same without a limit of memory. */
     public Isolation withoutMemoryLimit() {
         return new Isolation(level, network, limits.withoutMemory(), environment, visible, hidden, pauseWaiting);

@@ -4,10 +4,14 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
 import java.util.concurrent.Callable;
+import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import steward.bot.isolation.SandboxLevel;
 import steward.cli.options.CallCheck;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
@@ -21,6 +25,7 @@ import steward.files.OutputFiles;
 import steward.replay.ReplayReader;
 import steward.replay.sign.SignerKey;
 import steward.replay.verify.Verification;
+import steward.text.NearestName;
 
 /** {@code steward replay}: looks at a recorded match, or plays it again and compares. */
 @Command(name = "replay", description = "Prints a recorded match turn by turn, or plays it again and compares.",
@@ -29,16 +34,19 @@ import steward.replay.verify.Verification;
         "states and the result follow from the commands. Who gave the commands it does",
         "not prove: names, messages, faults and limits are only as good as the",
         "signature, and that only with --signed-by. It says how many states were",
-        "compared; a replay without a result, or without a turn, is \"verified up to the",
-        "cut\" and makes the exit status 1, unless --partial is given. Of an imported",
-        "game it compares every number and word of the server's views and summaries,",
-        "and lists what it does not compare.",
+        "compared. With --require it must also say that bots were kept apart at this",
+        "level at least; signatures of earlier versions do not say it.",
+        "A replay without a result, or without a turn, is \"verified up to the cut\" and",
+        "makes the exit status 1, unless --partial is given. Of an imported game it",
+        "compares every number and word of the server's views and summaries, and lists",
+        "what it does not compare.",
         "", "--json: scene, game, seed, turns, impacts, ending, winner, players, failures,",
         "warning;",
         "with --turn: turn, commands, faults, messages, stderr, outcome as recorded",
         "(angles in radians); with --impacts: turns (turn, impacts); with --verify:",
-        "verified, turns, difference (turn, field, recorded, found) or null, warning; of",
-        "an imported game also values, how many agree, and notCompared.",
+        "verified, reason (why not, or null), turns, difference (turn, field, recorded,",
+        "found) or null, isolation as signed or null, warning; of an imported game also",
+        "values, how many agree, and notCompared.",
         "", "Examples:",
         "  steward replay match.jsonl --from 10 --to 20",
         "  steward replay match.jsonl --turn 57",
@@ -46,12 +54,15 @@ import steward.replay.verify.Verification;
         "  steward replay match.jsonl --map",
         "  steward replay match.jsonl --verify",
         "  steward replay match.jsonl --verify --signed-by mine.key.pub",
+        "  steward replay match.jsonl --verify --signed-by a.pub --require strict",
         "  steward replay match.jsonl --view match.html --open",
         "  steward replay match.jsonl --frames --player 1 | ./mybot",
         "", "Exit status: 0 done; 1 not verified: something differs from what the rules",
         "give, or is missing, or is signed by another key or none; 2 the file or the",
         "call is wrong."})
 public final class ReplayCommand implements Callable<Integer> {
+
+    private static final List<String> LEVELS = Stream.of(SandboxLevel.values()).map(SandboxLevel::word).toList();
 
     private final Streams streams;
     private final CallCheck check = CallCheck.withHelp();
@@ -84,6 +95,10 @@ public final class ReplayCommand implements Callable<Integer> {
     @Option(names = "--signed-by", paramLabel = "PUB",
         description = "With --verify: demands that the owner of this public key has signed the replay.")
     private String signedBy;
+
+    @Option(names = "--require", paramLabel = "off|light|strict", description = "With --verify and --signed-by: "
+        + "demands that the signer says that bots were kept apart at this level at least.")
+    private String require;
 
     @Option(names = "--frames", description = "Prints the lines that one bot was sent, byte for byte; with --player.")
     private boolean frames;
@@ -123,10 +138,11 @@ public final class ReplayCommand implements Callable<Integer> {
         }
         Path keyFile = signedBy == null ? null : OutputFiles.path(signedBy);
         SignerKey key = keyFile == null ? null : SignerKey.read(keyFile);
+        SandboxLevel least = require == null ? null : SandboxLevel.valueOf(require.toUpperCase(Locale.ROOT));
         try (ReplayReader replay = piped ? StandardFiles.openReplay(streams) : open(OutputFiles.path(file))) {
             if (verify) {
                 return verify(replay, new VerifyReport(streams.out(), streams.outColour(), partial, keyFile, key,
-                    quiet));
+                    least, quiet));
             }
             if (replay.header() == null) {
                 streams.warn(replay.warning());
@@ -170,6 +186,10 @@ public final class ReplayCommand implements Callable<Integer> {
             "--verify takes the whole match, expected no --turn, --from, --to, --impacts or --frames with it");
         check.that(verify || !partial, "--partial is for --verify, expected both");
         check.that(verify || signedBy == null, "--signed-by is for --verify, expected both");
+        check.that(require == null || LEVELS.contains(require), "--require: found '" + require + "', expected off, "
+            + "light or strict" + NearestName.question(String.valueOf(require), LEVELS, "'"));
+        check.that(require == null || verify && signedBy != null,
+            "--require is for --verify with --signed-by, expected all three");
         check.that(!frames || !impacts && !range && turn == null,
             "--frames prints the whole match, expected no --turn, --from, --to or --impacts with it");
         check.that(!frames || player != null, "--frames: expected --player P with it");
@@ -252,8 +272,7 @@ public final class ReplayCommand implements Callable<Integer> {
     private int verify(ReplayReader replay, VerifyReport report) {
         Verification verification = Verification.of(replay, Games.types());
         if (json) {
-            new ReplayJson(streams, replay).verification(verification);
-            return verification.verified() ? ExitStatus.DONE : ExitStatus.FAILED;
+            return new ReplayJson(streams, replay).verification(verification, report);
         }
         if (verification.warning() != null) {
             streams.warn(verification.warning());

@@ -142,11 +142,17 @@ record ReplayJson(Streams streams, ReplayReader replay) {
         });
     }
 
-    /** Whether playing it again gave the same. */
-    void verification(Verification verification) {
+    /**
+     * Prints whether playing it again gave the same, and whether it is signed as the report demands.
+     *
+     * @return the exit status
+     */
+    int verification(Verification verification, VerifyReport report) {
         Difference difference = verification.difference();
+        String wrong = report.wrong(replay, verification);
         Json.print(streams, out -> {
-            out.writeBooleanProperty("verified", verification.verified());
+            out.writeBooleanProperty("verified", wrong == null && verification.verified());
+            out.writeStringProperty("reason", wrong);
             out.writeNumberProperty("turns", verification.turns());
             out.writeName("difference");
             if (difference == null) {
@@ -166,7 +172,9 @@ record ReplayJson(Streams streams, ReplayReader replay) {
                 out.writeEndArray();
             }
             out.writeStringProperty("olderLaw", verification.olderLaw());
+            out.writeStringProperty("isolation", verification.signature().isolation());
             out.writeStringProperty("warning", verification.warning());
         });
+        return report.status(wrong, verification);
     }
 }

@@ -2,6 +2,8 @@ package steward.cli.replay;
 
 import java.io.PrintStream;
 import java.nio.file.Path;
+import java.util.stream.Stream;
+import steward.bot.isolation.SandboxLevel;
 import steward.cli.shared.Colour;
 import steward.cli.shared.ExitStatus;
 import steward.replay.ReplayReader;
@@ -20,16 +22,18 @@ import steward.text.TextFormat;
  * @param partial whether agreement up to a cut suffices
  * @param file    of the key that must have signed, or {@code null}
  * @param key     that key, or {@code null}
+ * @param least   the level at which bots must have been kept apart at least, or {@code null}
  * @param quiet   whether only what does not agree is printed
  */
-record VerifyReport(PrintStream out, Colour colour, boolean partial, Path file, SignerKey key, boolean quiet) {
+record VerifyReport(PrintStream out, Colour colour, boolean partial, Path file, SignerKey key,
+                    SandboxLevel least, boolean quiet) {
 
     /** @return the exit status */
     int print(ReplayReader replay, Verification verification) {
         String wrong = wrong(replay, verification);
         if (wrong != null) {
             out.println(TextFormat.plain(wrong).replaceFirst("^differs:|^not verified:", colour.bad("$0")));
-            return ExitStatus.FAILED;
+            return status(wrong, verification);
         }
         boolean verified = verification.verified();
         if (!quiet || !verified && !partial) {
@@ -47,15 +51,23 @@ record VerifyReport(PrintStream out, Colour colour, boolean partial, Path file, 
             if (signature.verdict() == SignatureCheck.Verdict.RIGHT) {
                 out.println("signed by " + signature.signer()
                     + (key == null ? ", not checked against anyone" : ", the key of " + file));
+                if (signature.isolation() != null) {
+                    out.println("bots kept apart: " + TextFormat.plain(signature.isolation()));
+                }
             } else if (signature.verdict() == SignatureCheck.Verdict.CUT_OFF) {
                 out.println("unsigned up to the cut: the signature by " + signature.signer() + " is missing");
             }
         }
-        return verified || partial ? ExitStatus.DONE : ExitStatus.FAILED;
+        return status(wrong, verification);
+    }
+
+    /** The exit status, where this is wrong or {@code null}. */
+    int status(String wrong, Verification verification) {
+        return wrong == null && (verification.verified() || partial) ? ExitStatus.DONE : ExitStatus.FAILED;
     }
 
     /** Why the replay is not verified, cut off or not; or {@code null}. */
-    private String wrong(ReplayReader replay, Verification verification) {
+    String wrong(ReplayReader replay, Verification verification) {
         if (replay.header() == null) {
             return "not verified: the header is cut off";
         }
@@ -77,8 +89,22 @@ record VerifyReport(PrintStream out, Colour colour, boolean partial, Path file, 
             };
             return "not verified: " + found + ", expected a signature by " + key + ", the key of " + file;
         }
+        String weaker = least == null ? null : weaker(signature.isolation());
+        if (weaker != null) {
+            return "not verified: " + weaker + ", expected it to say at least " + least.word();
+        }
         return verification.whole() && verification.states() == 0
             ? "not verified: " + compared(replay, verification) + " were recorded" : null;
+    }
+
+    /** Why a signature does not say that bots were kept apart as demanded, or {@code null} if it does. */
+    private String weaker(String isolation) {
+        if (isolation == null) {
+            return "the signature does not say how bots were kept apart, as those of earlier versions do not";
+        }
+        String level = isolation.split(",")[0];
+        return Stream.of(SandboxLevel.values()).anyMatch(each -> each.compareTo(least) >= 0
+            && each.word().equals(level)) ? null : "the signature says that bots were kept apart at level " + level;
     }
 
     private static String impacts(ImpactCounts impacts) {

@@ -12,11 +12,13 @@ import java.util.HexFormat;
  *
  * <pre>steward replay sha256:0123...64 hexadecimal digits...cdef</pre>
  *
- * <p>and a line feed. With the tools of any Unix, where {@code mine.pub} is the public key:
+ * <p>and a line feed. Where the line of the signature says how bots were kept apart, in its field {@code isolation},
+ * {@code isolation sha256:} and the digest of that text stand between the two. With the tools of any Unix, where
+ * {@code mine.pub} is the public key:
  *
  * <pre>
  * sed -e '$d' match.jsonl | sed -e 's/,"times":{[^}]*}}$/}/' | sha256sum       (the digits of the text)
- * tail -1 match.jsonl | cut -d'"' -f8 | base64 -d &gt; signature
+ * tail -1 match.jsonl | grep -o '[A-Za-z0-9+/]\{86\}==' | base64 -d &gt; signature
  * openssl pkeyutl -verify -rawin -pubin -inkey mine.pub -in text -sigfile signature
  * </pre>
  *
@@ -34,10 +36,18 @@ public final class LinesDigest {
         sha256.update(END, 0, END.length);
     }
 
-    /** The text that is signed, of all lines added; call once. */
-    public byte[] message() {
-        return ("steward replay sha256:" + HexFormat.of().formatHex(sha256.digest()) + "\n")
-            .getBytes(StandardCharsets.US_ASCII);
+    /**
+     * The text that is signed, of all lines added; call once.
+     *
+     * @param isolation how bots were kept apart, of which a digest is signed as well; or {@code null}
+     */
+    public byte[] message(String isolation) {
+        String text = "steward replay sha256:" + HexFormat.of().formatHex(sha256.digest());
+        if (isolation != null) {
+            text += " isolation sha256:" + HexFormat.of().formatHex(
+                sha256().digest(isolation.getBytes(StandardCharsets.UTF_8)));
+        }
+        return (text + "\n").getBytes(StandardCharsets.US_ASCII);
     }
 
     static MessageDigest sha256() {

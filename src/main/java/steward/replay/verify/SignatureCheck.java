@@ -5,13 +5,19 @@ import steward.replay.sign.SignerKey;
 /**
  * The result of checking a replay's signature.
  *
- * @param verdict what was found
- * @param signer  the key that the header names, or {@code null} if it names none
+ * @param verdict   what was found
+ * @param signer    the key that the header names, or {@code null} if it names none
+ * @param isolation how bots were kept apart, where the signer has signed that; the level is its first word
  */
-public record SignatureCheck(Verdict verdict, SignerKey signer) {
+public record SignatureCheck(Verdict verdict, SignerKey signer, String isolation) {
 
     /** A replay that names no signer. */
     public static final SignatureCheck UNSIGNED = new SignatureCheck(Verdict.UNSIGNED, null);
+
+    /** A check of which it is not known how bots were kept apart. */
+    public SignatureCheck(Verdict verdict, SignerKey signer) {
+        this(verdict, signer, null);
+    }
 
     /** What was found. */
     public enum Verdict {

@@ -34,7 +34,9 @@ final class SignedLines {
             return new SignatureCheck(SignatureCheck.Verdict.CUT_OFF, signer);
         }
         String signature = replay.signature();
-        boolean right = signature != null && signer.verifies(digest.message(), signature);
-        return new SignatureCheck(right ? SignatureCheck.Verdict.RIGHT : SignatureCheck.Verdict.WRONG, signer);
+        boolean right = signature != null && signer.verifies(digest.message(replay.isolation()),
+            signature);
+        return right ? new SignatureCheck(SignatureCheck.Verdict.RIGHT, signer, replay.isolation())
+            : new SignatureCheck(SignatureCheck.Verdict.WRONG, signer);
     }
 }

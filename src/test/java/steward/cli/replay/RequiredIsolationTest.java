@@ -1,0 +1,75 @@
+package steward.cli.replay;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import steward.cli.Cli;
+
+/** That bots were kept apart can be demanded of a replay, and is believed only if its signer says so. */
+@Tag("process")
+class RequiredIsolationTest {
+
+    @TempDir
+    private Path folder;
+    private Path replay;
+
+    @BeforeEach
+    void aSignedMatch() {
+        replay = folder.resolve("m.jsonl");
+        Cli.run("key", "new", folder.resolve("k").toString()).done();
+        // They exit at once: what is signed does not depend on how a match went.
+        Cli.run("match", "--scene", "duel", "--sandbox", "off", "--seed", "3", "--bot", "sh -c 'exit 0'", "--bot",
+            "sh -c 'exit 0'", "--sign", folder.resolve("k").toString(), "--out", replay.toString());
+    }
+
+    private Cli verify(Path file, String... words) {
+        List<String> call = new ArrayList<>(List.of("replay", file.toString(), "--verify", "--signed-by",
+            folder.resolve("k.pub").toString()));
+        call.addAll(List.of(words));
+        return Cli.run(call.toArray(String[]::new));
+    }
+
+    private Path changed(String from, String to) throws IOException {
+        String text = Files.readString(replay);
+        assertTrue(text.contains(from), text);
+        return Files.writeString(folder.resolve("changed.jsonl"), text.replace(from, to));
+    }
+
+    private static void assertFails(String message, Cli call) {
+        assertEquals(1, call.status(), call.err());
+        assertTrue(call.out().contains(message), call.out());
+    }
+
+    @Test
+    void aLevelThatIsLowerFails() {
+        assertTrue(verify(replay).done().out().contains("bots kept apart: off, memory 0, processes 0"));
+        verify(replay, "--require", "off").done();
+        assertFails("not verified: the signature says that bots were kept apart at level off, expected it to say at "
+            + "least light", verify(replay, "--require", "light"));
+    }
+
+    @Test
+    void aLevelThatIsForgedOrTakenAwayIsNotSigned() throws IOException {
+        assertFails("not verified: the signature is not that of", verify(changed("\"isolation\":\"off",
+            "\"isolation\":\"strict"), "--require", "strict"));
+        assertFails("not verified: the signature is not that of", verify(changed(
+            "\"isolation\":\"off, memory 0, processes 0, file size 0, open files 0\",", ""), "--require", "off"));
+        verify(changed("\"times\":{\"sandbox\":\"off\"}", "\"times\":{\"sandbox\":\"strict\"}")).done();
+    }
+
+    @Test
+    void anUnsignedReplayFails() throws IOException {
+        List<String> lines = Files.readAllLines(replay);
+        Path cut = Files.write(folder.resolve("cut.jsonl"), lines.subList(0, lines.size() - 1));
+        assertFails("the replay was cut off before its signature", verify(cut, "--require", "off"));
+    }
+}
