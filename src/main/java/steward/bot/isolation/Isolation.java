@@ -42,10 +42,11 @@ public record Isolation(SandboxLevel level, boolean network, ResourceLimits limi
         return at(SandboxSupport.usual());
     }
 
-    /** Level and limits in words, the level first: what is signed with a replay. */
+    /** Level, limits and what was let through in words, the level first: what is signed with a replay. */
     public String text() {
         return level.word() + ", memory " + limits.memory() + ", processes " + limits.processes() + ", file size "
-            + limits.fileSize() + ", open files " + limits.openFiles() + (network ? ", network" : "");
+            + limits.fileSize() + ", open files " + limits.openFiles() + (network ? ", network" : "")
+            + (visible.isEmpty() ? "" : ", visible " + visible.size());
     }
 
     /** The same without a limit of memory. */

@@ -12,9 +12,9 @@ import java.util.HexFormat;
  *
  * <pre>steward replay sha256:0123...64 hexadecimal digits...cdef</pre>
  *
- * <p>and a line feed. Where the line of the signature says how bots were kept apart, in its field {@code isolation},
- * {@code isolation sha256:} and the digest of that text stand between the two. With the tools of any Unix, where
- * {@code mine.pub} is the public key:
+ * <p>and a line feed. Where the line of the signature has a field {@code isolation}, a blank, {@code isolation sha256:}
+ * and the digest of that field's text stand before the line feed. With the tools of any Unix, where {@code mine.pub} is
+ * the public key:
  *
  * <pre>
  * sed -e '$d' match.jsonl | sed -e 's/,"times":{[^}]*}}$/}/' | sha256sum       (the digits of the text)

@@ -1,9 +1,11 @@
 package steward.cli.replay;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -66,10 +68,52 @@ class RequiredIsolationTest {
         verify(changed("\"times\":{\"sandbox\":\"off\"}", "\"times\":{\"sandbox\":\"strict\"}")).done();
     }
 
+    /** A replay and a key that an earlier version has written. */
+    @Test
+    void aSignatureOfAnEarlierVersionFailsAndVerifiesWithoutTheDemand() throws IOException {
+        Path key = Files.write(folder.resolve("k.pub"), resource("signed-without-isolation.pub"));
+        Path earlier = Files.write(folder.resolve("earlier.jsonl"), resource("signed-without-isolation.jsonl"));
+
+        String seen = verify(earlier).done().out();
+        assertTrue(seen.startsWith("verified: states of 1 of 1 turn and the result"), seen);
+        assertTrue(seen.contains("the key of " + key), seen);
+        assertFalse(seen.contains("bots kept apart"), seen);
+        assertFails("not verified: the signature does not say how bots were kept apart, as those of earlier versions "
+            + "do not, expected it to say at least off", verify(earlier, "--require", "off"));
+    }
+
+    private static byte[] resource(String name) throws IOException {
+        try (InputStream in = RequiredIsolationTest.class.getResourceAsStream("/replays/" + name)) {
+            return in.readAllBytes();
+        }
+    }
+
+    /** Programs are told as people are: the same status, and the reason. */
+    @Test
+    void jsonFailsForTheSameReason() {
+        String done = verify(replay, "--json", "--require", "off").done().out();
+        assertTrue(done.contains("\"verified\":true,\"reason\":null"), done);
+        assertTrue(done.contains("\"isolation\":\"off, memory 0, "), done);
+        assertFails("\"verified\":false,\"reason\":\"not verified: the signature says that bots were kept apart at "
+            + "level off, expected it to say at least strict\"", verify(replay, "--json", "--require", "strict"));
+        assertFails("\"reason\":\"not verified: the replay is signed by ", Cli.run("replay", replay.toString(),
+            "--verify", "--json", "--signed-by", otherKey()));
+    }
+
+    private String otherKey() {
+        Cli.run("key", "new", folder.resolve("other").toString()).done();
+        return folder.resolve("other.pub").toString();
+    }
+
     @Test
     void anUnsignedReplayFails() throws IOException {
+        Path unsigned = folder.resolve("unsigned.jsonl");
+        Cli.run("match", "--scene", "duel", "--sandbox", "off", "--seed", "3", "--bot", "sh -c 'exit 0'", "--bot",
+            "sh -c 'exit 0'", "--out", unsigned.toString());
+        assertFails("not verified: the replay is unsigned, expected a signature by", verify(unsigned, "--require",
+            "off"));
         List<String> lines = Files.readAllLines(replay);
         Path cut = Files.write(folder.resolve("cut.jsonl"), lines.subList(0, lines.size() - 1));
-        assertFails("the replay was cut off before its signature", verify(cut, "--require", "off"));
+        assertFails("the replay was cut off before its signature", verify(cut, "--require", "off", "--partial"));
     }
 }
