@@ -34,6 +34,23 @@ public interface Game {
      */
     void eliminate(int player, String reason);
 
+    /**
+     * Fewest players with whom a turn is played. If faults leave fewer in, the game ends without playing the turn; 0
+     * where every turn is played.
+     */
+    default int fewestPlayers() {
+        return 0;
+    }
+
+    /** True if faults have decided the next turn: it is not played, and no further player is asked for it. */
+    default boolean isDecided() {
+        int in = 0;
+        for (int player = 0; player < players(); player++) {
+            in += isIn(player) ? 1 : 0;
+        }
+        return in < fewestPlayers();
+    }
+
     /** Plays one turn with the commands read since the last; eliminated players have none. */
     void play();
 

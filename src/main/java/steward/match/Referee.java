@@ -18,7 +18,7 @@ import steward.game.GameSetup;
 /**
  * The referee loop: each turn it sends every player a frame, takes the commands one player after another, eliminates
  * players that failed, lets the game play the turn and notifies the listener. All players who are in are asked every
- * turn, also after another has failed.
+ * turn, also after another has failed, unless that fault has decided the game and the turn is not played.
  *
  * <p>The loop runs on a thread that does nothing else, one of {@link DaemonThreadPool}. When a player can neither be
  * read nor killed, that thread is blocked. The player then hands the fault to a new thread, which goes on with the next
@@ -178,7 +178,7 @@ public final class Referee {
     /** Plays from the next player to the end of the match, or until another thread has taken the match over. */
     private void askRest() {
         while (!result.isDone() && !(allDirect && Thread.currentThread().isInterrupted())) {
-            for (; next < players.size(); next++) {
+            for (; next < players.size() && !game.isDecided(); next++) {
                 if (game.isIn(next) && !ask(next)) {
                     return;
                 }

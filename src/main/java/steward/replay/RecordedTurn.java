@@ -31,6 +31,23 @@ public record RecordedTurn(int number, byte[] commands, String[] faults, String 
             line.has(LineFields.TIMES) ? line.object(LineFields.TIMES) : null, line.where());
     }
 
+    /**
+     * True if a player who was in was asked. Only a fault of another in this turn can have spared it the question; it
+     * then has neither a command nor a fault.
+     */
+    public boolean asked(int player) {
+        return faults[player] != null || !hasFault() || hasCommand(player);
+    }
+
+    private boolean hasFault() {
+        for (String fault : faults) {
+            if (fault != null) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /** Whether a command of the player was recorded. */
     public boolean hasCommand(int player) {
         try (JsonParser in = parser(commands)) {

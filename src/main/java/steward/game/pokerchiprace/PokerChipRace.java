@@ -112,6 +112,11 @@ public final class PokerChipRace extends AbstractGame {
     }
 
     @Override
+    public int fewestPlayers() {
+        return ChipSettings.FEWEST_PLAYERS;
+    }
+
+    @Override
     protected void playTurn() {
         table.forgetParents();
         int pushes = takePushes();
@@ -123,7 +128,7 @@ public final class PokerChipRace extends AbstractGame {
             }
             in += isIn(player) ? 1 : 0;
         }
-        if (in < ChipSettings.FEWEST_PLAYERS) {
+        if (in < fewestPlayers()) {
             ranking.set(table, lost);
             end(ending(in) + ", the turn is not played");
             return;
@@ -201,7 +206,7 @@ public final class PokerChipRace extends AbstractGame {
         for (int player = 0; player < players(); player++) {
             in += isIn(player) ? 1 : 0;
         }
-        if (in < ChipSettings.FEWEST_PLAYERS) {
+        if (in < fewestPlayers()) {
             end(ending(in));
         } else if (turn() >= settings.maximumTurns()) {
             end("at most " + settings.maximumTurns() + " turns are played");

@@ -257,8 +257,10 @@ public final class TranscriptCheck {
                 commands = told.array("commands");
             }
             Turn turn = Turn.of(game.turn() + 1, players);
+            RecordedTurn read = new RecordedTurn(turn.number(), commands, texts, null, NO_OUTCOME, messages, stderr,
+                null, source);
             for (int player = 0; player < players; player++) {
-                if (game.isIn(player)) {
+                if (game.isIn(player) && read.asked(player)) {
                     asked[player]++;
                     long time = listener == null ? 0 : nanos();
                     if (texts[player] == null) {
@@ -272,8 +274,6 @@ public final class TranscriptCheck {
                     }
                 }
             }
-            RecordedTurn read = new RecordedTurn(turn.number(), commands, texts, null, NO_OUTCOME, messages, stderr,
-                null, source);
             if (turns != null) {
                 turns.add(read);
             }

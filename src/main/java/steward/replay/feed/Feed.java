@@ -69,7 +69,7 @@ public final class Feed {
     public Ending run(int until, IntConsumer before, Consumer<FedTurn> after) {
         boolean failed = false;
         for (RecordedTurn turn : match.turns()) {
-            if (conversation.isIn()) {
+            if (conversation.isIn() && turn.asked(conversation.player())) {
                 if (turn.number() > until) {
                     return Ending.STOPPED;
                 }

@@ -118,7 +118,7 @@ public final class Takeover {
                 return unfinished(missing);
             }
             FedTurn fed = null;
-            if (conversation.isIn()) {
+            if (isAsked(recorded, replaced)) {
                 before.accept(recorded.number());
                 fed = conversation.ask(recorded, replaced);
                 after.accept(fed);
@@ -137,18 +137,31 @@ public final class Takeover {
         return unfinished("the recording ends");
     }
 
+    private boolean isAsked(RecordedTurn recorded, boolean replaced) {
+        int player = conversation.player();
+        return conversation.isIn() && (replaced ? !again.isDecided(player, recorded.faults())
+            : recorded.asked(player));
+    }
+
     /**
-     * Names one of the other players that is in but has neither a command nor a fault in this turn; or {@code null}.
+     * Names one of the other players that has to answer but has neither a command nor a fault in this turn; or
+     * {@code null}.
      */
     private String missing(RecordedTurn recorded) {
         for (int other = 0; other < game.players(); other++) {
             if (other != conversation.player() && game.isIn(other) && !recorded.hasCommand(other)
-                && recorded.faults()[other] == null) {
+                && recorded.faults()[other] == null && !again.isDecided(other, othersFaults(recorded))) {
                 return "of " + match.header().names().get(other) + " no command was recorded in turn "
                     + recorded.number();
             }
         }
         return null;
+    }
+
+    private String[] othersFaults(RecordedTurn recorded) {
+        String[] faults = recorded.faults().clone();
+        faults[conversation.player()] = null;
+        return faults;
     }
 
     private String playAgain(RecordedTurn recorded) {

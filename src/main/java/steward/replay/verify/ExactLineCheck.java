@@ -115,7 +115,7 @@ final class ExactLineCheck implements LineCheck {
         if (played == null) {
             Turn turn = Turn.of(recorded.number(), game.players());
             for (int player = 0; player < game.players(); player++) {
-                if (game.isIn(player)) {
+                if (game.isIn(player) && recorded.asked(player)) {
                     fill(turn, recorded, player);
                 }
             }

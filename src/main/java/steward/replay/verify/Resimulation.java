@@ -219,13 +219,30 @@ public final class Resimulation {
     private boolean readEach(JsonParser in, String[] faults) {
         int player = 0;
         for (JsonToken token = in.nextToken(); token != JsonToken.END_ARRAY; token = in.nextToken()) {
-            if (player >= game.players() || !game.isIn(player)
+            if (player >= game.players() || !game.isIn(player) || isSpared(token, player, faults)
                 ? token != JsonToken.VALUE_NULL : readOne(in, token, player, faults[player]) != null) {
                 return false;
             }
             player++;
         }
         return player == game.players();
+    }
+
+    /**
+     * True if the player has no command because faults of those before it decide the turn. In older replays such a
+     * player was asked all the same.
+     */
+    private boolean isSpared(JsonToken token, int player, String... faults) {
+        return token == JsonToken.VALUE_NULL && faults[player] == null && isDecided(player, faults);
+    }
+
+    /** True if faults of the players before this one decide the turn, so that this one is not asked. */
+    public boolean isDecided(int player, String... faults) {
+        int in = 0;
+        for (int other = 0; other < game.players(); other++) {
+            in += game.isIn(other) && (other >= player || faults[other] == null) ? 1 : 0;
+        }
+        return in < game.fewestPlayers();
     }
 
     /** @return what is wrong with the command of a player that was asked, or {@code null} */
@@ -244,7 +261,7 @@ public final class Resimulation {
         try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), json, 0, json.length)) {
             in.nextToken();
             for (JsonToken token = in.nextToken(); token != JsonToken.END_ARRAY; token = in.nextToken()) {
-                boolean asked = player < game.players() && game.isIn(player);
+                boolean asked = player < game.players() && game.isIn(player) && !isSpared(token, player, turn.faults());
                 if (!asked && token != JsonToken.VALUE_NULL) {
                     return new Difference(turn.number(), "commands[" + player + "]", "a command", "null");
                 }

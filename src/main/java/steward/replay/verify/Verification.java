@@ -83,11 +83,13 @@ public record Verification(int turns, int states, boolean whole, Difference diff
         String[] faults = new String[again.game().players()];
         int turns = 0;
         int states = 0;
+        boolean[] in = new boolean[faults.length];
         boolean whole = false;
         while (difference == null && !whole) {
             byte[] line = replay.nextLine();
-            count(again.game(), asked);
+            ask(again.game(), in);
             if (line != null && check.isSame(line)) {
+                count(in, null, asked);
                 states++;
                 replay.passed(++turns);
                 continue;
@@ -96,6 +98,7 @@ public record Verification(int turns, int states, boolean whole, Difference diff
             if (turn == null && replay.result() == null) {
                 break;
             }
+            count(in, turn, asked);
             difference = turn == null ? check.result(faults) : check.turn(line, turn);
             whole = turn == null && difference == null;
             if (turn != null && difference == null) {
@@ -110,10 +113,17 @@ public record Verification(int turns, int states, boolean whole, Difference diff
             check.views(), null, signed.check(whole));
     }
 
-    /** Those who are to be asked in the next turn, if there is one. */
-    private static void count(Game game, int... asked) {
-        for (int player = 0; asked != null && !game.isOver() && player < asked.length; player++) {
-            asked[player] += game.isIn(player) ? 1 : 0;
+    /** Marks who is in before the next turn, if there is one. */
+    private static void ask(Game game, boolean... in) {
+        for (int player = 0; player < in.length; player++) {
+            in[player] = !game.isOver() && game.isIn(player);
+        }
+    }
+
+    /** @param turn {@code null} if all who were in answered */
+    private static void count(boolean[] in, RecordedTurn turn, int... asked) {
+        for (int player = 0; asked != null && player < asked.length; player++) {
+            asked[player] += in[player] && (turn == null || turn.asked(player)) ? 1 : 0;
         }
     }
 }

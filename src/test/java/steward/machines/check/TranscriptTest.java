@@ -12,6 +12,7 @@ import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Collections;
 import java.util.List;
 import java.util.Set;
 import java.util.SplittableRandom;
@@ -21,12 +22,15 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import steward.bot.Bot;
+import steward.bot.InProcessPlayer;
 import steward.bot.isolation.Isolation;
 import steward.cli.ShellBots;
 import steward.cli.TextShellBots;
 import steward.cli.shared.Games;
 import steward.contest.Contest;
 import steward.game.Pilot;
+import steward.game.pokerchiprace.PokerChipRace;
 import steward.match.MatchResult;
 import steward.match.Protocol;
 import steward.replay.ReplayReader;
@@ -113,6 +117,39 @@ class TranscriptTest {
         assertTrue(game.check().seats().get(1).fault() != null);
         try (ReplayReader reader = new ReplayReader(new ByteArrayInputStream(game.replay()), "replay")) {
             assertTrue(Verification.of(reader, Games.types()).verified());
+        }
+    }
+
+    /** The first player fails at once; workers before asked the second one all the same, and sent what it said. */
+    @Test
+    void whoWasNotAskedAfterTheDecidingFaultHasNoTime() throws Exception {
+        PlayedGame game = PlayedGame.of(PlayedGame.piloted("poker-chip-race", Pilot.Aim.WIN).startedBy(
+            (entrant, isolation, others) -> new InProcessPlayer(entrant.name(), new Speechless())), SEED);
+        assertEquals(List.of(1, 0), game.check().seats().stream().map(ReplayCheck.Seat::answers).toList());
+        assertArrayEquals(game.replay(), new TranscriptCheck(game.contest()).replay("a game", game.transcript(),
+            game.expected()));
+        compare(game);
+        String sent = new String(GzipText.bytes(game.transcript()), StandardCharsets.UTF_8);
+        assertTrue(sent.contains("[null,null],\"faults\":[\""), sent);
+        int own = ((PokerChipRace) game.contest().setup().create(SEED)).table().owned(1);
+        String said = "[" + String.join(",", Collections.nCopies(own, "{\"wait\":true}")) + "]";
+        byte[] older = GzipText.compressed(sent.replace("[null,null],\"faults\"", "[null," + said + "],\"faults\"")
+            .replaceFirst("(\"answerNanos\":\\[[0-9]+)", "$1,5").getBytes(StandardCharsets.UTF_8));
+        assertEquals(List.of(1, 1), new TranscriptCheck(game.contest()).check("a game", older, game.expected()).seats()
+            .stream().map(ReplayCheck.Seat::answers).toList());
+    }
+
+    /** A bot whose answers are none. */
+    private static final class Speechless implements Bot {
+
+        @Override
+        public void setup(String line) {
+            // Nothing to prepare.
+        }
+
+        @Override
+        public String turn(String line) {
+            return "";
         }
     }
 
