@@ -15,6 +15,7 @@ public final class Answer {
     private String stderr;
     private int extraLines;
     private TimeSpent timeSpent;
+    private boolean held;
 
     /** Clears the previous answer. */
     public void clear() {
@@ -24,6 +25,7 @@ public final class Answer {
         stderr = null;
         extraLines = 0;
         timeSpent = null;
+        held = false;
     }
 
     /**
@@ -65,6 +67,16 @@ public final class Answer {
     /** Complete lines that were received beyond the answer; they wait for the next turn. */
     public int extraLines() {
         return extraLines;
+    }
+
+    /** Whether the player is stopped while others are asked, from this answer on or before. */
+    public boolean held() {
+        return held;
+    }
+
+    /** See {@link #held}. */
+    public void setHeld(boolean stopped) {
+        held = stopped;
     }
 
     /** Where the time of a late answer went; {@code null} if it was not late, or the player is no process. */

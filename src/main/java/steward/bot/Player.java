@@ -1,6 +1,7 @@
 package steward.bot;
 
 import java.util.function.Consumer;
+import steward.Internal;
 
 /**
  * A player of one match, as the referee sees it: it is sent lines and asked for lines. Not thread-safe: one thread at a
@@ -83,6 +84,17 @@ public interface Player extends AutoCloseable {
      * {@link #finish} has returned.
      */
     default String finalStderr() {
+        return null;
+    }
+
+    /**
+     * What the player used while another was asked who was late.
+     *
+     * @param sinceNanos how long ago that question began
+     * @return its place in the game left open; {@code null} if it did not burn, or was held by then, or it is not known
+     */
+    @Internal
+    default Burner burner(long sinceNanos) {
         return null;
     }
 

@@ -2,6 +2,7 @@ package steward.contest;
 
 import java.io.OutputStream;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.function.Supplier;
 import java.util.regex.Pattern;
@@ -10,6 +11,8 @@ import steward.bot.Player;
 import steward.bot.TimeBasis;
 import steward.bot.UnstartablePlayer;
 import steward.bot.command.BotCommand;
+import steward.bot.hold.HoldPolicy;
+import steward.bot.isolation.HoldMeans;
 import steward.bot.isolation.Isolation;
 import steward.bot.isolation.Launch;
 import steward.bot.process.BotProcess;
@@ -75,9 +78,25 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         return new Contest(setup, entrants, time, timeFactor, key, isolation, other);
     }
 
+    /** The same with some of the bots held from their first answer on. */
+    @Internal
+    public Contest holding(Collection<Entrant> held) {
+        return startedBy((entrant, usual, others) -> starter.player(entrant,
+            held.contains(entrant) ? usual.holding(HoldPolicy.ALWAYS) : usual, others));
+    }
+
     /** The level at which bots are started, {@code off}, {@code light} or {@code strict}. */
     public String sandbox() {
         return isolation.get().level().word();
+    }
+
+    /**
+     * What is done with bots that compute while others are asked, such as {@code burners are held, by control groups};
+     * empty if nothing is.
+     */
+    @Internal
+    public String hold() {
+        return timeFactor == Double.POSITIVE_INFINITY ? "" : HoldMeans.text(isolation.get());
     }
 
     /** The same, its limits those of something else. */

@@ -2,6 +2,8 @@ package steward.contest;
 
 import java.util.List;
 import java.util.regex.Pattern;
+import steward.Internal;
+import steward.bot.Burner;
 import steward.bot.FaultMessages;
 import steward.bot.TimeSpent;
 
@@ -14,8 +16,10 @@ import steward.bot.TimeSpent;
  * @param stderr the last lines it wrote there, in this turn or before, oldest first
  * @param hints  what the reason may be, each a short sentence without its full stop
  * @param time   where the time of a late answer went, or {@code null}
+ * @param burner a bot that burned meanwhile and was not yet held, or {@code null}
  */
-public record Failure(int player, int turn, String reason, List<String> stderr, List<String> hints, TimeSpent time) {
+public record Failure(int player, int turn, String reason, List<String> stderr, List<String> hints, TimeSpent time,
+                      @Internal Burner burner) {
 
     /** How many lines of stderr are kept at most. */
     public static final int LINES = 10;
@@ -24,19 +28,25 @@ public record Failure(int player, int turn, String reason, List<String> stderr, 
     private static final Pattern NUMBER = Pattern.compile("-?\\d+(\\.\\d+)?(E-?\\d+)?");
 
     /** Copies the lists. */
+    @Internal
     public Failure {
         stderr = List.copyOf(stderr);
         hints = List.copyOf(hints);
     }
 
+    /** One beside which no bot burned. */
+    public Failure(int player, int turn, String reason, List<String> stderr, List<String> hints, TimeSpent time) {
+        this(player, turn, reason, stderr, hints, time, null);
+    }
+
     /** One that is not of time. */
     public Failure(int player, int turn, String reason, List<String> stderr, List<String> hints) {
-        this(player, turn, reason, stderr, hints, null);
+        this(player, turn, reason, stderr, hints, null, null);
     }
 
     /** The same without lines and hints, to save memory. */
     Failure brief() {
-        return new Failure(player, turn, reason, List.of(), List.of(), time);
+        return new Failure(player, turn, reason, List.of(), List.of(), time, burner);
     }
 
     /** Whether it was late while other programs used the processors, see {@link TimeSpent#starved}. */

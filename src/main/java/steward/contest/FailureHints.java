@@ -3,8 +3,10 @@ package steward.contest;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.function.BooleanSupplier;
 import java.util.regex.Pattern;
+import steward.bot.Burner;
 import steward.bot.FaultMessages;
 import steward.bot.TimeSpent;
 import steward.bot.command.CommandLine;
@@ -106,6 +108,12 @@ final class FailureHints {
         return stderr.stream().anyMatch(line -> SYNTAX.matcher(line).find())
             || stderr.stream().anyMatch(line -> TRACEBACK.matcher(line).find())
             && stderr.stream().noneMatch(line -> OF_SANDBOX.matcher(line).find());
+    }
+
+    /** Who computed meanwhile. */
+    static String beside(String name, Burner burner) {
+        return String.format(Locale.ROOT, "meanwhile %s computed on %.2f processors%s; a series (--games) plays such a"
+            + " game again", name, burner.processors(), burner.holdable() ? "" : " and cannot be held here");
     }
 
     /** Whether it exited at its first input, or answered in the form of the other protocol. */

@@ -8,6 +8,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import steward.Internal;
+import steward.bot.Burner;
 import steward.bot.FaultMessages;
 import steward.bot.isolation.Isolation;
 import steward.bot.isolation.MissingFiles;
@@ -144,7 +145,12 @@ public final class GameLog implements MatchListener {
             MissingFiles.of(commands.get(player), lines, sandbox).forEach(path ->
                 hints.add(FailureHints.missing(path)));
         }
-        return new Failure(player, turn.number(), turn.fault(player), lines, hints, turn.timeSpent(player));
+        Burner burner = turn.burner(player);
+        if (burner != null) {
+            hints.add(FailureHints.beside(contest.entrants().get(contest.entrantOf(burner.player(), rotation)).name(),
+                burner));
+        }
+        return new Failure(player, turn.number(), turn.fault(player), lines, hints, turn.timeSpent(player), burner);
     }
 
     private static List<String> lastLines(String[] texts) {

@@ -197,12 +197,14 @@ public final class PairedPlay {
         Series.Played before = null;
         Series.Played played = null;
         List<Failure> found = List.of();
-        for (int attempt = 1; attempt <= 2; attempt++) {
+        Attempts attempts = new Attempts(contest, hiccups, game.rotation());
+        boolean again = true;
+        while (again) {
             GameLog log = new GameLog(contest, game.rotation());
             MatchResult result = null;
             String problem = null;
             try {
-                result = contest.play(game.seed(), game.rotation(), null, log);
+                result = attempts.contest().play(game.seed(), game.rotation(), null, log);
             } catch (UncheckedIOException failed) {
                 problem = String.valueOf(failed.getMessage());
             }
@@ -214,10 +216,12 @@ public final class PairedPlay {
                 played = new Series.Played(game.rotation() + 1, game.seed(), game.rotation(), result, problem,
                     found.stream().map(Failure::brief).toList(), null, log.facts(), before);
             }
-            if (!hiccups.demandAnother(played)) {
-                break;
-            }
+            again = result != null && attempts.demandAnother(played.failures());
             before = played;
+        }
+        if (attempts.discarded() != null) {
+            played = played.without(attempts.discarded());
+            found = List.of();
         }
         keeper.accept(played);
         synchronized (this) {

@@ -36,8 +36,8 @@ public record Series(Contest contest, long first, int seeds, boolean swap, Path 
      * @param failures of bots, in the order in which they happened, without lines of stderr
      * @param replay   where it is, or {@code null} if there is none
      * @param facts    what the result does not contain
-     * @param starved  the same game as it was played before, which does not count since the machine was starved, see
-     *                 {@link Hiccups#REPLAY}; or {@code null}
+     * @param starved  the same game as it was played before, which does not count since others used the processors,
+     *                 see {@link Hiccups#REPLAY}; or {@code null}
      */
     public record Played(int number, long seed, int rotation, MatchResult result, String failure,
                          List<Failure> failures, Path replay, @Internal GameFacts facts, Played starved) {
@@ -81,7 +81,7 @@ public record Series(Contest contest, long first, int seeds, boolean swap, Path 
         }
 
         Played without(String problem) {
-            return new Played(number, seed, rotation, null, problem, failures, replay, GameFacts.UNKNOWN, starved);
+            return new Played(number, seed, rotation, null, problem, List.of(), replay, GameFacts.UNKNOWN, starved);
         }
 
         Played numbered(int other) {
@@ -127,9 +127,13 @@ public record Series(Contest contest, long first, int seeds, boolean swap, Path 
         return file(number, "");
     }
 
-    /** Where it goes if the game is played again because the machine was starved; or {@code null}. */
-    public Path starvedFile(int number) {
-        return file(number, "-starved");
+    /**
+     * Where it goes if the game is played again because others used the processors; or {@code null}.
+     *
+     * @param attempt counted from 1
+     */
+    public Path starvedFile(int number, int attempt) {
+        return file(number, "-starved" + (attempt == 1 ? "" : "-" + attempt));
     }
 
     private Path file(int number, String suffix) {
@@ -148,7 +152,7 @@ public record Series(Contest contest, long first, int seeds, boolean swap, Path 
         }
         OutputFiles.prepareFolder(folder);
         for (int number = 1; number <= games() && !overwrite; number++) {
-            for (Path file : List.of(file(number), starvedFile(number))) {
+            for (Path file : List.of(file(number), starvedFile(number, 1), starvedFile(number, 2))) {
                 if (Files.exists(file)) {
                     throw OutputFiles.exists(file);
                 }

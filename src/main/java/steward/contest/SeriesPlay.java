@@ -19,15 +19,15 @@ import steward.match.MatchResult;
  * other games, with one exception: when a replay cannot be written, on a full disk say, no further games are begun,
  * since theirs could not be either; those under way are played to their end.
  *
- * <p>A game that was lost on time on a starved machine is played again at once, see {@link Hiccups}.
+ * <p>A game that was lost on time because others used the processors is played again at once, see {@link Attempts}.
  */
 public final class SeriesPlay {
 
     /** How one match is played, as {@link Contest#play} does. */
     public interface MatchPlay {
 
-        /** See {@link Contest#play}. */
-        MatchResult play(long seed, int rotation, OutputStream recording, MatchListener follower)
+        /** See {@link Contest#play}; in some attempts at a game bots are held, see {@link Attempts}. */
+        MatchResult play(Contest contest, long seed, int rotation, OutputStream recording, MatchListener follower)
             throws InterruptedException;
     }
 
@@ -44,7 +44,7 @@ public final class SeriesPlay {
 
     /** @param overwrite whether replays that exist are replaced */
     public SeriesPlay(Series series, boolean overwrite) {
-        this(series, overwrite, series.contest()::play);
+        this(series, overwrite, Contest::play);
     }
 
     /** @param match plays its matches */
@@ -58,12 +58,13 @@ public final class SeriesPlay {
     /**
      * A game under way.
      *
+     * @param attempts at it so far
      * @param file    its replay, or {@code null}
      * @param refused why its replay cannot be opened, or {@code null}
-     * @param before  the same game on a starved machine, which this one is to replace, or {@code null}
+     * @param before  the same game as it was played before, which this one is to replace, or {@code null}
      */
-    private record Game(int number, long seed, int rotation, GameLog log, ReplayFile file, String refused,
-                        Series.Played before) {
+    private record Game(int number, long seed, int rotation, Attempts attempts, GameLog log, ReplayFile file,
+                        String refused, Series.Played before) {
     }
 
     /** What is played. */
@@ -105,7 +106,8 @@ public final class SeriesPlay {
             String problem = game.refused();
             if (problem == null) {
                 try {
-                    result = match.play(game.seed(), game.rotation(), game.file(), game.log());
+                    result = match.play(game.attempts().contest(), game.seed(), game.rotation(), game.file(),
+                        game.log());
                 } catch (UncheckedIOException failed) {
                     problem = failed.getMessage();
                 } catch (InterruptedException interrupted) {
@@ -121,9 +123,15 @@ public final class SeriesPlay {
                 }
                 underWay.remove(game);
                 Series.Played played = played(game, result, problem);
-                Game another = series.hiccups().demandAnother(played) && stopped == null ? again(game, played) : null;
+                boolean again = played.result() != null && game.attempts().demandAnother(played.failures());
+                Game another = again && stopped == null ? again(game, played) : null;
+                List<Failure> found = game.log().failures();
+                if (game.attempts().discarded() != null) {
+                    played = played.without(game.attempts().discarded());
+                    found = List.of();
+                }
                 if (another == null) {
-                    standings.add(played, game.log().failures(), game.log().times());
+                    standings.add(played, found, game.log().times());
                     return played;
                 }
                 game = another;
@@ -137,10 +145,11 @@ public final class SeriesPlay {
         if (brokenOff || stopped != null || begun == series.games()) {
             return null;
         }
-        return begin(++begun, null);
+        begun++;
+        return begin(begun, new Attempts(series.contest(), series.hiccups(), series.rotation(begun)), null);
     }
 
-    private Game begin(int number, Series.Played before) {
+    private Game begin(int number, Attempts attempts, Series.Played before) {
         ReplayFile file = null;
         String refused = null;
         try {
@@ -149,8 +158,8 @@ public final class SeriesPlay {
             refused = problem.getMessage();
         }
         int rotation = series.rotation(number);
-        Game game = new Game(number, series.seed(number), rotation, new GameLog(series.contest(), rotation), file,
-            refused, before);
+        Game game = new Game(number, series.seed(number), rotation, attempts,
+            new GameLog(series.contest(), rotation), file, refused, before);
         underWay.add(game);
         return game;
     }
@@ -158,9 +167,9 @@ public final class SeriesPlay {
     /** The same game once more; the replay of the first, if it is kept, makes room. {@code null} if it cannot. */
     private Game again(Game game, Series.Played played) {
         try {
-            Path kept = series.starvedFile(game.number());
+            Path kept = series.starvedFile(game.number(), game.attempts().played());
             boolean moved = played.replay() != null && game.file().moveTo(kept);
-            return begin(game.number(), played.keptAs(moved ? kept : null));
+            return begin(game.number(), game.attempts(), played.keptAs(moved ? kept : null));
         } catch (IOException problem) {
             stopped = played.replay() + ": cannot be renamed: " + problem.getMessage();
             return null;

@@ -9,6 +9,7 @@ import java.util.Set;
 import java.util.function.Function;
 import java.util.regex.Pattern;
 import steward.bot.TimeBasis;
+import steward.bot.hold.HoldPolicy;
 import steward.contest.Hiccups;
 import steward.contest.KeptReplays;
 import steward.scene.json.Block;
@@ -40,6 +41,9 @@ public final class LeagueReader {
     private static final String PAIRING = "pairing";
     private static final String SEED = "seed";
     private static final String FACTOR = "factor";
+    private static final String HOLD = "hold";
+    /** Former name of the policy {@code always}, to be read for one version. */
+    private static final String PAUSE = "pauseWaiting";
 
     private final Block root;
 
@@ -139,11 +143,19 @@ public final class LeagueReader {
                 words.addAll(List.of(each[1], Integer.toString(block.integer(each[0], 1, Integer.MAX_VALUE))));
             }
         }
-        for (String[] each : new String[][] {{"network", "--network"}, {"cleanEnvironment", "--clean-env"},
-            {"pauseWaiting", "--pause-waiting"}}) {
+        for (String[] each : new String[][] {{"network", "--network"}, {"cleanEnvironment", "--clean-env"}}) {
             if (block.flag(each[0], false)) {
                 words.add(each[1]);
             }
+        }
+        HoldPolicy former = block.flag(PAUSE, false) ? HoldPolicy.ALWAYS : HoldPolicy.BURNERS;
+        HoldPolicy hold = block.choice(HOLD, words(HoldPolicy.values(), HoldPolicy::word), former);
+        if (former == HoldPolicy.ALWAYS && hold != former) {
+            throw block.error(HOLD, block.shown(HOLD) + " beside \"" + PAUSE + "\"", "one of them: \"" + PAUSE
+                + "\" means \"always\"");
+        }
+        if (block.has(HOLD) || hold != HoldPolicy.BURNERS) {
+            words.addAll(List.of(LeagueSettings.HOLD, hold.word()));
         }
         for (String[] each : new String[][] {{"environment", "--env"}, {"visible", "--visible"}}) {
             if (block.has(each[0])) {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import steward.bot.TimeBasis;
+import steward.bot.hold.HoldPolicy;
 import steward.contest.Hiccups;
 import steward.contest.KeptReplays;
 
@@ -32,6 +33,9 @@ public record LeagueSettings(String scene, long seed, String gauntlet, boolean a
     public static final int USUAL_LAG = 64;
     /** The longest lag. */
     public static final int MOST_LAG = 10_000;
+
+    /** The option of a match that names the policy of holding. */
+    static final String HOLD = "--hold";
 
     /** Copies the lists. */
     public LeagueSettings {
@@ -91,7 +95,26 @@ public record LeagueSettings(String scene, long seed, String gauntlet, boolean a
 
     /** The limits in words that differ where a game could end differently: part of a game's name. */
     public String limits() {
-        return factor == Double.POSITIVE_INFINITY ? "none" : "factor " + factor + " " + basis.word();
+        String text = factor == Double.POSITIVE_INFINITY ? "none" : "factor " + factor + " " + basis.word();
+        return hold() == HoldPolicy.BURNERS ? text : text + ", hold " + hold().word();
+    }
+
+    /** Which bots are stopped while others are asked. */
+    public HoldPolicy hold() {
+        int option = sandbox.indexOf(HOLD);
+        return option < 0 ? HoldPolicy.BURNERS : HoldPolicy.of(sandbox.get(option + 1)).orElse(HoldPolicy.BURNERS);
+    }
+
+    /** The same with other bots stopped. */
+    public LeagueSettings holding(HoldPolicy policy) {
+        List<String> words = new ArrayList<>(sandbox);
+        int option = words.indexOf(HOLD);
+        if (option >= 0) {
+            words.subList(option, option + 2).clear();
+        }
+        words.addAll(List.of(HOLD, policy.word()));
+        return new LeagueSettings(scene, seed, gauntlet, adaptive, lag, factor, basis, hiccups, words, keep, keepOf,
+            bots);
     }
 
     /** How bots are paired, as it is written in the file. */

@@ -17,10 +17,9 @@ final class LeagueText {
 
     private static final JsonFactory JSON = new JsonFactory();
     private static final Map<String, String> TEXTS = Map.of("--sandbox", "level", "--memory", "memory", "--file-size",
-        "fileSize");
+        "fileSize", LeagueSettings.HOLD, "hold");
     private static final Map<String, String> NUMBERS = Map.of("--processes", "processes", "--open-files", "openFiles");
-    private static final Map<String, String> FLAGS = Map.of("--network", "network", "--clean-env", "cleanEnvironment",
-        "--pause-waiting", "pauseWaiting");
+    private static final Map<String, String> FLAGS = Map.of("--network", "network", "--clean-env", "cleanEnvironment");
     private static final Map<String, String> LISTS = Map.of("--env", "environment", "--visible", "visible");
 
     private LeagueText() {

@@ -16,10 +16,11 @@ import steward.contest.GameFacts;
  * @param name     see {@link GameName}
  * @param decision which decision of the schedule it belongs to, or -1 for none
  * @param seed     its seed
- * @param attempt  1, or 2 if it was played again
- * @param counts   whether it counts as played: neither was it played again, nor is it without a result
+ * @param attempt  counted from 1: of a game that was played again, all are stored
+ * @param counts   whether it counts as played: neither was it played again, nor is it without a result, nor did a bot
+ *                 burn in it that cannot be held
  * @param turns    how many were played
- * @param problem  why there is no result, or {@code null}
+ * @param problem  why there is no result, or none that counts; or {@code null}
  * @param played   when it ended, in milliseconds since 1970
  * @param machine  on what it was played
  * @param replay   its file in the folder of replays, or {@code null}

@@ -39,10 +39,18 @@ public record MatchResult(int turns, String ending, List<PlayerResult> players, 
      * @param earlyTurns   in how many turns there were lines beyond the answer; such lines wait for later turns
      * @param data         what the bot reported about itself on stderr: {@code [PDATA] key = value}, the last value,
      *                     and {@code [PDATA+] key = value}, the sum
+     * @param heldFrom     the turn from which it was stopped while others were asked; 0 for never
      */
     public record PlayerResult(String name, int rank, double score, String fault, String out, int answers,
                                long averageNanos, long worstNanos, long firstNanos, int earlyTurns,
-                               Map<String, String> data) {
+                               Map<String, String> data, int heldFrom) {
+
+        /** A result of a player that was never held. */
+        public PlayerResult(String name, int rank, double score, String fault, String out, int answers,
+                            long averageNanos, long worstNanos, long firstNanos, int earlyTurns,
+                            Map<String, String> data) {
+            this(name, rank, score, fault, out, answers, averageNanos, worstNanos, firstNanos, earlyTurns, data, 0);
+        }
 
         /** A result without data. */
         public PlayerResult(String name, int rank, double score, String fault, String out, int answers,

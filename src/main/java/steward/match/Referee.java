@@ -8,6 +8,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.ExecutionException;
 import steward.bot.Answer;
+import steward.bot.Burner;
 import steward.bot.LineBuffer;
 import steward.bot.Player;
 import steward.bot.process.DaemonThreadPool;
@@ -43,6 +44,7 @@ public final class Referee {
     private final Stopwatch[] watches;
     private final String[] faults;
     private final int[] earlyTurns;
+    private final int[] heldFrom;
     private int next;
 
     /**
@@ -87,6 +89,7 @@ public final class Referee {
         watches = new Stopwatch[count];
         faults = new String[count];
         earlyTurns = new int[count];
+        heldFrom = new int[count];
         for (int player = 0; player < count; player++) {
             int number = player;
             answers[player] = new Answer();
@@ -217,6 +220,9 @@ public final class Referee {
         turn.answers[player] = answer;
         turn.nanos[player] = answer.nanos();
         turn.timeSpent[player] = answer.timeSpent();
+        if (answer.held() && heldFrom[player] == 0) {
+            heldFrom[player] = turn.number();
+        }
         turn.stderr[player] = SafeText.wellFormed(answer.stderr());
         data.read(player, turn.stderr[player]);
         String fault = answer.fault();
@@ -231,9 +237,22 @@ public final class Referee {
         } else {
             faults[player] = SafeText.wellFormed(fault);
             turn.faults[player] = faults[player];
+            turn.burners[player] = answer.timeSpent() == null ? null : burner(player, answer.nanos());
             game.eliminate(player, faults[player]);
             players.get(player).close();
         }
+    }
+
+    /** The bot that used most while this one was asked, if one burned; {@code null} if none did. */
+    private Burner burner(int late, long sinceNanos) {
+        Burner most = null;
+        for (int player = 0; player < players.size(); player++) {
+            Burner found = player == late ? null : players.get(player).burner(sinceNanos);
+            if (found != null && (most == null || found.processors() > most.processors())) {
+                most = new Burner(player, found.processors(), found.holdable());
+            }
+        }
+        return most;
     }
 
     private void playTurn() {
@@ -266,7 +285,7 @@ public final class Referee {
             Stopwatch watch = watches[player];
             results.add(new MatchResult.PlayerResult(players.get(player).name(), ranks[player], scores[player],
                 faults[player], game.eliminationReason(player), watch.answers(), watch.averageNanos(),
-                watch.worstNanos(), watch.firstNanos(), earlyTurns[player], data.player(player)));
+                watch.worstNanos(), watch.firstNanos(), earlyTurns[player], data.player(player), heldFrom[player]));
         }
         MatchResult matchResult = new MatchResult(game.turn(), game.ending(), results, data.match());
         listener.end(matchResult);

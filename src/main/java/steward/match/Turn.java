@@ -1,6 +1,8 @@
 package steward.match;
 
+import steward.Internal;
 import steward.bot.Answer;
+import steward.bot.Burner;
 import steward.bot.TimeSpent;
 
 /**
@@ -17,6 +19,7 @@ public final class Turn {
     final String[] stderr;
     final long[] nanos;
     final TimeSpent[] timeSpent;
+    final Burner[] burners;
 
     Turn(int players) {
         asked = new boolean[players];
@@ -27,6 +30,7 @@ public final class Turn {
         stderr = new String[players];
         nanos = new long[players];
         timeSpent = new TimeSpent[players];
+        burners = new Burner[players];
     }
 
     /** A turn that no referee asks for, such as a recorded one; no player has been asked yet. */
@@ -58,6 +62,12 @@ public final class Turn {
         timeSpent[player] = spent;
     }
 
+    /** Records who burned while a player was late. */
+    @Internal
+    public void beside(int player, Burner burner) {
+        burners[player] = burner;
+    }
+
     void begin(int turnNumber) {
         number = turnNumber;
         for (int player = 0; player < asked.length; player++) {
@@ -69,6 +79,7 @@ public final class Turn {
             stderr[player] = null;
             nanos[player] = 0;
             timeSpent[player] = null;
+            burners[player] = null;
         }
     }
 
@@ -108,6 +119,12 @@ public final class Turn {
     /** Where the time of a late answer went; {@code null} if it was not late, or the player is no process. */
     public TimeSpent timeSpent(int player) {
         return timeSpent[player];
+    }
+
+    /** The bot that burned while this one was late and was not yet held; {@code null} if none did. */
+    @Internal
+    public Burner burner(int player) {
+        return burners[player];
     }
 
     /** The message that came with the answer, or {@code null}. */

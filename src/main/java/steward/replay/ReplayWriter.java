@@ -141,6 +141,9 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
             writeNumbers(out, "worstNanos", result, MatchResult.PlayerResult::worstNanos);
             writeNumbers(out, "firstNanos", result, MatchResult.PlayerResult::firstNanos);
             writeNumbers(out, "earlyTurns", result, MatchResult.PlayerResult::earlyTurns);
+            if (result.players().stream().anyMatch(player -> player.heldFrom() > 0)) {
+                writeNumbers(out, "heldFrom", result, MatchResult.PlayerResult::heldFrom);
+            }
             out.writeEndObject();
         }
         LineBuffer last = endLine();

@@ -11,6 +11,8 @@
  *   -u UID -g GID   what the user is in the user namespace (light)
  *   -l              brings up the loopback device (light)
  *   -r FOLDER       a mount point that the bot must not write to; can be repeated (light)
+ *   -s SOCKET       a Unix socket on which the referee listens; its folder is hidden from the bot (light, outside)
+ *   -h              descriptor 5 is that socket, connected (inside)
  *   -c FILE         joins the control group whose cgroup.procs this is
  *   -m -p -f -o N   limits: bytes of address space, processes, bytes of a file, open files
  *
@@ -20,6 +22,10 @@
  * Neither can be ended by the bot: the one outside ignores the signals that reach its group, and in the group the bot
  * has only SIGKILL left, which ends the bot as well; the first process takes no signal from inside.
  *
+ * With a socket the first process of the namespace stops everything in it when the referee sends the byte 'h' (hold),
+ * and lets it go on at 'c' (continue); it sends the byte back when that is done. The socket is connected before there
+ * are namespaces, and the bot never has it. No privilege is needed: all processes of the bot are the user's own.
+ *
  * Status 127: the command was not found; 126: it cannot be executed; 125: a step of the sandbox failed.
  */
 #define _GNU_SOURCE
@@ -27,6 +33,7 @@
 #include <fcntl.h>
 #include <linux/capability.h>
 #include <net/if.h>
+#include <poll.h>
 #include <sched.h>
 #include <signal.h>
 #include <stdio.h>
@@ -36,9 +43,11 @@
 #include <sys/mount.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/signalfd.h>
 #include <sys/socket.h>
 #include <sys/statvfs.h>
 #include <sys/syscall.h>
+#include <sys/un.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -48,6 +57,8 @@
 #endif
 
 static const char *uid = "65534", *gid = "65534", *group;
+static const char *holdSocket;
+static int holding = -1;                            /* the connected socket */
 static int loopback;
 static const char *readOnly[64];
 static int readOnlyCount;
@@ -95,6 +106,10 @@ static void run(char **command) {
     _exit(errno == ENOENT ? 127 : 126);
 }
 
+static void exitAs(int status) {
+    _exit(WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status));
+}
+
 /* Lets go of the streams, waits for a child, reaps others, and exits as the child did. */
 static void waitFor(pid_t child) {
     int status;
@@ -104,10 +119,90 @@ static void waitFor(pid_t child) {
     for (;;) {
         pid_t ended = wait(&status);
         if (ended == child) {
-            _exit(WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status));
+            exitAs(status);
         }
         if (ended < 0 && errno != EINTR) {
             _exit(125);
+        }
+    }
+}
+
+static void connectToReferee(void) {
+    struct sockaddr_un address = {AF_UNIX, ""};
+    if (strlen(holdSocket) >= sizeof address.sun_path) {
+        errno = ENAMETOOLONG;
+        fail("socket");
+    }
+    strcpy(address.sun_path, holdSocket);
+    int connected = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    if (connected < 0 || connect(connected, (struct sockaddr *) &address, sizeof address) != 0) {
+        fail("socket");
+    }
+    holding = fcntl(connected, F_DUPFD_CLOEXEC, 10);    /* beyond the descriptors with a meaning */
+    close(connected);
+}
+
+/* What the bot would find there are sockets of other bots. */
+static void hideSockets(void) {
+    char folder[sizeof ((struct sockaddr_un *) 0)->sun_path];
+    strcpy(folder, holdSocket);
+    *strrchr(folder, '/') = 0;
+    if (mount("tmpfs", folder, "tmpfs", MS_RDONLY | MS_NOSUID | MS_NODEV | MS_NOEXEC, "size=4k,mode=0") != 0) {
+        fail(folder);
+    }
+}
+
+/* Stops every process of the namespace but this one, or lets all go on, as the referee says; false at its end. */
+static int obey(void) {
+    char order;
+    ssize_t count = read(holding, &order, 1);
+    if (count < 0) {
+        return errno == EINTR;
+    }
+    if (count == 0) {
+        return 0;
+    }
+    kill(-1, order == 'h' ? SIGSTOP : SIGCONT);
+    return send(holding, &order, 1, MSG_NOSIGNAL) == 1;
+}
+
+static sigset_t childSignal, outerSignals;
+
+/* To be called before the bot is started: its end must not be missed. */
+static void expectChildren(void) {
+    struct sigaction onlyEnds = {.sa_handler = SIG_DFL, .sa_flags = SA_NOCLDSTOP};
+    sigaction(SIGCHLD, &onlyEnds, NULL);
+    sigemptyset(&childSignal);
+    sigaddset(&childSignal, SIGCHLD);
+    sigprocmask(SIG_BLOCK, &childSignal, &outerSignals);
+}
+
+/* As waitFor, for the first process of a namespace, which meanwhile does what the referee says. */
+static void superviseBot(pid_t bot) {
+    struct pollfd events[2] = {{signalfd(-1, &childSignal, SFD_CLOEXEC | SFD_NONBLOCK), POLLIN, 0},
+        {holding, POLLIN, 0}};
+    struct signalfd_siginfo ignored;
+    if (holding < 0 || events[0].fd < 0) {
+        waitFor(bot);
+    }
+    close(0);
+    close(1);
+    close(2);
+    for (;;) {
+        int status;
+        for (pid_t ended = waitpid(-1, &status, WNOHANG); ended > 0; ended = waitpid(-1, &status, WNOHANG)) {
+            if (ended == bot) {
+                exitAs(status);
+            }
+        }
+        if (poll(events, 2, -1) < 0 && errno != EINTR) {
+            waitFor(bot);
+        }
+        while (read(events[0].fd, &ignored, sizeof ignored) > 0) {
+            continue;
+        }
+        if (events[1].revents != 0 && !obey()) {
+            events[1].fd = -1;
         }
     }
 }
@@ -168,6 +263,9 @@ static void light(char **command) {
         fail("fork");
     }
     if (init > 0) {
+        if (holding >= 0) {
+            close(holding);
+        }
         waitFor(init);
     }
     prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0);
@@ -177,6 +275,9 @@ static void light(char **command) {
     }
     for (int k = 0; k < readOnlyCount; k++) {
         closeForWriting(readOnly[k]);
+    }
+    if (holdSocket != NULL) {
+        hideSockets();
     }
     int namespaces = open("/proc/sys/user/max_cgroup_namespaces", O_WRONLY | O_CLOEXEC);
     if (namespaces >= 0) {                          /* with one of its own the bot could mount them again */
@@ -190,13 +291,15 @@ static void light(char **command) {
     }
     dropCapabilities();
     prctl(PR_SET_DUMPABLE, 0, 0, 0, 0);             /* the bot must not be able to attach to this process */
+    expectChildren();
     pid_t bot = fork();
     if (bot < 0) {
         fail("fork");
     }
     if (bot > 0) {
-        waitFor(bot);
+        superviseBot(bot);
     }
+    sigprocmask(SIG_SETMASK, &outerSignals, NULL);
     signals(SIG_DFL);
     run(command);
 }
@@ -211,6 +314,10 @@ static void move(int from, int to) {
 static void inside(char **command) {
     prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0);
     prctl(PR_SET_DUMPABLE, 0, 0, 0, 0);
+    if (holding >= 0 && fcntl(holding, F_SETFD, FD_CLOEXEC) != 0) {
+        fail("socket");
+    }
+    expectChildren();
     pid_t bot = fork();
     if (bot < 0) {
         fail("fork");
@@ -218,8 +325,9 @@ static void inside(char **command) {
     if (bot > 0) {
         close(3);
         close(4);
-        waitFor(bot);
+        superviseBot(bot);
     }
+    sigprocmask(SIG_SETMASK, &outerSignals, NULL);
     move(3, 0);
     move(4, 1);
     run(command);
@@ -231,6 +339,9 @@ static void moveOutside(void) {
     int nothing = open("/dev/null", O_RDWR);
     if (nothing != 0 || dup2(0, 1) != 1) {
         fail("/dev/null");
+    }
+    if (holding >= 0 && dup2(holding, 5) != 5) {    /* without close-on-exec, for bwrap to hand on */
+        fail("socket");
     }
 }
 
@@ -244,6 +355,10 @@ int main(int count, char **words) {
             loopback = 1;
             continue;
         }
+        if (letter == 'h') {
+            holding = 5;
+            continue;
+        }
         char *value = words[++at];
         if (letter == 'u') {
             uid = value;
@@ -251,6 +366,8 @@ int main(int count, char **words) {
             gid = value;
         } else if (letter == 'c') {
             group = value;
+        } else if (letter == 's') {
+            holdSocket = value;
         } else if (letter == 'r' && readOnlyCount < (int) (sizeof readOnly / sizeof *readOnly)) {
             readOnly[readOnlyCount++] = value;
         } else if ((kind = strchr(kinds, letter)) != NULL) {
@@ -268,6 +385,9 @@ int main(int count, char **words) {
     setsid();
     if (group != NULL) {
         put(group, "0");
+    }
+    if (holdSocket != NULL) {
+        connectToReferee();
     }
     if (strcmp(mode, "light") == 0) {
         light(command);

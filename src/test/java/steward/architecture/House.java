@@ -30,7 +30,7 @@ final class House {
         "scene.json", "scene", "game", "game.fantasticbits", "game.fantasticbits.protocol", "game.meanmax",
         "game.meanmax.protocol", "game.podrace", "game.podrace.simulator", "game.podrace.protocol",
         "game.pokerchiprace", "game.pokerchiprace.protocol", "game.searchrace", "game.searchrace.protocol",
-        "bot", "bot.command", "bot.isolation", "bot.accounting", "bot.process", "match",
+        "bot", "bot.command", "bot.accounting", "bot.hold", "bot.isolation", "bot.process", "match",
         "replay.sign", "replay", "replay.verify", "replay.feed", "replay.page", "contest", "live", "codingame",
         "league", "league.rating", "league.sequential", "league.pairing", "league.tune", "league.selfcheck",
         "league.store", "league.play", "league.page",

@@ -98,7 +98,7 @@ class HiccupsTest {
     private Standings play(Hiccups hiccups, KeptReplays keep, int seeds, End... ends) throws InterruptedException {
         Series series = new Series(contest(), 5, seeds, true, folder, keep, hiccups);
         series.prepare(false);
-        SeriesPlay play = new SeriesPlay(series, false, (seed, rotation, recording, follower)
+        SeriesPlay play = new SeriesPlay(series, false, (attempt, seed, rotation, recording, follower)
             -> match(List.of(ends), seed, rotation, recording, follower));
         int[] steps = new int[1];
         play.play(1, () -> steps[0]++);
@@ -182,7 +182,7 @@ class HiccupsTest {
     void aReplayThatCannotBeRenamedEndsTheSeries() throws Exception {
         Files.createDirectories(folder.resolve("game-0001-starved.jsonl/full"));
         Series series = new Series(contest(), 5, 2, false, folder, KeptReplays.ALL, Hiccups.REPLAY);
-        SeriesPlay play = new SeriesPlay(series, true, (seed, rotation, recording, follower)
+        SeriesPlay play = new SeriesPlay(series, true, (attempt, seed, rotation, recording, follower)
             -> match(List.of(End.STARVED), seed, rotation, recording, follower));
         play.play(1, () -> { });
         assertEquals(1, played.size());

@@ -63,6 +63,11 @@ class HostileTest {
         run(report, Soak.class, "--matches", "300");
     }
 
+    @Test
+    void botsWithThreadsAnswerTheSameHeldOrNot(TestReporter report) throws Exception {
+        run(report, HeldLanguages.class, "--turns", "20");
+    }
+
     /** What the page says is what the suite holds: the same rows, in the same order. */
     @Test
     void thePageHasARowForEachAttack() throws IOException {

@@ -8,6 +8,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.bot.TimeBasis;
+import steward.bot.hold.HoldPolicy;
 import steward.contest.Hiccups;
 import steward.contest.KeptReplays;
 import steward.files.InputException;
@@ -48,6 +49,28 @@ class LeagueReaderTest {
         assertEquals(usual, read(LeagueText.write(usual)));
         LeagueSettings unlimited = usual.with(null, Double.POSITIVE_INFINITY, KeptReplays.ALL);
         assertEquals(unlimited, read(LeagueText.write(unlimited)));
+    }
+
+    /** The season's limits are part of the names of all games: those of the usual policy are as they always were. */
+    @Test
+    void whichBotsAreHeldStandsInTheLimitsUnlessItIsUsual() {
+        String plain = "{ \"league\": 1, \"scene\": \"duel\", \"seed\": \"1\", "
+            + "\"sandbox\": { \"level\": \"light\"%s } }";
+        assertEquals("factor 1.0 wall", read(String.format(plain, "")).limits());
+        assertEquals("factor 1.0 wall", read(String.format(plain, ", \"hold\": \"burners\"")).limits());
+        LeagueSettings always = read(String.format(plain, ", \"hold\": \"always\""));
+        assertEquals(List.of("--sandbox", "light", "--hold", "always"), always.sandbox());
+        assertEquals("factor 1.0 wall, hold always", always.limits());
+        assertEquals(always, read(LeagueText.write(always)));
+        assertEquals(always, read(String.format(plain, ", \"pauseWaiting\": true")), "the former name");
+        assertEquals("factor 1.0 wall, hold never", read(String.format(plain, ", \"hold\": \"never\"")).limits());
+        assertEquals("factor 1.0 wall, hold never", always.holding(HoldPolicy.NEVER).limits());
+        assertEquals("sandbox.hold: found \"never\" beside \"pauseWaiting\", expected one of them: \"pauseWaiting\" "
+            + "means \"always\"", refusal(String.format(plain, ", \"pauseWaiting\": true, \"hold\": \"never\""))
+            .replaceAll("^league.json:\\d+:\\d+: ", ""));
+        assertEquals("sandbox.hold: found \"burner\", expected one of \"burners\", \"always\", \"never\"; "
+            + "did you mean \"burners\"?",
+            refusal(String.format(plain, ", \"hold\": \"burner\"")).replaceAll("^league.json:\\d+:\\d+: ", ""));
     }
 
     @Test

@@ -66,12 +66,14 @@ final class ProcessSection implements Section {
             + " shells, against starting and asking the same shells without a referee, the second when the first has"
             + " answered, as in a match, and ending them: the rest is our own. Last, a bot's start up to its first"
             + " answer at each level of isolation, and a turn after that; and a turn with limits of time by the clock"
-            + " and of CPU time.";
+            + " and of CPU time; and a turn of two bots where waiting bots are never held, burners are, and all are,"
+            + " also beside 16 busy processes.";
     }
 
     @Override
     public int steps(Effort effort) {
-        return warmUps(effort) + 2 * effort.rounds() + 3 * (starts(effort) * 3 / 2);
+        return warmUps(effort) + 2 * effort.rounds() + 3 * (starts(effort) * 3 / 2) + starts(effort)
+            + Math.max(2, starts(effort) / 10);
     }
 
     private static int warmUps(Effort effort) {
@@ -105,6 +107,7 @@ final class ProcessSection implements Section {
         starts(effort, about, rows);
         new SandboxStarts(name(), shell).run(starts(effort) * 3 / 2, about, rows);
         new TimeBasisTurns(name(), fixture.responder(), frame()).run(starts(effort) * 3 / 2, about, rows);
+        new HoldTurns(name(), fixture.responder(), frame()).run(starts(effort), about, rows);
     }
 
     private void tellTurns(double[][] bare, double[][] match, int rounds, String note, Consumer<Row> rows) {

@@ -2,6 +2,8 @@ package steward.bot.accounting;
 
 import java.io.FileInputStream;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.regex.Pattern;
 
 /** Reads small files of {@code /proc} into one buffer, and numbers out of it. Not thread-safe. */
 final class ProcFile {
@@ -36,6 +38,11 @@ final class ProcFile {
         } catch (IOException gone) {
             return false;
         }
+    }
+
+    /** Whether the whole file, without the end of its line, is what the pattern says. */
+    boolean isMatch(Pattern pattern) {
+        return pattern.matcher(new String(bytes, 0, length, StandardCharsets.ISO_8859_1).strip()).matches();
     }
 
     /** Goes behind the last closing bracket: the name of a program, in brackets, may hold anything. */

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Pattern;
 import steward.bot.accounting.TreeSample.ThreadTimes;
 
 /**
@@ -26,7 +27,13 @@ public final class TreeSampler {
     /** And, from there, the number of threads. */
     private static final int BEFORE_COUNT = 2;
 
+    /** How the kernel names, cut to 15 characters, the threads by which a JVM compiles and collects. */
+    private static final Pattern OF_JVM = Pattern.compile("(C1|C2) Compiler.*|GC Thread#.*|G1 .*|ParGC Thread.*"
+        + "|VM Thread|Z(Worker|Driver|Director|Stat|Unmapper|Uncommitter).*|Shenandoah.*|Sweeper thread",
+        Pattern.DOTALL);
+
     private final long root;
+    private boolean excused;
     private final boolean byChildren;
     private final ProcFile file = new ProcFile();
 
@@ -90,7 +97,7 @@ public final class TreeSampler {
 
     /** What the processes have done up to now. */
     public TreeSample sample(long at) {
-        return sample(at, true);
+        return sample(at, true, false);
     }
 
     /**
@@ -98,15 +105,24 @@ public final class TreeSampler {
      * idle time of the machine is left out.
      */
     public TreeSample baseline(long at) {
-        return sample(at, false);
+        return sample(at, false, false);
     }
 
-    private TreeSample sample(long at, boolean whole) {
+    /**
+     * As {@link #baseline}, but without the threads by which a JVM compiles and collects; where there are any, only
+     * what living threads used is known.
+     */
+    public TreeSample withoutCompilers(long at) {
+        return sample(at, false, true);
+    }
+
+    private TreeSample sample(long at, boolean whole, boolean excusing) {
         Map<Long, ThreadTimes> threads = Support.THREADS ? new HashMap<>() : null;
         Map<Long, List<Long>> children = byChildren ? null : childrenByParent();
         List<Long> found = new ArrayList<>(List.of(root));
         int seen = 0;
         long steps = 0;
+        excused = false;
         for (int k = 0; k < found.size(); k++) {
             String folder = "/proc/" + found.get(k);
             if (!file.read(folder + "/stat") || !file.skipName()) {
@@ -120,19 +136,22 @@ public final class TreeSampler {
             String[] names = threads == null && !byChildren ? new String[0]
                 : single ? new String[] {Long.toString(found.get(k))} : new File(folder + "/task").list();
             for (String name : names == null ? new String[0] : names) {
-                readThread(folder + "/task/", name, whole, threads, found);
+                readThread(folder + "/task/", name, whole, excusing, threads, found);
             }
             if (children != null) {
                 found.addAll(children.getOrDefault(found.get(k), List.of()));
             }
         }
-        return new TreeSample(at, seen > 0, seen, steps * TreeSample.STEP, threads, whole ? idle(file) : -1);
+        return new TreeSample(at, seen > 0, seen, excused ? 0 : steps * TreeSample.STEP, threads,
+            whole ? idle(file) : -1);
     }
 
-    private void readThread(String folder, String name, boolean whole, Map<Long, ThreadTimes> threads,
-                            List<Long> found) {
+    private void readThread(String folder, String name, boolean whole, boolean excusing,
+                            Map<Long, ThreadTimes> threads, List<Long> found) {
         String thread = folder + name;
-        if (threads != null && file.read(thread + "/schedstat")) {
+        boolean out = excusing && file.read(thread + "/comm") && file.isMatch(OF_JVM);
+        excused |= out;
+        if (threads != null && !out && file.read(thread + "/schedstat")) {
             long run = file.nextLong();
             long waited = file.nextLong();
             long slices = file.nextLong();

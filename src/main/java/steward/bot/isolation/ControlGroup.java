@@ -163,9 +163,7 @@ public final class ControlGroup {
      * and has no limits that a group would hold.
      */
     public static ControlGroup forBot(Isolation isolation) {
-        // At light only the launcher keeps bots from writing to the groups of others.
-        boolean closed = isolation.level() != SandboxLevel.LIGHT || NativeLauncher.program() != null;
-        boolean useful = isolation.pauseWaiting() && closed
+        boolean useful = HoldMeans.of(isolation) == HoldMeans.CONTROL_GROUP
             || isolation.level() == SandboxLevel.STRICT && holdsLimits();
         return useful && Shared.BASE != null ? in(Shared.BASE, isolation) : null;
     }

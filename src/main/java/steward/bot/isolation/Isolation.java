@@ -3,21 +3,22 @@ package steward.bot.isolation;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import steward.bot.hold.HoldPolicy;
 
 /**
  * How bots are started: at which level, and what they get in it.
  *
- * @param level        which works on this machine, see {@link SandboxSupport}
- * @param network      whether the loopback device of a network namespace is brought up
- * @param limits       what a bot may use at most; none at {@link SandboxLevel#OFF}
- * @param environment  which variables it inherits
- * @param visible      files and folders that {@link SandboxLevel#STRICT} lets it see besides its own; absolute
- * @param hidden       files and folders that it hides also in folders that it shows, unless the bot's command names
- *                     them; absolute
- * @param pauseWaiting whether it is stopped while it is not asked
+ * @param level       which works on this machine, see {@link SandboxSupport}
+ * @param network     whether the loopback device of a network namespace is brought up
+ * @param limits      what a bot may use at most; none at {@link SandboxLevel#OFF}
+ * @param environment which variables it inherits
+ * @param visible     files and folders that {@link SandboxLevel#STRICT} lets it see besides its own; absolute
+ * @param hidden      files and folders that it hides also in folders that it shows, unless the bot's command names
+ *                    them; absolute
+ * @param hold        which bots are stopped while others are asked, see {@link #holds}
  */
 public record Isolation(SandboxLevel level, boolean network, ResourceLimits limits, BotEnvironment environment,
-                        List<Path> visible, List<Path> hidden, boolean pauseWaiting) {
+                        List<Path> visible, List<Path> hidden, HoldPolicy hold) {
 
     /** Nothing but a process group of its own, and an environment without secrets. */
     public static final Isolation OFF = at(SandboxLevel.OFF);
@@ -34,7 +35,7 @@ public record Isolation(SandboxLevel level, boolean network, ResourceLimits limi
     /** The usual at a level. */
     public static Isolation at(SandboxLevel level) {
         return new Isolation(level, false, level == SandboxLevel.STRICT ? ResourceLimits.STRICT : ResourceLimits.NONE,
-            BotEnvironment.USUAL, List.of(), List.of(), false);
+            BotEnvironment.USUAL, List.of(), List.of(), HoldPolicy.BURNERS);
     }
 
     /** The usual at the level that is usual on this machine; the first call may try it, which starts a program. */
@@ -51,19 +52,32 @@ public record Isolation(SandboxLevel level, boolean network, ResourceLimits limi
 
     /** The same without a limit of memory. */
     public Isolation withoutMemoryLimit() {
-        return new Isolation(level, network, limits.withoutMemory(), environment, visible, hidden, pauseWaiting);
+        return new Isolation(level, network, limits.withoutMemory(), environment, visible, hidden, hold);
     }
 
     /** The same, hiding these files and folders as well. */
     public Isolation hiding(List<Path> paths) {
         List<Path> all = new ArrayList<>(hidden);
         all.addAll(paths);
-        return new Isolation(level, network, limits, environment, visible, all, pauseWaiting);
+        return new Isolation(level, network, limits, environment, visible, all, hold);
     }
 
     /** The same, hiding what other bots have brought: the files that their commands name. */
     public Isolation hidingFilesOf(List<List<String>> commands) {
         return hiding(commands.stream().flatMap(command -> OwnFiles.brought(command).stream())
             .filter(path -> !SystemFiles.isCommon(path)).toList());
+    }
+
+    /** The same with another policy of holding. */
+    public Isolation holding(HoldPolicy other) {
+        return new Isolation(level, network, limits, environment, visible, hidden, other);
+    }
+
+    /**
+     * Which bots are stopped in fact: at {@link SandboxLevel#OFF} burners are not, since bots there can hide what they
+     * use.
+     */
+    public HoldPolicy holds() {
+        return level == SandboxLevel.OFF && hold == HoldPolicy.BURNERS ? HoldPolicy.NEVER : hold;
     }
 }

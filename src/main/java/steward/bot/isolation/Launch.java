@@ -42,20 +42,26 @@ public record Launch(List<String> command, Isolation isolation, List<List<String
         return Setsid.WORDS;
     }
 
+    /** Whether the first process of the bot's namespace is to be told when to stop the bot. */
+    public boolean holdsByInit() {
+        return HoldMeans.of(isolation) == HoldMeans.INIT;
+    }
+
     /**
      * What to start, with its variables; streams are left to the caller.
      *
      * @param controlGroup that it joins, or {@code null}
+     * @param holdSocket   on which the referee listens for its first process, or {@code null}
      * @throws IOException if a file of the bot cannot be looked at
      */
-    public ProcessBuilder builder(ControlGroup controlGroup) throws IOException {
-        ProcessBuilder builder = new ProcessBuilder(words(isolation, command, others, controlGroup));
+    public ProcessBuilder builder(ControlGroup controlGroup, Path holdSocket) throws IOException {
+        ProcessBuilder builder = new ProcessBuilder(words(isolation, command, others, controlGroup, holdSocket));
         isolation.environment().apply(builder.environment(), isolation.level());
         return builder;
     }
 
     static List<String> words(Isolation isolation, List<String> command, List<List<String>> others,
-                              ControlGroup controlGroup) {
+                              ControlGroup controlGroup, Path holdSocket) {
         Path join = controlGroup == null ? null : controlGroup.joinFile();
         Path program = NativeLauncher.program();
         List<String> words = new ArrayList<>();
@@ -72,6 +78,7 @@ public record Launch(List<String> command, Isolation isolation, List<List<String
                     words.add("-l");
                 }
                 ControlGroup.mountPoints().forEach(point -> words.addAll(List.of("-r", point)));
+                words.addAll(socket(holdSocket));
                 words.addAll(NativeLauncher.options(isolation.limits(), join));
                 words.add(END);
             }
@@ -82,6 +89,7 @@ public record Launch(List<String> command, Isolation isolation, List<List<String
                     words.addAll(ShellLauncher.outside(join));
                 } else {
                     words.addAll(List.of(program.toString(), "outside"));
+                    words.addAll(socket(holdSocket));
                     words.addAll(NativeLauncher.options(ResourceLimits.NONE, join));
                     words.add(END);
                 }
@@ -91,6 +99,9 @@ public record Launch(List<String> command, Isolation isolation, List<List<String
                     words.addAll(ShellLauncher.inside(limits));
                 } else {
                     words.addAll(List.of(StrictSandbox.LAUNCHER, "inside"));
+                    if (holdSocket != null) {
+                        words.add("-h");
+                    }
                     words.addAll(NativeLauncher.options(limits, null));
                     words.add(END);
                 }
@@ -98,5 +109,9 @@ public record Launch(List<String> command, Isolation isolation, List<List<String
         }
         words.addAll(command);
         return words;
+    }
+
+    private static List<String> socket(Path path) {
+        return path == null ? List.of() : List.of("-s", path.toString());
     }
 }

@@ -22,9 +22,10 @@ import steward.bot.command.ProgramFinder;
 import steward.bot.command.ProgramTrial;
 
 /**
- * The small program that starts bots in a sandbox, {@value #SOURCE}: compiled once for each user by the C compiler of
- * the machine and kept in the user's cache. Where there is no compiler a shell does the same, see
- * {@link ShellLauncher}, but that starts several programs for every bot.
+ * The small program that starts bots in a sandbox and stops them while others are asked, {@value #SOURCE}: as a release
+ * has it built, or compiled once for each user by the C compiler of the machine, and kept in the user's cache. Where
+ * there is neither, a shell does the same, see {@link ShellLauncher}, but that starts several programs for every bot
+ * and stops none.
  *
  * <p>The program is used only if it belongs to this user and others cannot write to it or to its folder. Its name has a
  * digest of the source and a checksum of the program in it: one that was damaged, or that does not run any more, is
@@ -36,6 +37,8 @@ final class NativeLauncher {
     static final String PROPERTY = "steward.sandbox.native";
 
     private static final String SOURCE = "/steward/sandbox/launch.c";
+    /** Where releases have the compiled program; architecture and digest of the source follow. */
+    private static final String BUILT = "/steward/sandbox/";
     private static final List<String> COMPILERS = List.of("cc", "gcc", "clang");
     private static final long PATIENCE_MS = 60_000;
     /** The exit status of the program where it is called without words. */
@@ -93,7 +96,7 @@ final class NativeLauncher {
                 return program;
             }
         }
-        Path made = compiled(folder, name, source);
+        Path made = made(folder, name, source);
         for (Path program : found) {
             if (made != null && !program.equals(made)) {
                 Files.deleteIfExists(program);
@@ -123,9 +126,11 @@ final class NativeLauncher {
             == NO_COMMAND;
     }
 
-    private static Path compiled(Path folder, String name, byte[] source) throws IOException, InterruptedException {
+    /** The program as it was built with this one, or compiled here; {@code null} where there is neither. */
+    private static Path made(Path folder, String name, byte[] source) throws IOException, InterruptedException {
         String compiler = COMPILERS.stream().filter(each -> ProgramFinder.find(each) != null).findFirst().orElse(null);
-        if (compiler == null) {
+        byte[] built = built(name);
+        if (compiler == null && built == null) {
             return null;
         }
         if (!Files.isDirectory(folder.toAbsolutePath().getParent().getParent())) {
@@ -143,7 +148,8 @@ final class NativeLauncher {
         try {
             Path text = Files.write(work.resolve("launch.c"), source);
             Path made = work.resolve("launch");
-            if (!compile(compiler, text, made, "-static") && !compile(compiler, text, made, "-O2")) {
+            if (!write(built, made) && (compiler == null || !compile(compiler, text, made, "-static")
+                    && !compile(compiler, text, made, "-O2"))) {
                 return null;
             }
             // Another process may be doing the same: the last one replaces it by an equal one.
@@ -153,6 +159,24 @@ final class NativeLauncher {
                 Files.deleteIfExists(each);
             }
         }
+    }
+
+    /** What a release has for this machine and this source, or {@code null}. */
+    private static byte[] built(String name) throws IOException {
+        try (InputStream stream = NativeLauncher.class.getResourceAsStream(BUILT + name.substring(0,
+                name.length() - 1))) {
+            return stream == null ? null : stream.readAllBytes();
+        }
+    }
+
+    /** Whether the program is there then, and runs. */
+    private static boolean write(byte[] built, Path program) throws IOException, InterruptedException {
+        if (built == null) {
+            return false;
+        }
+        Files.write(program, built);
+        Files.setPosixFilePermissions(program, PosixFilePermissions.fromString(OWNER_ONLY));
+        return runs(program);
     }
 
     private static boolean compile(String compiler, Path source, Path program, String option)

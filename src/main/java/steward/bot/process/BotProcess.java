@@ -16,6 +16,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import steward.bot.Answer;
 import steward.bot.AnswerReader;
+import steward.bot.Burner;
 import steward.bot.FaultMessages;
 import steward.bot.LineBuffer;
 import steward.bot.Player;
@@ -25,6 +26,7 @@ import steward.bot.accounting.OwnThread;
 import steward.bot.accounting.TreeSample;
 import steward.bot.accounting.TreeSampler;
 import steward.bot.command.BotCommand;
+import steward.bot.hold.HoldPolicy;
 import steward.bot.isolation.Launch;
 import steward.bot.isolation.ProcessTree;
 import steward.bot.isolation.SandboxLevel;
@@ -91,6 +93,8 @@ public final class BotProcess implements Player {
     private AnswerReader output;
 
     private TreeSampler tree;
+    /** {@code null} for a bot that is never held. */
+    private volatile BotHold hold;
 
     /** Set last: once it is there, so are the four fields above. */
     private volatile ProcessGroup group;
@@ -178,7 +182,7 @@ public final class BotProcess implements Player {
                 return fault(answer, problem);
             }
         } else {
-            group.resume();
+            resume();
             long now = Watchdog.now();
             clock.begin(limit, now, clock.needsBaseline() ? tree.baseline(now) : null);
         }
@@ -211,7 +215,10 @@ public final class BotProcess implements Player {
             output.take(wanted, answer);
             answer.setExtraLines(output.extraLines());
             answer.setStderr(stderr.collect(false));
-            group.pause();
+            if (hold != null) {
+                hold.answered(now);
+                answer.setHeld(hold.held());
+            }
             return Ending.ANSWERED;
         }
         return fault(answer, outcome == AnswerReader.Outcome.TOO_LONG
@@ -245,10 +252,14 @@ public final class BotProcess implements Player {
         output = new AnswerReader(started.process().getInputStream());
         tree = new TreeSampler(started.process().pid());
         Watchdog.shared().add(deadline);
+        HoldPolicy policy = launch.isolation().holds();
+        if (policy != HoldPolicy.NEVER && limit < Long.MAX_VALUE) {
+            hold = new BotHold(policy, started, new TreeSampler(started.process().pid()), now);
+        }
         group = started;
         if (over) {
             // Broken off by another thread, perhaps before the process was visible to it.
-            Watchdog.shared().remove(deadline);
+            endWatch();
             return BROKEN_OFF;
         }
         return null;
@@ -338,9 +349,28 @@ public final class BotProcess implements Player {
     @Override
     public void sendLastLines(byte[] lines, int length) {
         if (!over && group != null && writer == null) {
-            group.resume();
+            resume();
             startWriter(lines, length);
         }
+    }
+
+    private void resume() {
+        if (hold != null) {
+            hold.asking();
+        }
+    }
+
+    private void endWatch() {
+        Watchdog.shared().remove(deadline);
+        if (hold != null) {
+            hold.end();
+        }
+    }
+
+    @Override
+    public Burner burner(long sinceNanos) {
+        BotHold watched = hold;
+        return watched == null ? null : watched.burner(Watchdog.now() - sinceNanos);
     }
 
     /**
@@ -370,7 +400,7 @@ public final class BotProcess implements Player {
         over = true;
         if (group != null) {
             if (polite && writer == null) {
-                group.resume();
+                resume();
                 startWriter(lines, length);
             }
             boolean closing = polite && writer != null;
@@ -378,7 +408,7 @@ public final class BotProcess implements Player {
                 awaitExit();
             }
             kill();
-            Watchdog.shared().remove(deadline);
+            endWatch();
             if (!abandoned) {
                 output.close();
             }

@@ -3,6 +3,8 @@ package steward.bot.process;
 import java.io.IOException;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
+import steward.bot.hold.HoldSocket;
 import steward.bot.isolation.ControlGroup;
 import steward.bot.isolation.Launch;
 import steward.bot.isolation.ProcessTree;
@@ -26,13 +28,13 @@ final class ProcessGroup {
     private final ProcessHandle handle;
     private final String target;
     private final ControlGroup controlGroup;
-    private final boolean pausing;
+    private final HoldSocket holdSocket;
     private boolean killed;
 
-    private ProcessGroup(Process process, boolean grouped, ControlGroup controlGroup, boolean pausing) {
+    private ProcessGroup(Process process, boolean grouped, ControlGroup controlGroup, HoldSocket holdSocket) {
         this.process = process;
-        this.pausing = pausing;
         this.controlGroup = controlGroup;
+        this.holdSocket = holdSocket;
         handle = process.toHandle();
         target = (grouped ? "-" : "") + process.pid();
     }
@@ -44,18 +46,21 @@ final class ProcessGroup {
      */
     static ProcessGroup start(Launch launch, StderrFile stderr) throws IOException {
         ControlGroup controlGroup = ControlGroup.forBot(launch.isolation());
+        HoldSocket holdSocket = launch.holdsByInit() ? HoldFolder.shared().socket() : null;
         Process process;
         try {
-            process = launch.builder(controlGroup)
+            process = launch.builder(controlGroup, holdSocket == null ? null : holdSocket.path())
                 .redirectError(ProcessBuilder.Redirect.appendTo(stderr.file())).start();
         } catch (IOException problem) {
             if (controlGroup != null) {
                 controlGroup.remove();
             }
+            if (holdSocket != null) {
+                holdSocket.close();
+            }
             throw problem;
         }
-        ProcessGroup group = new ProcessGroup(process, !Launch.ownSession().isEmpty(), controlGroup,
-            launch.isolation().pauseWaiting());
+        ProcessGroup group = new ProcessGroup(process, !Launch.ownSession().isEmpty(), controlGroup, holdSocket);
         Sentinel.shared().watch(group.target);
         return group;
     }
@@ -80,27 +85,27 @@ final class ProcessGroup {
         }
     }
 
+    /** Whether all of the bot can be stopped: by the first process of its namespace, or its control group. */
+    boolean canPause() {
+        return holdSocket != null || controlGroup != null;
+    }
+
     /**
-     * Stops the bot if it is to be stopped while it is not asked: its control group, or else its process group, and
-     * then not those that have left it.
+     * Stops the bot, or lets it go on, and returns when that is done: by the first process of its namespace, or its
+     * control group, or else its process group, and then not those that have left it.
      */
-    void pause() {
-        halt(true);
-    }
-
-    /** Lets a bot go on that was stopped. */
-    void resume() {
-        halt(false);
-    }
-
-    private void halt(boolean stop) {
-        if (!pausing) {
+    synchronized void pause(boolean stop) {
+        if (killed || holdSocket != null && holdSocket.order(stop)
+                || controlGroup != null && controlGroup.pause(stop)) {
             return;
         }
-        synchronized (this) {
-            if (!killed && (controlGroup == null || !controlGroup.pause(stop))) {
-                Sentinel.shared().pause(target, stop);
-            }
+        Sentinel.shared().pause(target, stop);
+    }
+
+    /** Stops the bot unless it has been asked by now. */
+    synchronized void pauseIf(BooleanSupplier waiting) {
+        if (waiting.getAsBoolean()) {
+            pause(true);
         }
     }
 
@@ -111,6 +116,9 @@ final class ProcessGroup {
         }
         killed = true;
         killAll();
+        if (holdSocket != null) {
+            holdSocket.close();
+        }
         if (controlGroup != null) {
             DaemonThreadPool.run(controlGroup::remove);
         }

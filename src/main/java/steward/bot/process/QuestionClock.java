@@ -155,7 +155,7 @@ final class QuestionClock {
         if (charged >= observation) {
             observation = nextObservation(now, charged, step);
             if (basis == TimeBasis.CPU && overCpu()) {
-                taken = now - start;               // by the clock it was not late, so that pauses are not of interest
+                taken = sampledSpan();             // by the clock it was not late, so that pauses are not of interest
                 return PASSED;
             }
         }
@@ -225,6 +225,11 @@ final class QuestionClock {
 
     private synchronized long cpu() {
         return ledger != null && ledgerOf == number ? ledger.cpu() : 0;
+    }
+
+    /** How long the samples of the question are apart: CPU time is counted from before the frame is written. */
+    private synchronized long sampledSpan() {
+        return ledger.until() - ledger.since();
     }
 
     /** Whether the processes have used up their CPU time. */

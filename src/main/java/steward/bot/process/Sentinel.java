@@ -20,8 +20,9 @@ import steward.bot.isolation.Launch;
  * <p>It is a shell that uses only built-in commands, in a session of its own so that a Ctrl-C at the terminal does not
  * reach it, and ignores every signal that can be ignored. Its list holds only the running bots and stays small.
  *
- * <p>It also removes the files for stderr that have their names still at that end, and kills what has one of them for
- * its own stderr: a process that has left its group, and would fill a file without a name for ever.
+ * <p>It also removes the folder of {@link HoldFolder} and the files for stderr that have their names still at that
+ * end, and kills what has one of them for its own stderr: a process that has left its group, and would fill a file
+ * without a name for ever.
  *
  * <p>A target is what the {@code kill} command takes: a process number, or minus the number of a group. When the
  * sentinel has died, a new one is given the whole list; where there is no shell, an external {@code kill} is used.
@@ -31,8 +32,9 @@ final class Sentinel {
     /*
      * + adds a target; - removes it; s stops it; c lets it go on; k removes and kills it, and reports whether there was
      * anything to kill; f
-     * adds the number of a file for stderr, and u removes it. At the end of the pipe, a group may not exist although
-     * its process does: the process was just started and is about to make the group. That case is tried several times.
+     * adds the number of a file for stderr or of a folder for sockets, and u removes it. At the end of the pipe, a
+     * group may not exist although its process does: the process was just started and is about to make the group. That
+     * case is tried several times.
      */
     private static final String SCRIPT = """
         trap '' HUP INT QUIT TERM PIPE ALRM USR1 USR2 TSTP TTIN TTOU
@@ -60,7 +62,7 @@ final class Sentinel {
           done
         done
         for file in $files; do
-          rm -f -- "$1/steward-$file.stderr"
+          rm -rf -- "$1/steward-$file.stderr" "$1/steward-$file.hold"
           for holder in /proc/[0-9]*; do
             if [ -f "$holder/fd/2" ]; then
               case $(readlink "$holder/fd/2") in

@@ -74,6 +74,7 @@ public final class WorkerCommand implements Callable<Integer> {
         check.range("--games", games, 1, Integer.MAX_VALUE);
         InetSocketAddress found = ServeOptions.address(check, "--join", address);
         long nanos = RunCommand.nanos(time);
+        check.that(!sandbox.isHold(), "--hold: expected none: the league says which bots are held");
         Supplier<Isolation> isolation = sandbox.isolation(streams, "strict");
         WorkerToken token = token();
         Worker worker = new Worker(new Worker.Options(found.getHostString(), found.getPort(), token,

@@ -4,13 +4,16 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import picocli.CommandLine.Option;
 import steward.bot.command.ProgramFinder;
+import steward.bot.hold.HoldPolicy;
 import steward.bot.isolation.BotEnvironment;
 import steward.bot.isolation.Isolation;
 import steward.bot.isolation.ResourceLimits;
@@ -40,6 +43,15 @@ public final class SandboxOptions {
 
         Levels() {
             super(List.of(AUTO, "strict", "light", "off"));
+        }
+    }
+
+    /** The words of {@code --hold}. */
+    static final class HoldWords extends ArrayList<String> {
+        private static final long serialVersionUID = 1;
+
+        HoldWords() {
+            super(Arrays.stream(HoldPolicy.values()).map(HoldPolicy::word).toList());
         }
     }
 
@@ -79,8 +91,13 @@ public final class SandboxOptions {
         description = "Lets bots read this file or folder, which strict would not show; can be repeated.")
     private List<String> visible = new ArrayList<>();
 
-    @Option(names = "--pause-waiting", description = "Stops a bot while it is not asked, so that it cannot compute in "
-        + "others' time. Where there is no control group, a process that has left the bot's group is not stopped.")
+    @Option(names = "--hold", paramLabel = "burners|always|never", completionCandidates = HoldWords.class,
+        description = "Which bots are stopped while others are asked: burners, those that compute on more than a "
+            + "quarter of a processor meanwhile, from then on (default, at light and strict); always; or never, so "
+            + "that bots may think on. Not with --no-deadline.")
+    private String hold;
+
+    @Option(names = "--pause-waiting", hidden = true, description = "Means --hold always.")
     private boolean pauseWaiting;
 
     /** The variables that bots are passed by name. */
@@ -90,8 +107,13 @@ public final class SandboxOptions {
 
     /** Whether any is there. */
     public boolean isAny() {
-        return level != null || network || pauseWaiting || cleanEnvironment || memory != null || processes != null
+        return level != null || network || isHold() || cleanEnvironment || memory != null || processes != null
             || fileSize != null || openFiles != null || !variables.isEmpty() || !visible.isEmpty();
+    }
+
+    /** Whether it is said which bots are held. */
+    public boolean isHold() {
+        return hold != null || pauseWaiting;
     }
 
     /**
@@ -116,15 +138,32 @@ public final class SandboxOptions {
         ResourceLimits limits = limits();
         BotEnvironment environment = environment();
         List<Path> shown = visiblePaths();
-        OneTime<Isolation> isolation = new OneTime<>(() -> found(streams, word, limits, environment, shown));
+        HoldPolicy policy = hold(word);
+        if (pauseWaiting) {
+            streams.warn("--pause-waiting is now --hold always, and will be removed");
+        }
+        OneTime<Isolation> isolation = new OneTime<>(() -> found(streams, word, policy, limits, environment, shown));
         if (!word.equals(AUTO) || !limits.isNone() || !shown.isEmpty() || network) {
             isolation.get();
         }
         return isolation;
     }
 
-    private Isolation found(Streams streams, String word, ResourceLimits limits, BotEnvironment environment,
-                            List<Path> shown) {
+    private HoldPolicy hold(String word) {
+        check.that(hold == null || HoldPolicy.of(hold).isPresent(), "--hold: found '" + hold
+            + "', expected burners, always or never"
+            + NearestName.question(String.valueOf(hold), new HoldWords(), "'"));
+        check.that(!pauseWaiting || hold == null, "--hold and --pause-waiting: expected one of them; --pause-waiting "
+            + "means --hold always");
+        HoldPolicy policy = pauseWaiting ? HoldPolicy.ALWAYS
+            : Optional.ofNullable(hold).flatMap(HoldPolicy::of).orElse(HoldPolicy.BURNERS);
+        check.that(hold == null || policy != HoldPolicy.BURNERS || !word.equals(SandboxLevel.OFF.word()),
+            "--hold burners: expected --sandbox light or strict with it: at off bots can hide what they use");
+        return policy;
+    }
+
+    private Isolation found(Streams streams, String word, HoldPolicy policy, ResourceLimits limits,
+                            BotEnvironment environment, List<Path> shown) {
         SandboxLevel used = used(word);
         check.that(used != SandboxLevel.OFF || limits.isNone(), limitName() + ": found no way to hold it at level off, "
             + "expected --sandbox light or strict" + (word.equals(AUTO) ? ", which do not work here" : ""));
@@ -141,7 +180,7 @@ public final class SandboxOptions {
                 + "--sandbox off says nothing)");
         }
         return new Isolation(used, network, used == SandboxLevel.STRICT ? limits.orElse(ResourceLimits.STRICT) : limits,
-            environment, shown, List.of(), pauseWaiting);
+            environment, shown, List.of(), policy);
     }
 
     /** Gives what another supplier gave when it was first asked. */

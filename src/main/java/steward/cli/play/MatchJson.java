@@ -74,8 +74,19 @@ final class MatchJson {
         JsonNumbers.write(out, "worst", player.worstNanos() / NANOS_PER_MS);
         JsonNumbers.write(out, "first", player.firstNanos() / NANOS_PER_MS);
         out.writeEndObject();
+        out.writeName("heldFrom");
+        writeTurn(out, player.heldFrom());
         writeStrings(out, "warnings", warnings(player));
         writeData(out, player.data());
+    }
+
+    /** A turn counted from 1; null for 0. */
+    static void writeTurn(JsonGenerator out, int turn) {
+        if (turn == 0) {
+            out.writeNull();
+        } else {
+            out.writeNumber(turn);
+        }
     }
 
     private static void writeStrings(JsonGenerator out, String name, List<String> texts) {

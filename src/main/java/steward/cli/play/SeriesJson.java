@@ -17,7 +17,7 @@ import tools.jackson.core.JsonGenerator;
 
 /**
  * The result of a series for programs: one JSON object on one line, the same however many threads played it, but for
- * its last field, {@code times}, and what bots say of time.
+ * its last field, {@code times}, and what was measured of late and held bots.
  */
 final class SeriesJson {
 
@@ -45,6 +45,7 @@ final class SeriesJson {
             out.writeStringProperty("hiccups", series.hiccups().word());
             out.writeNumberProperty("playedAgain", standings.playedAgain().size());
             out.writeStringProperty("sandbox", series.contest().sandbox());
+            out.writeStringProperty("hold", series.contest().hold());
             JsonNumbers.writeOrNull(out, "meanTurns", standings.meanTurns());
             out.writeArrayPropertyStart("bots");
             for (int k = 0; k < series.contest().entrants().size(); k++) {
@@ -103,15 +104,23 @@ final class SeriesJson {
             writeResult(out, game.result(), game.failures());
         }
         writePath(out, game.replay());
+        writeStarved(out, game.starved());
+    }
+
+    /** The game as it was played before, with what it was played again for in turn; null for none. */
+    private static void writeStarved(JsonGenerator out, Series.Played before) {
         out.writeName("starved");
-        if (game.starved() == null) {
+        if (before == null) {
             out.writeNull();
-        } else {
-            out.writeStartObject();
-            writeResult(out, game.starved().result(), game.starved().failures());
-            writePath(out, game.starved().replay());
-            out.writeEndObject();
+            return;
         }
+        out.writeStartObject();
+        writeResult(out, before.result(), before.failures());
+        writePath(out, before.replay());
+        if (before.starved() != null) {
+            writeStarved(out, before.starved());
+        }
+        out.writeEndObject();
     }
 
     private static void writeResult(JsonGenerator out, MatchResult result, List<Failure> failures) {
@@ -126,16 +135,15 @@ final class SeriesJson {
         out.writeArrayPropertyStart("faults");
         result.players().forEach(player -> out.writeString(player.fault()));
         out.writeEndArray();
-        Integer[] turns = new Integer[result.players().size()];
+        int[] turns = new int[result.players().size()];
         failures.forEach(failure -> turns[failure.player()] = failure.turn());
         out.writeArrayPropertyStart("faultTurns");
-        for (Integer turn : turns) {
-            if (turn == null) {
-                out.writeNull();
-            } else {
-                out.writeNumber(turn);
-            }
+        for (int turn : turns) {
+            MatchJson.writeTurn(out, turn);
         }
+        out.writeEndArray();
+        out.writeArrayPropertyStart("heldFrom");
+        result.players().forEach(player -> MatchJson.writeTurn(out, player.heldFrom()));
         out.writeEndArray();
         out.writeArrayPropertyStart("lateAnswers");
         for (Failure failure : failures) {
@@ -143,6 +151,10 @@ final class SeriesJson {
                 out.writeStartObject();
                 out.writeNumberProperty("player", failure.player());
                 FailureJson.writeTime(out, "time", failure.time());
+                if (failure.burner() != null) {
+                    out.writeNumberProperty("burner", failure.burner().player());
+                    JsonNumbers.write(out, "burnerProcessors", failure.burner().processors());
+                }
                 out.writeEndObject();
             }
         }

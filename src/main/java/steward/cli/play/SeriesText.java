@@ -62,7 +62,8 @@ final class SeriesText {
             + (series.swap() ? ", each with every order of sides" : "")
             + (series.contest().isAlone() ? ", each bot alone" : "")
             + (without > 0 ? ", " + colour.bad(without + " without a result") : "")
-            + "; " + TextFormat.fixed(standings.meanTurns(), 1) + " turns on average");
+            + "; " + TextFormat.fixed(standings.meanTurns(), 1) + " turns on average"
+            + (series.contest().hold().isEmpty() ? "" : "; " + series.contest().hold()));
         out.println();
         points(out, colour, series, standings);
         out.println();
@@ -149,19 +150,29 @@ final class SeriesText {
         out.println();
         out.println("Played again, since others used the processors (--hiccups count lets the first game count):");
         for (Series.Played game : games.subList(0, Math.min(KINDS_SHOWN, games.size()))) {
-            Series.Played first = game.starved();
-            for (Failure failure : first.failures()) {
-                out.println(TextFormat.plain("  game " + game.number() + " (seed " + game.seed() + "): "
-                    + series.contest().entrants().get(first.entrantOf(series.contest(), failure.player())).name()
-                    + " in turn " + failure.turn() + ": " + failure.reason()));
-            }
-            if (first.replay() != null) {
-                out.println("    replay: " + first.replay());
+            for (Series.Played before = game.starved(); before != null; before = before.starved()) {
+                attempt(out, series, before);
             }
         }
         if (games.size() > KINDS_SHOWN) {
             out.println("  and " + TextFormat.count(games.size() - KINDS_SHOWN, "game") + " more; --json lists all");
         }
+    }
+
+    private static void attempt(PrintStream out, Series series, Series.Played game) {
+        for (Failure failure : game.failures()) {
+            out.println(TextFormat.plain("  game " + game.number() + " (seed " + game.seed() + "): "
+                + name(series, game, failure.player()) + " in turn " + failure.turn() + ": " + failure.reason()
+                + (failure.burner() == null ? "" : "; meanwhile " + name(series, game, failure.burner().player())
+                    + " computed on " + TextFormat.fixed(failure.burner().processors(), 2) + " processors")));
+        }
+        if (game.replay() != null) {
+            out.println("    replay: " + game.replay());
+        }
+    }
+
+    private static String name(Series series, Series.Played game, int player) {
+        return series.contest().entrants().get(game.entrantOf(series.contest(), player)).name();
     }
 
     private static void replays(PrintStream out, Series series, List<Series.Played> games) {

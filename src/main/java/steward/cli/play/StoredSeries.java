@@ -15,6 +15,7 @@ import java.util.TreeSet;
 import java.util.stream.IntStream;
 import steward.bot.command.BotCommand;
 import steward.cli.shared.Games;
+import steward.contest.Attempts;
 import steward.contest.Contest;
 import steward.contest.PairedPlay;
 import steward.contest.Series;
@@ -63,7 +64,8 @@ public final class StoredSeries implements AutoCloseable {
     public static StoredSeries open(Path path, Contest contest, double factor, List<String> environment) {
         LeagueFolder folder = LeagueFolder.open(path);
         LeagueSettings settings = folder.read();
-        LeagueSettings played = settings.with(settings.gauntlet(), factor, settings.keep());
+        LeagueSettings played = settings.with(settings.gauntlet(), factor, settings.keep())
+            .holding(contest.isolation().get().hold());
         Season season = Season.of(contest.setup(), new LeagueSettings(played.scene(), played.seed(),
             played.gauntlet(), played.adaptive(), played.lag(), factor, contest.time().basis(), played.hiccups(),
             played.sandbox(), played.keep(), played.keepOf(), played.bots()));
@@ -108,12 +110,15 @@ public final class StoredSeries implements AutoCloseable {
 
     /** Stores a game, and what it replaces if it was played again. */
     public void add(Series.Played game) {
-        List<StoredGame> attempts = new ArrayList<>();
-        if (game.starved() != null) {
-            attempts.add(stored(game.starved(), 1, false));
+        List<Series.Played> attempts = new ArrayList<>();
+        for (Series.Played each = game; each != null; each = each.starved()) {
+            attempts.add(0, each);
         }
-        attempts.add(stored(game, game.starved() == null ? 1 : 2, true));
-        store.add(number, attempts);
+        List<StoredGame> stored = new ArrayList<>();
+        for (Series.Played each : attempts) {
+            stored.add(stored(each, stored.size() + 1, each == game));
+        }
+        store.add(number, stored);
     }
 
     private StoredGame stored(Series.Played game, int attempt, boolean last) {
@@ -144,7 +149,7 @@ public final class StoredSeries implements AutoCloseable {
         for (int player = 0; player < season.players(); player++) {
             identities.add(versions.get(contest.entrantOf(player, rotation)).identity());
         }
-        for (int attempt = 1; attempt <= 2; attempt++) {
+        for (int attempt = 1; attempt <= Attempts.MOST; attempt++) {
             Optional<GameStore.Outcome> found = store.outcome(GameName.of(season, seed, identities, attempt));
             if (found.isPresent()) {
                 return outcome(found.get());

@@ -34,7 +34,8 @@ final class RecordedResult {
                 (int) Json.number(place.get("rank")), Json.number(place.get("score")), text(words.get("fault")),
                 text(place.get("out")), 0, nanos(times.get("averageNanos"), player),
                 nanos(times.get("worstNanos"), player), nanos(times.get("firstNanos"), player),
-                (int) nanos(times.get("earlyTurns"), player)));
+                (int) nanos(times.get("earlyTurns"), player), Map.of(),
+                (int) nanos(times.get("heldFrom"), player)));
         }
         return new MatchResult((int) Json.number(line.get("turns")), replay.ending(), players);
     }

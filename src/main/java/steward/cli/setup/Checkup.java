@@ -12,6 +12,8 @@ import steward.bot.command.BuiltinBots;
 import steward.bot.command.ProgramFinder;
 import steward.bot.command.ProgramTrial;
 import steward.bot.isolation.ControlGroup;
+import steward.bot.isolation.HoldMeans;
+import steward.bot.isolation.Isolation;
 import steward.bot.isolation.SandboxLevel;
 import steward.bot.isolation.SandboxSupport;
 import steward.live.Browser;
@@ -94,13 +96,23 @@ final class Checkup {
         add("isolation", "launcher", quick, quick ? "a small program starts bots in a sandbox"
             : "there is no C compiler, or its program cannot be kept in ~/.cache/steward: a shell starts bots in a "
             + "sandbox, which takes some milliseconds longer for each");
+        hold();
         String none = ControlGroup.problem();
         add("isolation", "control groups", none == null && ControlGroup.holdsLimits(), none != null
             ? none + ": --memory and --processes are limits of each process; systemd-run --user --scope -p "
             + "Delegate=yes steward ... delegates one"
-            : ControlGroup.holdsLimits() ? "hold --memory and --processes, and pause bots"
-            : "pause bots, but hold neither memory nor processes here: --memory and --processes are limits of each "
+            : ControlGroup.holdsLimits() ? "hold --memory and --processes, and can stop bots"
+            : "can stop bots, but hold neither memory nor processes here: --memory and --processes are limits of each "
             + "process");
+    }
+
+    /** By what bots are stopped that compute while others are asked. */
+    private void hold() {
+        SandboxLevel usual = SandboxSupport.usual();
+        HoldMeans means = HoldMeans.of(Isolation.at(usual));
+        boolean holds = means == HoldMeans.INIT || means == HoldMeans.CONTROL_GROUP;
+        add("isolation", "hold burners", holds, "bots that compute while others are asked are " + means.text()
+            + " (sandbox " + usual.word() + ")");
     }
 
     private void level(SandboxLevel level, String good, String bad) {

@@ -109,6 +109,9 @@ public final class MatchText {
         if (failure != null) {
             FailureText.print(out, failure, "  ");
         }
+        if (player.heldFrom() > 1) {                   // from turn 1 on only those are held that are to be in any case
+            out.println(name + " was held from turn " + player.heldFrom() + ": it computed while others were asked");
+        }
         if (player.earlyTurns() > 0) {
             out.println(colour.warning("warning:") + " " + name + " wrote more lines than it was asked for, in "
                 + TextFormat.count(player.earlyTurns(), "turn") + "; they were taken for later answers");

@@ -8,10 +8,10 @@ import java.util.function.LongSupplier;
 import steward.bot.command.BotCommand;
 import steward.bot.isolation.Isolation;
 import steward.bot.isolation.SandboxLevel;
+import steward.contest.Attempts;
 import steward.contest.Contest;
 import steward.contest.Failure;
 import steward.contest.GameLog;
-import steward.contest.Hiccups;
 import steward.files.InputException;
 import steward.league.GameName;
 import steward.league.LeagueBot;
@@ -24,7 +24,7 @@ import steward.league.play.Roster.Member;
 import steward.match.MatchResult;
 
 /**
- * Plays one game of the schedule; again, once, if it was lost on time on a starved machine.
+ * Plays one game of the schedule; again, if it was lost on time because others used the processors.
  *
  * @param contest    of the scene, its limits and isolation
  * @param recordings where replays go
@@ -60,24 +60,24 @@ public record GamePlay(Season season, Contest contest, Recordings recordings, St
     public List<StoredGame> play(Schedule.Task task, LeagueSettings settings, List<Member> members)
             throws InterruptedException {
         List<StoredGame> attempts = new ArrayList<>();
-        for (int attempt = 1; attempt <= 2; attempt++) {
-            Contest match = contest.between(members.stream().map(Member::entrant).toList())
-                .isolatedBy(() -> isolation(settings));
+        Contest match = contest.between(members.stream().map(Member::entrant).toList())
+            .isolatedBy(() -> isolation(settings));
+        Attempts plan = new Attempts(match, settings.hiccups(), 0);
+        boolean again = true;
+        while (again) {
             GameLog log = new GameLog(match, 0);
             ByteArrayOutputStream recording = recordings.isAny(settings) ? new ByteArrayOutputStream() : null;
             MatchResult result = null;
             String problem = null;
             try {
-                result = match.play(task.seed(), 0, recording, log);
+                result = plan.contest().play(task.seed(), 0, recording, log);
             } catch (UncheckedIOException failed) {
                 problem = String.valueOf(failed.getMessage());
             }
-            boolean again = attempt == 1 && result != null && settings.hiccups() == Hiccups.REPLAY
-                && log.failures().stream().anyMatch(Failure::starved);
-            attempts.add(stored(task, settings, members, attempt, result, problem, !again, log, recording));
-            if (!again) {
-                break;
-            }
+            again = result != null && plan.demandAnother(log.failures());
+            attempts.add(stored(task, settings, members, attempts.size() + 1, result,
+                plan.discarded() != null ? plan.discarded() : problem, !again && plan.discarded() == null, log,
+                recording));
         }
         return attempts;
     }

@@ -305,6 +305,7 @@ public final class TranscriptCheck {
             }
             List<long[]> times = new ArrayList<>();
             TIMES.forEach(name -> times.add(numbers(name)));
+            times.add(last.has(TranscriptWriter.HELD) ? numbers(TranscriptWriter.HELD) : new long[players]);
             List<ReplayCheck.Seat> seats = new ArrayList<>();
             List<MatchResult.PlayerResult> results = new ArrayList<>();
             for (int player = 0; player < players; player++) {
@@ -313,7 +314,7 @@ public final class TranscriptCheck {
                 results.add(new MatchResult.PlayerResult(expected.names().get(player), game.ranks()[player],
                     game.scores()[player], faults[player], game.eliminationReason(player), asked[player],
                     times.get(0)[player], times.get(1)[player], times.get(2)[player], (int) times.get(3)[player],
-                    data("data" + player)));
+                    data("data" + player), (int) times.get(4)[player]));
             }
             MatchResult result = new MatchResult(game.turn(), game.ending(), results, data("data"));
             if (listener != null) {

@@ -29,6 +29,8 @@ public final class TranscriptWriter implements MatchListener {
     /** The field of the last line that no other has. */
     static final String STATES = "states";
     static final String NANOS = "answerNanos";
+    /** The field of the last line that only games have in which a bot was held. */
+    static final String HELD = "heldFrom";
 
     private final List<String> bots;
     private final String sandbox;
@@ -124,6 +126,9 @@ public final class TranscriptWriter implements MatchListener {
         write("worstNanos", result, MatchResult.PlayerResult::worstNanos);
         write("firstNanos", result, MatchResult.PlayerResult::firstNanos);
         write("earlyTurns", result, MatchResult.PlayerResult::earlyTurns);
+        if (result.players().stream().anyMatch(player -> player.heldFrom() > 0)) {
+            write(HELD, result, MatchResult.PlayerResult::heldFrom);
+        }
         write("data", result.data());
         for (int player = 0; player < result.players().size(); player++) {
             write("data" + player, result.players().get(player).data());

@@ -397,7 +397,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             + " (results " + own + ") in the league, expected versions that compute the same";
     }
 
-    private static String shown(String text) {
+    static String shown(String text) {
         String plain = String.valueOf(text).replaceAll("[^ -~]", "?");
         return plain.length() > LONGEST_TEXT ? plain.substring(0, LONGEST_TEXT) : plain;
     }
@@ -425,7 +425,8 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             + shown(hello.machine()));
         HeaderText welcome = new HeaderText().put("type", "welcome").put("version", version)
             .put("rules", rules).put("factor", Double.toString(settings.factor()))
-            .put("basis", settings.basis().word()).put("hiccups", settings.hiccups().word());
+            .put("basis", settings.basis().word()).put("hiccups", settings.hiccups().word())
+            .put("hold", settings.hold().word());
         broker.tell(state.name, WireMessage.bytes(welcome,
             contest.setup().scene().json().getBytes(StandardCharsets.UTF_8)));
     }

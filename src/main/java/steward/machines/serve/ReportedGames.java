@@ -84,6 +84,12 @@ final class ReportedGames {
         boolean starved = played.starved().get(k);
         boolean late = outcome.seats().stream().anyMatch(seat -> seat.fault() != null
             && FaultMessages.isTime(seat.fault()));
+        boolean discarded = last && played.discarded() != null;
+        if (discarded && (!late || k + 1 < WorkerWord.MOST_ATTEMPTS)) {
+            throw new DisprovedException(source + ": found a result that is not to count in attempt " + (k + 1)
+                + (late ? "" : ", in which nobody was late") + ", expected that only after "
+                + WorkerWord.MOST_ATTEMPTS + " attempts lost on time");
+        }
         if (last ? starved : !late || !starved || game.settings().hiccups() != Hiccups.REPLAY) {
             throw new DisprovedException(source + ": found attempt " + (k + 1) + " of " + played.transcripts().size()
                 + (late ? "" : ", in which nobody was late") + ", expected another only for one lost on time");
@@ -100,7 +106,8 @@ final class ReportedGames {
         if (KeptGames.keeps(game.settings(), true, seats, names)) {
             file = keeper.take(name, transcripts.replay(source, sent, expected(game)), true);
         }
-        return new StoredGame(0, name, task.decision(), task.seed(), k + 1, last, outcome.turns(), null,
+        return new StoredGame(0, name, task.decision(), task.seed(), k + 1, last && !discarded,
+            outcome.turns(), discarded ? RemoteGames.shown(played.discarded()) : null,
             System.currentTimeMillis(), machine, file, outcome.facts().transcript(), seats);
     }
 

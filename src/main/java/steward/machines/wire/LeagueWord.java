@@ -2,6 +2,7 @@ package steward.machines.wire;
 
 import java.nio.charset.StandardCharsets;
 import steward.bot.TimeBasis;
+import steward.bot.hold.HoldPolicy;
 import steward.contest.Hiccups;
 import steward.scene.json.Block;
 
@@ -16,9 +17,11 @@ public interface LeagueWord {
      * @param factor  by which the scene's time limits are multiplied
      * @param basis   what they are limits of
      * @param hiccups what becomes of games lost on time on a starved machine
+     * @param hold    which bots are stopped while others are asked
      * @param scene   as JSON
      */
-    record Welcome(String version, String rules, double factor, TimeBasis basis, Hiccups hiccups, String scene)
+    record Welcome(String version, String rules, double factor, TimeBasis basis, Hiccups hiccups, HoldPolicy hold,
+                   String scene)
         implements LeagueWord {
     }
 
@@ -76,7 +79,9 @@ public interface LeagueWord {
             header.error("basis", header.shown("basis"), "wall or cpu"));
         Hiccups hiccups = Hiccups.of(header.text("hiccups")).orElseThrow(() ->
             header.error("hiccups", header.shown("hiccups"), "replay or count"));
-        return new Welcome(header.text("version"), header.text("rules"), factor, basis, hiccups,
+        HoldPolicy hold = HoldPolicy.of(header.text("hold")).orElseThrow(() ->
+            header.error("hold", header.shown("hold"), "burners, always or never"));
+        return new Welcome(header.text("version"), header.text("rules"), factor, basis, hiccups, hold,
             new String(scene, StandardCharsets.UTF_8));
     }
 }

@@ -11,7 +11,7 @@ public interface WorkerWord {
     /** How many games a worker may play at the same time. */
     int MOST_SLOTS = 256;
     /** How often a game may have been played. */
-    int MOST_ATTEMPTS = 2;
+    int MOST_ATTEMPTS = 3;
 
     /**
      * That it is there.
@@ -56,7 +56,8 @@ public interface WorkerWord {
                     attempts.add(new HeaderText().put("size", game.transcripts().get(k).length)
                         .put("starved", game.starved().get(k)));
                 }
-                texts.add(new HeaderText().put("attempts", attempts).put("problem", game.problem()));
+                texts.add(new HeaderText().put("attempts", attempts).put("problem", game.problem())
+                    .put("discarded", game.discarded()));
                 payloads.addAll(game.transcripts());
             }
             return WireMessage.bytes(new HeaderText().put("type", "result").put("job", job).put("games", texts),
@@ -68,10 +69,16 @@ public interface WorkerWord {
      * What came of a game.
      *
      * @param transcripts compressed, of each attempt
-     * @param starved     of each, whether the machine is said to have been starved
+     * @param starved     of each, whether it was played again because others used the processors
      * @param problem     why there is no result, or {@code null}
+     * @param discarded   why the last attempt does not count although it has a result, or {@code null}
      */
-    record Played(List<byte[]> transcripts, List<Boolean> starved, String problem) {
+    record Played(List<byte[]> transcripts, List<Boolean> starved, String problem, String discarded) {
+
+        /** A game whose last attempt counts. */
+        public Played(List<byte[]> transcripts, List<Boolean> starved, String problem) {
+            this(transcripts, starved, problem, null);
+        }
 
         /** Copies the lists. */
         public Played {
@@ -138,7 +145,8 @@ public interface WorkerWord {
                 transcripts.add(Arrays.copyOfRange(payload, at, at + size));
                 at += size;
             }
-            games.add(new Played(transcripts, starved, game.has("problem") ? game.text("problem") : null));
+            games.add(new Played(transcripts, starved, game.has("problem") ? game.text("problem") : null,
+                game.has("discarded") ? game.text("discarded") : null));
             game.done();
         }
         if (games.isEmpty()) {

@@ -11,10 +11,10 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import steward.bot.command.BotCommand;
 import steward.bot.isolation.Isolation;
+import steward.contest.Attempts;
 import steward.contest.BotStarter;
 import steward.contest.Contest;
 import steward.contest.Contest.Entrant;
-import steward.contest.Failure;
 import steward.contest.GameLog;
 import steward.contest.Hiccups;
 import steward.files.InputException;
@@ -104,7 +104,7 @@ final class JobPlay {
                 + "Steward " + version + " (results " + own + ") here, expected versions that compute the same", own);
         }
         Contest usual = Contest.withoutBots(setup, welcome.factor()).limitedBy(welcome.basis())
-            .isolatedBy(isolation);
+            .isolatedBy(() -> isolation.get().holding(welcome.hold()));
         contest = starter == null ? usual : usual.startedBy(starter);
         this.folder = folder;
     }
@@ -145,23 +145,24 @@ final class JobPlay {
         List<byte[]> transcripts = new ArrayList<>();
         List<Boolean> starved = new ArrayList<>();
         String problem = null;
+        Attempts attempts = new Attempts(match, hiccups, 0);
         boolean again = true;
-        for (int attempt = 1; attempt <= WorkerWord.MOST_ATTEMPTS && again && problem == null; attempt++) {
+        while (again) {
             GameLog log = new GameLog(match, 0);
             TranscriptWriter transcript = new TranscriptWriter(match.entrants().stream().map(Entrant::bot).toList(),
                 contest.sandbox());
             MatchResult result = null;
             try {
-                result = match.play(seed, 0, null, new TeeListener(transcript, log));
+                result = attempts.contest().play(seed, 0, null, new TeeListener(transcript, log));
             } catch (UncheckedIOException failed) {
                 problem = shortened(String.valueOf(failed.getMessage()));
             }
-            again = attempt == 1 && result != null && hiccups == Hiccups.REPLAY
-                && log.failures().stream().anyMatch(Failure::starved);
+            again = result != null && attempts.demandAnother(log.failures());
             transcripts.add(transcript.compressed());
             starved.add(again);
         }
-        return new WorkerWord.Played(transcripts, starved, problem);
+        String discarded = attempts.discarded() == null ? null : shortened(attempts.discarded());
+        return new WorkerWord.Played(transcripts, starved, problem, discarded);
     }
 
     /** A text as it fits into a header. */

@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import steward.bot.hold.HoldPolicy;
 
 /** What is written to the files of a control group; a folder stands in for the system's. */
 class ControlGroupTest {
@@ -28,7 +29,7 @@ class ControlGroupTest {
 
     private static Isolation strict(long memory) {
         return new Isolation(SandboxLevel.STRICT, false, new ResourceLimits(memory, 64, 0, 0), BotEnvironment.USUAL,
-            List.of(), List.of(), true);
+            List.of(), List.of(), HoldPolicy.ALWAYS);
     }
 
     @Test

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import steward.bot.hold.HoldPolicy;
 
 /** Limits in range, and how they are handed on. */
 class ResourceLimitsTest {
@@ -21,7 +22,8 @@ class ResourceLimitsTest {
         assertThrows(IllegalArgumentException.class, () -> new ResourceLimits(0, 0, 0, 3));
         assertThrows(IllegalArgumentException.class, () -> new ResourceLimits(-1, 0, 0, 0));
         assertThrows(IllegalArgumentException.class, () -> new Isolation(SandboxLevel.OFF, false,
-            new ResourceLimits(1L << 30, 0, 0, 0), BotEnvironment.USUAL, List.of(), List.of(), false));
+            new ResourceLimits(1L << 30, 0, 0, 0), BotEnvironment.USUAL, List.of(), List.of(),
+            HoldPolicy.NEVER));
     }
 
     @Test

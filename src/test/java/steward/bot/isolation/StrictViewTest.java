@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import steward.bot.hold.HoldPolicy;
 
 /** What belongs to a bot, and what it sees of others. */
 class StrictViewTest {
@@ -79,7 +80,7 @@ class StrictViewTest {
         Isolation usual = Isolation.at(SandboxLevel.STRICT);
         return StrictView.of(List.of(mine.toString()), List.of(List.of(other.toString())),
             new Isolation(SandboxLevel.STRICT, false, usual.limits(), usual.environment(), List.of(visible), List.of(),
-                false));
+                HoldPolicy.NEVER));
     }
 
     /** What is made below the folder of the test, by path. */

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import steward.bot.FaultMessages;
 import steward.bot.TimeBasis;
 import steward.bot.TimeSpent;
 import steward.bot.accounting.OwnThread;
@@ -26,12 +27,14 @@ class QuestionClockTest {
     private OwnThread.State asking = OwnThread.State.ASLEEP;
     private long cpu;
     private int samples;
+    private Runnable whileSampling = () -> { };
 
     private final QuestionClock clock = new QuestionClock(() -> asking, this::sample);
 
     /** One thread, which has run for so long and does nothing else. */
     private TreeSample sample(long at) {
         samples++;
+        whileSampling.run();
         return new TreeSample(at, true, 1, 0, Map.of(1L, new ThreadTimes(cpu, 0, 1, false)), 0);
     }
 
@@ -294,5 +297,22 @@ class QuestionClockTest {
         cpu = 81 * TreeSampler.processors() * MS;
         assertEquals(-1, clock.charge(START + 300 * MS));
         assertEquals(81 * MS, clock.taken());
+    }
+
+    /**
+     * The frame is written at 160 ms, while the watchdog, which looked at the clock at 130, samples the processes: that
+     * is 30 ms before the start. They have used 100 ms since the question began, in those 130.
+     */
+    @Test
+    void cpuTimeUsedUpBeforeTheFrameIsWrittenIsNotToldInNegativeTimes() {
+        clock.limitBy(TimeBasis.CPU);
+        clock.begin(LIMIT, START, sample(START));
+        cpu = 100 * MS;
+        whileSampling = () -> clock.frameWritten(START + 160 * MS);
+        assertEquals(-1, look(130, 0));
+        assertEquals(130 * MS, clock.taken());
+        TimeSpent spent = clock.spent(START + 130 * MS, clock.taken());
+        assertEquals("no answer within 80 ms of CPU time (used 100 ms in 130 ms): computed 100, waited 0 for a "
+            + "processor, 30 other", FaultMessages.missed(spent, TimeBasis.CPU, false, 0, 1, 0));
     }
 }

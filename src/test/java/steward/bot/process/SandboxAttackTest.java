@@ -24,6 +24,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import steward.bot.command.ProgramFinder;
 import steward.bot.command.ProgramTrial;
+import steward.bot.hold.HoldPolicy;
 import steward.bot.isolation.ControlGroup;
 import steward.bot.isolation.Isolation;
 import steward.bot.isolation.Launch;
@@ -251,9 +252,7 @@ class SandboxAttackTest {
         String script = "read -r l; { " + mounts + "; } && echo yes || echo no; read -r l;"
             + " unshare -UrmC sh -c 'mount -t cgroup2 none /mnt && [ -w /mnt/cgroup.procs ]' 2>/dev/null"
             + " && echo yes || echo no; read -r l";
-        Isolation usual = Isolation.at(level);
-        Isolation pausing = new Isolation(level, false, usual.limits(), usual.environment(), List.of(), List.of(),
-            true);
+        Isolation pausing = Isolation.at(level).holding(HoldPolicy.ALWAYS);
         try (BotProcess bot = new BotProcess("bot", new Launch(List.of("sh", "-c", script), pausing, List.of()),
                 BotProcess.DEFAULT_GRACE_MS)) {
             assertEquals("no", ScriptedBots.reply(bot, "a\n"), "writes to control groups");
@@ -268,7 +267,7 @@ class SandboxAttackTest {
         Isolation usual = Isolation.at(level);
         Path prefix = ProgramFinder.find("python3").toAbsolutePath().getParent().getParent();
         return new Isolation(level, false, usual.limits(), usual.environment(), List.of(prefix), List.of(),
-            false);
+            HoldPolicy.BURNERS);
     }
 
     /** A bot that signals its own group with what kills it at once ends itself, and takes nobody with it. */

@@ -4,13 +4,16 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import steward.bot.Answer;
 import steward.bot.Player;
+import steward.bot.hold.HoldPolicy;
 import steward.bot.isolation.Isolation;
 import steward.bot.isolation.Launch;
 import steward.bot.isolation.SandboxLevel;
@@ -185,21 +188,27 @@ class SandboxVerdictsTest {
     @EnumSource(SandboxLevel.class)
     void aBotThatIsPausedWhileItWaits(SandboxLevel level) {
         ScriptedBots.assumeWorks(level);
-        Isolation usual = Isolation.at(level);
-        Isolation pausing = new Isolation(level, false, usual.limits(), usual.environment(), List.of(), List.of(),
-            true);
+        Isolation pausing = Isolation.at(level).holding(HoldPolicy.ALWAYS);
         BotProcess bot = new BotProcess("bot", new Launch(List.of("sh", "-c",
             "read -r l; n=0; echo 0; while :; do n=$((n + 1)); done & while read -r l; do echo \"$l\"; done; kill $!"),
             pausing, List.of()), 60_000);
-        assertEquals("0", ScriptedBots.reply(bot, "start\n"));
+        assertEquals("0", timed(bot, "start\n"));
         long worker = ScriptedBots.busiest(bot.processes());
         ScriptedBots.await("it is not stopped", () -> ScriptedBots.isHalted(worker));
         for (int turn = 0; turn < 20; turn++) {
-            assertEquals("turn " + turn, ScriptedBots.reply(bot, "turn " + turn + "\n"));
+            assertEquals("turn " + turn, timed(bot, "turn " + turn + "\n"));
         }
         List<Long> processes = bot.processes();
         bot.close();
         processes.forEach(ScriptedBots::assertGone);
+    }
+
+    /** The reply within a limit: without one, bots are not held. */
+    private static String timed(BotProcess bot, String frame) {
+        Answer answer = new Answer();
+        byte[] bytes = frame.getBytes(StandardCharsets.UTF_8);
+        bot.ask(bytes, bytes.length, 1, TimeUnit.SECONDS.toNanos(20), answer);
+        return answer.text();
     }
 
     /** Started with the first answer, as the match does. */

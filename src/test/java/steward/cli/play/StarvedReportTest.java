@@ -52,7 +52,7 @@ class StarvedReportTest {
             new TimeControl(1000 * MS, 75 * MS), 1);
         Series series = new Series(contest, 5, 2, false, null, KeptReplays.ALL, hiccups);
         AtomicInteger games = new AtomicInteger();
-        SeriesPlay play = new SeriesPlay(series, false, (seed, rotation, recording, follower) -> {
+        SeriesPlay play = new SeriesPlay(series, false, (attempt, seed, rotation, recording, follower) -> {
             boolean late = games.getAndIncrement() == 0;
             String fault = late ? FaultMessages.missed(SPENT, TimeBasis.WALL, false, 0, 1, 0) : null;
             if (late) {

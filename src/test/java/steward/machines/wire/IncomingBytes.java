@@ -42,7 +42,8 @@ public final class IncomingBytes {
 
     private static final List<byte[]> LEAGUE_WORDS = List.of(
         WireMessage.bytes(new HeaderText().put("type", "welcome").put("version", "1").put("rules", "0123456789abcdef")
-            .put("factor", "1.5").put("basis", "cpu").put("hiccups", "replay"), "{}".getBytes(StandardCharsets.UTF_8)),
+            .put("factor", "1.5").put("basis", "cpu").put("hiccups", "replay").put("hold", "burners"),
+            "{}".getBytes(StandardCharsets.UTF_8)),
         WireMessage.bytes(new HeaderText().put("type", "refused").put("reason", "found 1, expected 2")),
         WireMessage.bytes(new HeaderText().put("type", "bundle").put("bundle", HASH).put("from", 262_144)
             .put("known", true), new byte[] {1, 2, 3}));

@@ -1,0 +1,14 @@
+package steward.bot;
+
+import steward.Internal;
+
+/**
+ * A bot that computed while another was asked, which was late.
+ *
+ * @param player     its place in the game
+ * @param processors how many it used on average, over the last 100 ms of such time
+ * @param holdable   whether it can be held on this machine
+ */
+@Internal
+public record Burner(int player, double processors, boolean holdable) {
+}

@@ -1,0 +1,26 @@
+package steward.bot.hold;
+
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Optional;
+
+/** Which bots are held, that is stopped, while others are asked. */
+public enum HoldPolicy {
+
+    /** Bots that {@link WaitingMeter#burns}, from then on. */
+    BURNERS,
+    /** All bots, from their first answer on. */
+    ALWAYS,
+    /** None: bots may think on. */
+    NEVER;
+
+    /** As it is written in a call. */
+    public String word() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+
+    /** By its {@link #word}. */
+    public static Optional<HoldPolicy> of(String word) {
+        return Arrays.stream(values()).filter(each -> each.word().equals(word)).findFirst();
+    }
+}

@@ -1,0 +1,92 @@
+package steward.contest;
+
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import steward.Internal;
+import steward.contest.Contest.Entrant;
+
+/**
+ * The attempts at one game, and whether the last of them counts. A game that a bot lost on time is played again with
+ * the same seed: once if the bot was starved ({@link Failure#starved}), once if another burned that was not yet held,
+ * which then is held from the start. Where that cannot be held, the game is played again twice; if another burns in
+ * each attempt, the game does not count. With {@link Hiccups#COUNT} every first attempt counts.
+ */
+@Internal
+public final class Attempts {
+
+    /** How often a game may be played. */
+    public static final int MOST = 3;
+
+    private final Contest contest;
+    private final Hiccups hiccups;
+    private final int rotation;
+    private final Set<Entrant> held = new LinkedHashSet<>();
+    private int played;
+    private boolean excused;
+    private String discarded;
+
+    /** @param rotation by how many places the bots have moved up */
+    public Attempts(Contest contest, Hiccups hiccups, int rotation) {
+        this.contest = contest;
+        this.hiccups = hiccups;
+        this.rotation = rotation;
+    }
+
+    /** What is played in the next attempt: the contest, with bots held that have burned. */
+    public Contest contest() {
+        return held.isEmpty() ? contest : contest.holding(held);
+    }
+
+    /** How many there have been. */
+    public int played() {
+        return played;
+    }
+
+    /**
+     * Adds an attempt with a result.
+     *
+     * @param failures of its bots
+     * @return whether the game is to be played again
+     */
+    public boolean demandAnother(List<Failure> failures) {
+        played++;
+        List<Failure> beside = failures.stream().filter(failure -> failure.burner() != null).toList();
+        if (hiccups == Hiccups.COUNT) {
+            return false;
+        }
+        if (beside.isEmpty()) {
+            return starved(failures);
+        }
+        if (beside.stream().allMatch(failure -> failure.burner().holdable())) {
+            return held.addAll(beside.stream().map(failure -> entrant(failure.burner().player())).toList())
+                && played < MOST;
+        }
+        if (played == MOST) {
+            discarded = reason(beside.get(0));
+        }
+        return played < MOST;
+    }
+
+    private Entrant entrant(int player) {
+        return contest.entrants().get(contest.entrantOf(player, rotation));
+    }
+
+    private String reason(Failure failure) {
+        return String.format(Locale.ROOT, "not counted: %s computed on %.2f processors while %s was asked, in each of"
+            + " %d attempts, and cannot be held here", entrant(failure.burner().player()).name(),
+            failure.burner().processors(), entrant(failure.player()).name(), MOST);
+    }
+
+    private boolean starved(List<Failure> failures) {
+        boolean again = !excused && played < MOST && failures.stream().anyMatch(Failure::starved);
+        excused |= again;
+        return again;
+    }
+
+    /** Why the last attempt does not count although it has a result, or {@code null}. */
+    public String discarded() {
+        return discarded;
+    }
+}
