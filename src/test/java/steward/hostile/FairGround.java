@@ -51,11 +51,13 @@ public final class FairGround {
         Path work = Files.createTempDirectory(Path.of(System.getProperty("java.io.tmpdir")), "fair-");
         FairGround ground = new FairGround(List.of(arguments), work);
         List<Process> load = ground.load();
+        boolean fair = false;
         try {
-            System.exit(ground.play() ? 0 : 1);
+            fair = ground.play();
         } finally {
             load.forEach(Process::destroyForcibly);
         }
+        System.exit(fair ? 0 : 1);
     }
 
     private String option(String name, String usual) {

@@ -22,10 +22,10 @@ import steward.bot.command.ProgramFinder;
 import steward.bot.command.ProgramTrial;
 
 /**
- * The small program that starts bots in a sandbox and stops them while others are asked, {@value #SOURCE}: as a release
- * has it built, or compiled once for each user by the C compiler of the machine, and kept in the user's cache. Where
- * there is neither, a shell does the same, see {@link ShellLauncher}, but that starts several programs for every bot
- * and stops none.
+ * The small program that starts bots in a sandbox and stops them while others are asked, {@value #SOURCE}: as the
+ * jar has it (a build with {@code -PbuiltLauncher}), or compiled once for each user by the C compiler of the machine,
+ * and kept in the user's cache. Where there is neither, a shell does the same, see {@link ShellLauncher}, but that
+ * starts several programs for every bot and stops none.
  *
  * <p>The program is used only if it belongs to this user and others cannot write to it or to its folder. Its name has a
  * digest of the source and a checksum of the program in it: one that was damaged, or that does not run any more, is
@@ -37,7 +37,7 @@ final class NativeLauncher {
     static final String PROPERTY = "steward.sandbox.native";
 
     private static final String SOURCE = "/steward/sandbox/launch.c";
-    /** Where releases have the compiled program; architecture and digest of the source follow. */
+    /** Where a jar may have the compiled program; architecture and digest of the source follow. */
     private static final String BUILT = "/steward/sandbox/";
     private static final List<String> COMPILERS = List.of("cc", "gcc", "clang");
     private static final long PATIENCE_MS = 60_000;
@@ -161,7 +161,7 @@ final class NativeLauncher {
         }
     }
 
-    /** What a release has for this machine and this source, or {@code null}. */
+    /** The program in the jar for this machine and this source, or {@code null}. */
     private static byte[] built(String name) throws IOException {
         try (InputStream stream = NativeLauncher.class.getResourceAsStream(BUILT + name.substring(0,
                 name.length() - 1))) {

@@ -76,7 +76,7 @@ class BotHoldTest {
     /** It is held from the first answer after it was found, goes on when it is asked, and is stopped again. */
     @ParameterizedTest
     @CsvSource({"LIGHT, hogs", "STRICT, hogs", "LIGHT, many", "LIGHT, forks", "STRICT, forks", "LIGHT, sigcont",
-        "LIGHT, memory", "LIGHT, namespaces", "STRICT, sigcont"})
+        "LIGHT, memory", "LIGHT, namespaces", "LIGHT, pulse", "STRICT, sigcont"})
     void aBotThatComputesWhileOthersAreAskedIsHeld(SandboxLevel level, String word) throws Exception {
         try (BotProcess bot = hog(level, word, HoldPolicy.BURNERS)) {
             begin(bot);
