@@ -136,26 +136,6 @@ public final class ScriptedBots {
         }
     }
 
-    /** The process that has used a processor most, in ticks. */
-    static long busiest(List<Long> pids) {
-        long busiest = -1;
-        long most = -1;
-        for (long pid : pids) {
-            try {
-                String stat = Files.readString(Path.of("/proc/" + pid + "/stat"), StandardCharsets.ISO_8859_1);
-                String[] fields = stat.substring(stat.lastIndexOf(')') + 2).split(" ");
-                long ticks = Long.parseLong(fields[11]) + Long.parseLong(fields[12]);
-                if (ticks >= most) {
-                    busiest = pid;
-                    most = ticks;
-                }
-            } catch (IOException gone) {
-                continue;
-            }
-        }
-        return busiest;
-    }
-
     static void assertGone(long pid) {
         await("process " + pid + " is still there", () -> !isRunning(pid));
     }
