@@ -13,6 +13,7 @@ import steward.bot.FaultMessages;
 import steward.bot.isolation.Isolation;
 import steward.bot.isolation.MissingFiles;
 import steward.bot.isolation.SandboxLevel;
+import steward.contest.Contest.Entrant;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.match.MatchListener;
@@ -33,7 +34,7 @@ public final class GameLog implements MatchListener {
     private static final int LONGEST = 200;
 
     private final List<Protocol> protocols;
-    private final List<List<String>> commands;
+    private final List<Entrant> entrants;
     private final BooleanSupplier bothProtocols;
     private final Supplier<Isolation> isolation;
     private final String[][] stderr;
@@ -49,25 +50,27 @@ public final class GameLog implements MatchListener {
 
     /** @param rotation by how many places the bots have moved up */
     public GameLog(Contest contest, int rotation) {
-        this(IntStream.range(0, contest.players())
-            .mapToObj(player -> contest.entrants().get(contest.entrantOf(player, rotation)).protocol()).toList(),
-            IntStream.range(0, contest.players())
-                .mapToObj(player -> contest.entrants().get(contest.entrantOf(player, rotation)).words()).toList(),
+        this(entrants(contest, rotation).stream().map(Entrant::protocol).toList(), entrants(contest, rotation),
             contest::hasBothProtocols, contest.isolation());
+    }
+
+    private static List<Entrant> entrants(Contest contest, int rotation) {
+        return IntStream.range(0, contest.players())
+            .mapToObj(player -> contest.entrants().get(contest.entrantOf(player, rotation))).toList();
     }
 
     /**
      * A log of a game between these players.
      *
      * @param protocols     what each speaks
-     * @param commands      the words of each command; none if they are not of this machine
+     * @param entrants      who they are; none if their commands are not of this machine
      * @param bothProtocols whether the scene has both, asked when a bot failed
      * @param isolation     how bots are kept apart, {@code null} if that is not known; asked when a bot failed
      */
-    GameLog(List<Protocol> protocols, List<List<String>> commands, BooleanSupplier bothProtocols,
+    GameLog(List<Protocol> protocols, List<Entrant> entrants, BooleanSupplier bothProtocols,
             Supplier<Isolation> isolation) {
         this.protocols = protocols;
-        this.commands = commands;
+        this.entrants = entrants;
         this.bothProtocols = bothProtocols;
         this.isolation = isolation;
         int players = protocols.size();
@@ -141,14 +144,13 @@ public final class GameLog implements MatchListener {
         List<String> hints = new ArrayList<>(FailureHints.of(protocols.get(player), bothProtocols, answers[player],
             turn.fault(player), received, lines, turn.timeSpent(player), sandbox));
         if (answers[player] == 0 && sandbox != null && sandbox.level() == SandboxLevel.STRICT
-            && !commands.isEmpty() && FaultMessages.isExit(turn.fault(player))) {
-            MissingFiles.of(commands.get(player), lines, sandbox).forEach(path ->
+            && !entrants.isEmpty() && FaultMessages.isExit(turn.fault(player))) {
+            MissingFiles.of(entrants.get(player).words(), lines, sandbox).forEach(path ->
                 hints.add(FailureHints.missing(path)));
         }
         Burner burner = turn.burner(player);
         if (burner != null) {
-            hints.add(FailureHints.beside(contest.entrants().get(contest.entrantOf(burner.player(), rotation)).name(),
-                burner));
+            hints.add(FailureHints.beside(entrants.get(burner.player()).name(), burner));
         }
         return new Failure(player, turn.number(), turn.fault(player), lines, hints, turn.timeSpent(player), burner);
     }

@@ -62,12 +62,6 @@ public final class Turn {
         timeSpent[player] = spent;
     }
 
-    /** Records who burned while a player was late. */
-    @Internal
-    public void beside(int player, Burner burner) {
-        burners[player] = burner;
-    }
-
     void begin(int turnNumber) {
         number = turnNumber;
         for (int player = 0; player < asked.length; player++) {

@@ -20,7 +20,8 @@ public final class ProgramRun {
      */
     public static OptionalInt of(Launch launch, Path stdout, Path stderr, long patienceMs)
             throws IOException, InterruptedException {
-        Process process = launch.builder(null).redirectOutput(stdout.toFile()).redirectError(stderr.toFile()).start();
+        Process process = launch.builder(null, null).redirectOutput(stdout.toFile()).redirectError(stderr.toFile())
+            .start();
         process.getOutputStream().close();
         if (process.waitFor(patienceMs, TimeUnit.MILLISECONDS)) {
             return OptionalInt.of(process.exitValue());

@@ -10,7 +10,6 @@ import steward.bot.isolation.Isolation;
 import steward.bot.isolation.SandboxLevel;
 import steward.contest.Attempts;
 import steward.contest.Contest;
-import steward.contest.Failure;
 import steward.contest.GameLog;
 import steward.files.InputException;
 import steward.league.GameName;
