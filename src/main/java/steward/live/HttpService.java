@@ -1,56 +1,77 @@
 package steward.live;
 
-import com.sun.net.httpserver.Headers;
-import com.sun.net.httpserver.HttpExchange;
-import com.sun.net.httpserver.HttpHandler;
-import com.sun.net.httpserver.HttpServer;
 import java.io.IOException;
 import java.net.Inet6Address;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.net.StandardSocketOptions;
 import java.net.URI;
-import java.nio.charset.StandardCharsets;
-import java.util.concurrent.SynchronousQueue;
-import java.util.concurrent.ThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
-import java.util.function.Function;
+import java.nio.ByteBuffer;
+import java.nio.channels.ClosedSelectorException;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.Selector;
+import java.nio.channels.ServerSocketChannel;
+import java.nio.channels.SocketChannel;
+import java.util.ArrayDeque;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.ThreadLocalRandom;
 
-/** A small read-only server for browsers, and what every answer of it has. */
+/**
+ * A small read-only server for browsers: one thread serves all connections without ever waiting for one of them, a
+ * second makes pages that take their time. Viewers share the bytes that they are sent.
+ *
+ * <p>A viewer who reads nothing for some time, while there is something to read, is dropped, and told so when the
+ * browser connects again by itself: with its number, which is the id of the last event it knows.
+ */
 final class HttpService implements AutoCloseable {
 
-    static final String HTML = "text/html; charset=utf-8";
-    static final String TEXT = "text/plain; charset=utf-8";
-    static final String EVENTS = "text/event-stream";
-    static final int OK = 200;
-    static final int FORBIDDEN = 403;
-    static final int NOT_FOUND = 404;
-    static final int WRONG_METHOD = 405;
-    static final int UNAVAILABLE = 503;
+    /** How many connections besides those of viewers are kept at a time; further ones are closed at once. */
+    private static final int MOST_OTHERS = 1000;
+    /** Distinct pages that are in memory at a time because somebody is being sent them. */
+    private static final int MOST_PAGES = 8;
+    /** Numbers of viewers that were dropped, the last ones. */
+    private static final int MOST_DROPPED = 1000;
+    /** Of the thread and, for each connection, of the system; in bytes. */
+    private static final int BUFFER = 64 << 10;
+    private static final long PERIOD_MS = 250;
+    private static final long STOP_MS = 2000;
 
-    private static final int NO_BODY = -1;
-    private static final String REQUEST_LIMIT = "sun.net.httpserver.maxReqTime";
-    /**
-     * How many requests are read at the same time, one thread each. A request that stays incomplete keeps its thread
-     * until the limit of time for it has passed, and one that waits for a thread meanwhile uses up its own time: with a
-     * few threads, some dozens of half requests had an honest one reset.
-     */
-    private static final int MOST_REQUESTS = 1000;
+    private final ServerSocketChannel listening;
+    private final Selector selector;
+    private final Site site;
+    private final AllowedHosts names;
+    private final Viewers viewers;
+    private final long silentNanos;
+    private final ByteBuffer buffer = ByteBuffer.allocateDirect(BUFFER);
+    private final Queue<Runnable> made = new ConcurrentLinkedQueue<>();
+    private final Queue<PageRequest> waiting = new ArrayDeque<>();
+    private final ArrayDeque<Long> dropped = new ArrayDeque<>();
+    private final Thread thread = daemon(this::serve, "live");
+    /** Makes a page, or {@code null}. */
+    private Thread maker;
+    private long lastViewer = ThreadLocalRandom.current().nextLong(1L << 40);
+    private long acceptsAgain = System.nanoTime();
+    private volatile boolean closed;
 
-    /** Of each of these threads, in bytes: the deepest calls are those that make a page. */
-    private static final long STACK = 256 << 10;
-    private static final long IDLE_THREAD_MS = 10_000;
-
-    private final HttpServer server;
-    private final ThreadPoolExecutor threads;
-
-    private HttpService(HttpServer server) {
-        this.server = server;
-        threads = new ThreadPoolExecutor(0, MOST_REQUESTS, IDLE_THREAD_MS, TimeUnit.MILLISECONDS,
-            new SynchronousQueue<>(), HttpService::daemon);
+    /** A page that somebody waits for. */
+    private record PageRequest(Connection connection, String path) {
     }
 
-    private static Thread daemon(Runnable work) {
-        Thread thread = new Thread(null, work, "live", STACK);
+    private HttpService(ServerSocketChannel listening, AllowedHosts names, Site site, Viewers viewers,
+                        long silentNanos) throws IOException {
+        this.listening = listening;
+        this.names = names;
+        this.site = site;
+        this.viewers = viewers;
+        this.silentNanos = silentNanos;
+        selector = Selector.open();
+        listening.configureBlocking(false);
+        listening.register(selector, SelectionKey.OP_ACCEPT);
+    }
+
+    private static Thread daemon(Runnable work, String name) {
+        Thread thread = new Thread(work, name);
         thread.setDaemon(true);
         return thread;
     }
@@ -58,86 +79,207 @@ final class HttpService implements AutoCloseable {
     /**
      * Starts one.
      *
-     * @param host    name or address to listen on, or {@code null} for this machine alone (loopback)
-     * @param port    to listen on, or 0 for any that is free
-     * @param handler made from the names by which the server may be called
+     * @param host        name or address to listen on, or {@code null} for this machine alone (loopback)
+     * @param port        to listen on, or 0 for any that is free
+     * @param silentNanos how long a viewer may read nothing
      * @throws IOException if the host is not known or the port is taken
      */
-    static HttpService start(String host, int port, Function<AllowedHosts, HttpHandler> handler)
-            throws IOException {
-        // Seconds until a request must be complete; read once by the JDK's server. Without it a few connections that
-        // send half a request would block all others.
-        if (System.getProperty(REQUEST_LIMIT) == null) {
-            System.setProperty(REQUEST_LIMIT, "2");
-        }
+    static HttpService start(String host, int port, Site site, Viewers viewers, long silentNanos) throws IOException {
         InetAddress address = host == null ? InetAddress.getLoopbackAddress() : InetAddress.getByName(host);
-        HttpService service = new HttpService(HttpServer.create(new InetSocketAddress(address, port), 0));
-        AllowedHosts names = new AllowedHosts(host == null ? "localhost" : host,
-            service.server.getAddress().getPort());
-        service.server.setExecutor(service.threads);
-        service.server.createContext("/", handler.apply(names));
-        service.server.start();
-        return service;
+        ServerSocketChannel listening = ServerSocketChannel.open();
+        try {
+            listening.bind(new InetSocketAddress(address, port), MOST_OTHERS);
+            HttpService service = new HttpService(listening, new AllowedHosts(host == null ? "localhost" : host,
+                listening.socket().getLocalPort()), site, viewers, silentNanos);
+            site.feed().onChange(service.selector::wakeup);
+            service.thread.start();
+            return service;
+        } catch (IOException problem) {
+            listening.close();
+            throw problem;
+        }
+    }
+
+    private void serve() {
+        try {
+            while (!closed) {
+                selector.select(this::ready, PERIOD_MS);
+                for (Runnable page = made.poll(); page != null; page = made.poll()) {
+                    page.run();
+                }
+                long now = System.nanoTime();
+                for (SelectionKey key : selector.keys()) {
+                    if (key.attachment() instanceof Connection connection && key.isValid()) {
+                        send(connection, now);
+                    }
+                }
+                makeNext();
+                listening.keyFor(selector).interestOps(now - acceptsAgain >= 0 ? SelectionKey.OP_ACCEPT : 0);
+            }
+        } catch (IOException | ClosedSelectorException broken) {
+            closed = true;
+        }
+    }
+
+    private void ready(SelectionKey key) {
+        if (!(key.attachment() instanceof Connection connection)) {
+            accept();
+            return;
+        }
+        try {
+            if (key.isWritable()) {
+                connection.unblock();
+            }
+            if (key.isReadable()) {
+                Request request = connection.read(buffer);
+                if (request != null) {
+                    answer(connection, request, System.nanoTime());
+                }
+            }
+        } catch (IOException gone) {
+            end(connection);
+        }
+    }
+
+    private void accept() {
+        try {
+            for (SocketChannel channel = listening.accept(); channel != null; channel = listening.accept()) {
+                if (selector.keys().size() > MOST_OTHERS + viewers.following()) {
+                    channel.close();
+                    continue;
+                }
+                channel.configureBlocking(false);
+                channel.setOption(StandardSocketOptions.SO_SNDBUF, BUFFER);
+                SelectionKey read = channel.register(selector, SelectionKey.OP_READ);
+                read.attach(new Connection(channel, read, System.nanoTime()));
+            }
+        } catch (IOException full) {
+            acceptsAgain = System.nanoTime() + PERIOD_MS * 1_000_000;   // no more files may be open
+        }
+    }
+
+    private void answer(Connection connection, Request request, long now) {
+        String[] words = request.words();
+        if (words.length != 3 || !words[2].startsWith("HTTP/1.")) {
+            connection.answer(now, Answers.refusal(Answers.BAD_REQUEST, "This is no request."));
+        } else if (!names.accept(request.header("Host"))) {
+            connection.answer(now, Answers.refusal(Answers.FORBIDDEN, "This server does not go by that name."));
+        } else if (!words[0].equals("GET")) {
+            connection.answer(now, Answers.refusal(Answers.WRONG_METHOD, "There is only something to get here."));
+        } else {
+            String path = words[1].replaceFirst("\\?.*", "");
+            if (path.equals("/")) {
+                connection.answer(now, Answers.head(Answers.OK, Answers.HTML, site.front().length), site.front());
+            } else if (path.equals("/" + Site.FEED)) {
+                follow(connection, request.header("Last-Event-ID"), now);
+            } else {
+                connection.await(now);
+                waiting.add(new PageRequest(connection, path));
+            }
+        }
+    }
+
+    private void follow(Connection connection, String before, long now) {
+        String why = null;
+        if (dropped.stream().anyMatch(number -> Long.toString(number).equals(before))) {
+            why = "This page has read nothing for " + silentNanos / 1_000_000_000
+                + " s and is no longer sent anything.";
+        } else if (!viewers.enter()) {
+            why = "All places are taken: " + viewers.most() + " are watching, more are not admitted.";
+        }
+        if (why == null) {
+            connection.follow(now, site.feed(), ++lastViewer);
+        } else {
+            connection.answer(now, Answers.head(Answers.OK, Answers.EVENTS, -1), Answers.refused(why));
+        }
+    }
+
+    private void send(Connection connection, long now) {
+        try {
+            if (connection.isSilent(now, silentNanos)) {
+                dropped.add(connection.viewer());
+                if (dropped.size() > MOST_DROPPED) {
+                    dropped.remove();
+                }
+                end(connection);
+            } else if (!connection.send(buffer, now)) {
+                end(connection);
+            }
+        } catch (IOException gone) {
+            end(connection);
+        }
+    }
+
+    private void end(Connection connection) {
+        if (connection.viewer() != 0) {
+            viewers.leave(connection.isSent());
+        } else if (connection.page() != null && connection.isSent()) {
+            site.sent(connection.page());
+        }
+        connection.close();
+    }
+
+    /** Has the next page made, unless too many are in memory. */
+    private void makeNext() {
+        if (maker != null || waiting.isEmpty() || selector.keys().stream().map(SelectionKey::attachment)
+                .filter(Connection.class::isInstance).map(each -> ((Connection) each).page())
+                .filter(page -> page != null).distinct().count() >= MOST_PAGES) {
+            return;
+        }
+        PageRequest next = waiting.remove();
+        maker = daemon(() -> {
+            byte[] page = page(next.path().substring(1));
+            made.add(() -> {
+                maker = null;
+                if (page == null) {
+                    next.connection().answer(System.nanoTime(), Answers.refusal(Answers.NOT_FOUND,
+                        "There is nothing here; the page is at /."));
+                } else {
+                    next.connection().answerPage(System.nanoTime(), page);
+                }
+            });
+            selector.wakeup();
+        }, "live page");
+        maker.start();
+    }
+
+    private byte[] page(String path) {
+        try {
+            return site.page(path);
+        } catch (RuntimeException damaged) {
+            return null;
+        }
     }
 
     /** The address of the page; the loopback one if the server listens on all addresses. */
     URI address() {
-        InetAddress bound = server.getAddress().getAddress();
+        InetAddress bound = listening.socket().getInetAddress();
         InetAddress shown = bound.isAnyLocalAddress() ? InetAddress.getLoopbackAddress() : bound;
         String numeric = shown.getHostAddress().replaceFirst("%.*", "");
         String host = shown instanceof Inet6Address ? "[" + numeric + "]" : numeric;
-        return URI.create("http://" + host + ":" + server.getAddress().getPort() + "/");
+        return URI.create("http://" + host + ":" + listening.socket().getLocalPort() + "/");
     }
 
     /** Whether only this machine can reach it. */
     boolean isLoopback() {
-        return server.getAddress().getAddress().isLoopbackAddress();
+        return listening.socket().getInetAddress().isLoopbackAddress();
     }
 
     /** Closes all connections. */
     @Override
     public void close() {
-        server.stop(0);
-        threads.shutdownNow();
-    }
-
-    /** Refuses a request under a foreign name, or that is more than a question; returns whether it did. */
-    static boolean refuses(HttpExchange exchange, AllowedHosts names) throws IOException {
-        if (!names.accept(exchange.getRequestHeaders().getFirst("Host"))) {
-            refuse(exchange, FORBIDDEN, "This server does not go by that name.");
-            return true;
+        closed = true;
+        selector.wakeup();
+        try {
+            thread.join(STOP_MS);
+            for (SelectionKey key : selector.keys()) {
+                key.channel().close();
+            }
+            selector.close();
+        } catch (InterruptedException interrupted) {
+            Thread.currentThread().interrupt();
+        } catch (IOException broken) {
+            return;
         }
-        if (!exchange.getRequestMethod().equals("GET")) {
-            exchange.getResponseHeaders().set("Allow", "GET");
-            refuse(exchange, WRONG_METHOD, "There is only something to get here.");
-            return true;
-        }
-        return false;
-    }
-
-    static void refuse(HttpExchange exchange, int status, String why) throws IOException {
-        send(exchange, status, TEXT, (why + "\n").getBytes(StandardCharsets.UTF_8));
-    }
-
-    static void send(HttpExchange exchange, int status, String type, byte[] body) throws IOException {
-        describe(exchange, type);
-        boolean head = exchange.getRequestMethod().equals("HEAD");
-        exchange.sendResponseHeaders(status, head ? NO_BODY : body.length);
-        if (!head) {
-            exchange.getResponseBody().write(body);
-        }
-    }
-
-    /** Headers: the type as stated, no caching, no embedding in frames. */
-    static void describe(HttpExchange exchange, String type) {
-        Headers headers = exchange.getResponseHeaders();
-        headers.set("Content-Type", type);
-        headers.set("Cache-Control", "no-store");
-        headers.set("X-Content-Type-Options", "nosniff");
-        headers.set("X-Frame-Options", "DENY");
-        // In the page's own policy, which is in a meta element, this would have no effect.
-        headers.set("Content-Security-Policy", "frame-ancestors 'none'");
-        headers.set("Referrer-Policy", "no-referrer");
-        headers.set("Cross-Origin-Resource-Policy", "same-origin");
     }
 }

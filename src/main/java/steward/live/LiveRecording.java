@@ -6,27 +6,34 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
 
 /**
  * The replay of a match while it is written, kept in memory: a replay writer writes into it, and any number of readers
  * follow, each at its own pace. A slow reader delays neither the match nor other readers, because each has its own
- * position in the list of lines. Its size depends on the match alone, a few megabytes at most.
+ * position in the list of lines, which all share. Its size depends on the match alone, a few megabytes at most.
  *
  * <p>Thread-safe.
  */
-public final class LiveRecording extends OutputStream {
+public final class LiveRecording extends OutputStream implements Feed {
 
-    /** Returned by {@link #line} when no line has been written in time. */
-    static final byte[] NOT_YET = {};
+    private static final byte[] DATA = Answers.bytes("data: ");
+    private static final int BEFORE = DATA.length;
+    private static final byte[] NOTHING = {};
 
     /** How the last line of a finished match begins; a signature is written together with a result. */
     private static final byte[] RESULT = "{\"type\":\"result\"".getBytes(StandardCharsets.UTF_8);
     private static final byte[] SIGNATURE = "{\"type\":\"signature\"".getBytes(StandardCharsets.UTF_8);
 
+    /** Each as the event that tells of it. */
     private final List<byte[]> lines = new ArrayList<>();
     private final ByteArrayOutputStream unfinished = new ByteArrayOutputStream();
+    private volatile Runnable changed = () -> { };
     private boolean over;
+
+    /** Nothing is written yet. */
+    public LiveRecording() {
+        unfinished.writeBytes(DATA);
+    }
 
     @Override
     public void write(int one) {
@@ -38,66 +45,53 @@ public final class LiveRecording extends OutputStream {
         int start = from;
         for (int k = from; k < from + count; k++) {
             if (bytes[k] == '\n') {
-                unfinished.write(bytes, start, k - start);
+                unfinished.write(bytes, start, k + 1 - start);
+                unfinished.write('\n');
                 lines.add(unfinished.toByteArray());
                 unfinished.reset();
+                unfinished.writeBytes(DATA);
                 start = k + 1;
             }
         }
         unfinished.write(bytes, start, from + count - start);
-        notifyAll();
+        changed.run();
     }
 
     /** Ends the recording: no more lines follow, with or without a result. */
     @Override
     public synchronized void close() {
         over = true;
-        notifyAll();
+        changed.run();
     }
 
-    /**
-     * A line, without its line end; waits for it if it has not been written yet.
-     *
-     * @param number counted from 0
-     * @param waitMs how long to wait at most
-     * @return {@link #NOT_YET} if it was not written in time, {@code null} if it never will be
-     */
-    synchronized byte[] line(int number, long waitMs) throws InterruptedException {
-        long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(waitMs);
-        while (number >= lines.size()) {
-            long left = TimeUnit.NANOSECONDS.toMillis(end - System.nanoTime());
-            if (over) {
-                return null;
-            }
-            if (left <= 0) {
-                return NOT_YET;
-            }
-            wait(left);
-        }
-        return lines.get(number);
+    @Override
+    public synchronized Piece piece(long position) {
+        return position < lines.size() ? new Piece(lines.get((int) position), position + 1) : over ? END : null;
+    }
+
+    @Override
+    public void onChange(Runnable listener) {
+        changed = listener;
     }
 
     /** Whether the last line is known: the result, or the last line before closing. */
-    synchronized boolean isComplete() {
-        byte[] last = lines.isEmpty() ? NOT_YET : lines.get(lines.size() - 1);
+    @Override
+    public synchronized boolean isComplete() {
+        byte[] last = lines.isEmpty() ? NOTHING : lines.get(lines.size() - 1);
         return over || startsWith(last, RESULT) || startsWith(last, SIGNATURE);
     }
 
     private static boolean startsWith(byte[] line, byte[] beginning) {
-        return line.length >= beginning.length
-            && Arrays.equals(line, 0, beginning.length, beginning, 0, beginning.length);
+        return line.length >= BEFORE + beginning.length
+            && Arrays.equals(line, BEFORE, BEFORE + beginning.length, beginning, 0, beginning.length);
     }
 
     /** All complete lines so far: a replay, perhaps without its end; empty at first. */
     public synchronized byte[] replay() {
-        int size = lines.stream().mapToInt(line -> line.length + 1).sum();
-        byte[] all = new byte[size];
-        int at = 0;
+        ByteArrayOutputStream all = new ByteArrayOutputStream();
         for (byte[] line : lines) {
-            System.arraycopy(line, 0, all, at, line.length);
-            at += line.length + 1;
-            all[at - 1] = '\n';
+            all.write(line, BEFORE, line.length - BEFORE - 1);           // with the first of its two line ends
         }
-        return all;
+        return all.toByteArray();
     }
 }

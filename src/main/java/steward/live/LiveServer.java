@@ -1,23 +1,31 @@
 package steward.live;
 
+import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.net.URI;
+import java.util.concurrent.TimeUnit;
 import steward.replay.page.ReplayPage;
 
 /**
- * Serves the page of a match that is being played, and the match line by line to every open page. Access is read-only,
- * by at most {@value #MOST_VIEWERS} viewers at the same time, each served by a thread of its own from the
- * {@link LiveRecording}, so that none can delay another or the match.
+ * Serves the page of a match that is being played, the match line by line to every open page, and the match so far as
+ * a self-contained page. Access is read-only.
  *
  * <p>Caveat: there is no password. On an address other than the loopback one, every client that reaches this machine
  * can watch.
  */
 public final class LiveServer implements AutoCloseable {
 
-    /** How many can follow a match at the same time. */
-    public static final int MOST_VIEWERS = 16;
+    /** How many can follow a page at the same time where nothing else is said. */
+    public static final int USUAL_VIEWERS = 200;
+    /** How many {@code --viewers} may ask for. */
+    public static final int MOST_VIEWERS = 10_000;
+    /** How long a viewer may read nothing, in nanoseconds. */
+    static final long SILENT_NANOS = TimeUnit.SECONDS.toNanos(10);
 
+    /** Address of the copy, relative to the page. */
+    private static final String COPY = "match.html";
 
     private final HttpService service;
     private final Viewers viewers;
@@ -32,16 +40,82 @@ public final class LiveServer implements AutoCloseable {
      *
      * @param host      name or address to listen on, or {@code null} for this machine alone (loopback)
      * @param port      to listen on, or 0 for any that is free
+     * @param most      how many viewers are admitted at the same time
      * @param title     of the page, plain text
      * @param recording the recording that the match is written to
      * @throws IOException if the host is not known or the port is taken
      */
-    public static LiveServer start(String host, int port, String title, LiveRecording recording) throws IOException {
-        ByteArrayOutputStream page = new ByteArrayOutputStream();
-        ReplayPage.writeLive(page, title, LiveHandler.FEED, LiveHandler.COPY);
-        Viewers viewers = new Viewers(MOST_VIEWERS);
-        return new LiveServer(HttpService.start(host, port,
-            names -> new LiveHandler(names, page.toByteArray(), title, recording, viewers)), viewers);
+    public static LiveServer start(String host, int port, int most, String title, LiveRecording recording)
+            throws IOException {
+        return start(host, port, most, title, recording, SILENT_NANOS);
+    }
+
+    static LiveServer start(String host, int port, int most, String title, LiveRecording recording, long silentNanos)
+            throws IOException {
+        Viewers viewers = new Viewers(most);
+        ByteArrayOutputStream front = new ByteArrayOutputStream();
+        ReplayPage.writeLive(front, title, Site.FEED, COPY);
+        return new LiveServer(HttpService.start(host, port, new MatchSite(front.toByteArray(), title, recording,
+            viewers), viewers, silentNanos), viewers);
+    }
+
+    /** The pages of a match. */
+    private static final class MatchSite implements Site {
+
+        private final byte[] front;
+        private final String title;
+        private final LiveRecording recording;
+        private final Viewers viewers;
+        /** The copy of the whole match, which all who have seen its end fetch. */
+        private volatile byte[] whole;
+
+        MatchSite(byte[] front, String title, LiveRecording recording, Viewers viewers) {
+            this.front = front;
+            this.title = title;
+            this.recording = recording;
+            this.viewers = viewers;
+        }
+
+        @Override
+        public byte[] front() {
+            return front;
+        }
+
+        @Override
+        public Feed feed() {
+            return recording;
+        }
+
+        @Override
+        public byte[] page(String path) {
+            if (!path.equals(COPY)) {
+                return null;
+            }
+            if (whole != null) {
+                return whole;
+            }
+            boolean complete = recording.isComplete();
+            byte[] replay = recording.replay();
+            if (replay.length == 0) {
+                return null;
+            }
+            ByteArrayOutputStream html = new ByteArrayOutputStream();
+            try {
+                ReplayPage.write(new ByteArrayInputStream(replay), "match", html, title);
+            } catch (IOException inMemory) {
+                throw new UncheckedIOException(inMemory);
+            }
+            byte[] copy = html.toByteArray();
+            whole = complete ? copy : null;
+            return copy;
+        }
+
+        @Override
+        public void sent(byte[] page) {
+            if (page == whole) {
+                viewers.copied();
+            }
+        }
     }
 
     /** The address of the page; the loopback one if the server listens on all addresses. */

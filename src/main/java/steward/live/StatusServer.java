@@ -1,12 +1,7 @@
 package steward.live;
 
-import com.sun.net.httpserver.HttpExchange;
-import com.sun.net.httpserver.HttpHandler;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.net.URI;
-import java.nio.charset.StandardCharsets;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Function;
 
 /**
@@ -18,22 +13,16 @@ import java.util.function.Function;
 public final class StatusServer implements AutoCloseable {
 
     /** Address of the events, relative to the page. */
-    public static final String FEED = "feed";
-
-    private static final int MOST_VIEWERS = 16;
-    /** How often a comment is sent while nothing changes, in milliseconds: it shows who is still connected. */
-    private static final long HEARTBEAT_MS = 5000;
-    private static final byte[] HEARTBEAT = bytes(":\n\n");
-    private static final byte[] END = bytes("event: end\ndata:\n\n");
+    public static final String FEED = Site.FEED;
 
     private final HttpService service;
-    private final Viewers viewers = new Viewers(MOST_VIEWERS);
-    private byte[] state;
-    private long number;
-    private boolean over;
+    private final Viewers viewers;
+    private final Newest newest = new Newest();
 
-    private StatusServer(String host, int port, byte[] page, Function<String, byte[]> pages) throws IOException {
-        service = HttpService.start(host, port, names -> handler(names, page, pages));
+    private StatusServer(String host, int port, int most, byte[] page, Function<String, byte[]> pages)
+            throws IOException {
+        viewers = new Viewers(most);
+        service = HttpService.start(host, port, new StatusSite(page, newest, pages), viewers, LiveServer.SILENT_NANOS);
     }
 
     /**
@@ -41,95 +30,66 @@ public final class StatusServer implements AutoCloseable {
      *
      * @param host  name or address to listen on, or {@code null} for this machine alone (loopback)
      * @param port  to listen on, or 0 for any that is free
+     * @param most  how many viewers are admitted at the same time
      * @param page  the page at {@code /}
-     * @param pages other pages by their path without its first slash; gives {@code null} where there is none
+     * @param pages other pages by their path without its first slash; gives {@code null} where there is none; asked
+     *              for one after the other
      * @throws IOException if the host is not known or the port is taken
      */
-    public static StatusServer start(String host, int port, byte[] page, Function<String, byte[]> pages)
+    public static StatusServer start(String host, int port, int most, byte[] page, Function<String, byte[]> pages)
             throws IOException {
-        return new StatusServer(host, port, page, pages);
+        return new StatusServer(host, port, most, page, pages);
     }
 
-    private static byte[] bytes(String text) {
-        return text.getBytes(StandardCharsets.UTF_8);
-    }
+    private record StatusSite(byte[] front, Feed feed, Function<String, byte[]> pages) implements Site {
 
-    private HttpHandler handler(AllowedHosts names, byte[] page, Function<String, byte[]> pages) {
-        return exchange -> {
-            try (exchange) {
-                if (HttpService.refuses(exchange, names)) {
-                    return;
-                }
-                String path = String.valueOf(exchange.getRequestURI().getRawPath());
-                byte[] found = path.equals("/") ? page : path.equals("/" + FEED) ? null
-                    : pages.apply(path.substring(1));
-                if (path.equals("/" + FEED)) {
-                    feed(exchange);
-                } else if (found == null) {
-                    HttpService.refuse(exchange, HttpService.NOT_FOUND, "There is nothing here; the page is at /.");
-                } else {
-                    HttpService.send(exchange, HttpService.OK, HttpService.HTML, found);
-                }
-            }
-        };
-    }
-
-    private void feed(HttpExchange exchange) throws IOException {
-        if (!viewers.enter()) {
-            HttpService.refuse(exchange, HttpService.UNAVAILABLE, "Too many are watching already.");
-            return;
-        }
-        try {
-            HttpService.describe(exchange, HttpService.EVENTS);
-            exchange.sendResponseHeaders(HttpService.OK, 0);
-            OutputStream out = exchange.getResponseBody();
-            out.write(HEARTBEAT);
-            out.flush();
-            sendStates(out);
-        } catch (InterruptedException closed) {
-            Thread.currentThread().interrupt();
-        } finally {
-            viewers.leave(true);
+        @Override
+        public byte[] page(String path) {
+            return pages.apply(path);
         }
     }
 
-    private void sendStates(OutputStream out) throws IOException, InterruptedException {
-        long sent = 0;
-        for (;;) {
-            byte[] next;
-            boolean last;
-            synchronized (this) {
-                long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(HEARTBEAT_MS);
-                long left = HEARTBEAT_MS;
-                while (number == sent && !over && left > 0) {
-                    wait(left);
-                    left = TimeUnit.NANOSECONDS.toMillis(end - System.nanoTime());
-                }
-                next = number == sent ? HEARTBEAT : state;
-                last = over;
-                sent = number;
-            }
-            out.write(next);
-            out.flush();
-            if (last) {
-                out.write(END);
-                out.flush();
-                return;
-            }
+    /** The newest state. */
+    private static final class Newest implements Feed {
+
+        private volatile Runnable changed = () -> { };
+        private Piece state;
+        private boolean over;
+
+        @Override
+        public synchronized Piece piece(long position) {
+            return state != null && position < state.next() ? state : over ? END : null;
+        }
+
+        @Override
+        public synchronized boolean isComplete() {
+            return over;
+        }
+
+        @Override
+        public void onChange(Runnable listener) {
+            changed = listener;
+        }
+
+        synchronized void show(String line) {
+            state = new Piece(Answers.bytes("data: " + line + "\n\n"), state == null ? 1 : state.next() + 1);
+            changed.run();
+        }
+
+        synchronized void end() {
+            over = true;
+            changed.run();
         }
     }
 
     /** What is shown from now on: one line. */
-    public synchronized void show(String line) {
-        state = bytes("data: " + line + "\n\n");
-        number++;
-        notifyAll();
+    public void show(String line) {
+        newest.show(line);
     }
 
     /** Nothing more follows. */
-    public synchronized void end() {
-        over = true;
-        notifyAll();
+    public void end() {
+        newest.end();
     }
 
     /** Waits, for a limited time, until every viewer has the last state. */

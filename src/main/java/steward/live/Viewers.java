@@ -19,6 +19,14 @@ final class Viewers {
         this.most = most;
     }
 
+    int most() {
+        return most;
+    }
+
+    synchronized int following() {
+        return following;
+    }
+
     /** Adds a viewer; false if there are too many already. */
     synchronized boolean enter() {
         if (following == most) {

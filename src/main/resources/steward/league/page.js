@@ -348,6 +348,19 @@ function follow(feed) {
     source.close();
     document.body.classList.remove('live');
   });
+  source.addEventListener('refused', event => {
+    source.close();
+    document.body.classList.remove('live');
+    const button = document.createElement('button');
+    button.textContent = 'Connect again';
+    button.addEventListener('click', () => {
+      element('notice').hidden = true;
+      follow(feed);
+    });
+    element('notice').replaceChildren(`${event.data} `, button);
+    element('notice').hidden = false;
+    window.steward.ready = true;
+  });
   source.onerror = () => {
     element('notice').textContent = 'The league is no longer being played, or this page cannot reach it.';
     element('notice').hidden = false;

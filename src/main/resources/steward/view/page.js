@@ -120,10 +120,16 @@ class Page {
     return Boolean(turn);
   }
 
-  say(words) {
+  /** Shows words; with a button that connects again where there is something to connect to. */
+  say(words, connect) {
     const notice = find('notice');
     notice.textContent = words;
     notice.hidden = !words;
+    if (!connect) return;
+    const button = document.createElement('button');
+    button.textContent = 'Connect again';
+    button.addEventListener('click', connect);
+    notice.append(' ', button);
   }
 }
 
@@ -236,6 +242,13 @@ function followLive(page, feed) {
     else if (page.match.result) stop();
   });
   events.addEventListener('end', stop);
+  events.addEventListener('refused', event => {
+    close();
+    page.say(event.data, () => {
+      page.say('');
+      followLive(page, feed);
+    });
+  });
   events.addEventListener('error', () => {
     lostSince ??= performance.now();
     const isOver = events.readyState === EventSource.CLOSED || performance.now() - lostSince > LOST_MS;

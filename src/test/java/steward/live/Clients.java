@@ -35,9 +35,10 @@ public final class Clients implements AutoCloseable {
         return address.getPort();
     }
 
-    private <T> HttpResponse<T> get(String path, HttpResponse.BodyHandler<T> body) {
+    private <T> HttpResponse<T> get(String path, HttpResponse.BodyHandler<T> body, String... headers) {
+        HttpRequest.Builder request = HttpRequest.newBuilder(address.resolve(path));
         try {
-            return http.send(HttpRequest.newBuilder(address.resolve(path)).build(), body);
+            return http.send((headers.length == 0 ? request : request.headers(headers)).build(), body);
         } catch (IOException problem) {
             throw new UncheckedIOException(problem);
         } catch (InterruptedException problem) {
@@ -63,7 +64,16 @@ public final class Clients implements AutoCloseable {
 
     /** Begins to follow the match. */
     public Feed feed() {
-        Feed feed = new Feed(get("feed", HttpResponse.BodyHandlers.ofInputStream()));
+        return feed(get("feed", HttpResponse.BodyHandlers.ofInputStream()));
+    }
+
+    /** Begins again, as a browser does that was disconnected. */
+    Feed feed(String lastId) {
+        return feed(get("feed", HttpResponse.BodyHandlers.ofInputStream(), "Last-Event-ID", lastId));
+    }
+
+    private Feed feed(HttpResponse<InputStream> response) {
+        Feed feed = new Feed(response);
         feeds.add(feed);
         return feed;
     }
@@ -101,10 +111,12 @@ public final class Clients implements AutoCloseable {
 
         private static final String DATA = "data: ";
         private static final String EVENT = "event: ";
+        private static final String ID = "id:";
 
         private final BufferedReader in;
         private final InputStream stream;
         private String ending;
+        private String id;
 
         private Feed(HttpResponse<InputStream> response) {
             if (response.statusCode() != 200) {
@@ -119,6 +131,8 @@ public final class Clients implements AutoCloseable {
             for (String line = in.readLine(); line != null; line = in.readLine()) {
                 if (line.startsWith(EVENT)) {
                     ending = line.substring(EVENT.length());
+                } else if (line.startsWith(ID)) {
+                    id = line.substring(ID.length());
                 } else if (line.startsWith(DATA)) {
                     return line.substring(DATA.length());
                 }
@@ -133,6 +147,14 @@ public final class Clients implements AutoCloseable {
                 lines.add(line);
             }
             return lines;
+        }
+
+        /** The viewer's number, which comes before the first line. */
+        String id() throws IOException {
+            if (id == null) {
+                id = in.readLine().substring(ID.length());
+            }
+            return id;
         }
 
         /** The kind of the last event, after the last line. */

@@ -8,10 +8,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** The lines of a match that is being written. */
-@Timeout(10)
 class LiveRecordingTest {
 
     private final LiveRecording recording = new LiveRecording();
@@ -21,37 +19,40 @@ class LiveRecordingTest {
         recording.write(bytes, 0, bytes.length);
     }
 
-    private String line(int number) throws InterruptedException {
-        return new String(recording.line(number, 0), StandardCharsets.UTF_8);
+    /** The event of a line. */
+    private String event(int number) {
+        return new String(recording.piece(number).bytes(), StandardCharsets.UTF_8);
     }
 
     @Test
-    void linesAreTheSameHoweverTheyAreWritten() throws InterruptedException {
+    void linesAreTheSameHoweverTheyAreWritten() {
         write("first\nsec");
         write("ond");
-        assertSame(LiveRecording.NOT_YET, recording.line(1, 0));
+        assertNull(recording.piece(1));
         recording.write('\n');
         write("\nthird");
-        assertEquals("first", line(0));
-        assertEquals("second", line(1));
-        assertEquals("", line(2));
+        assertEquals("data: first\n\n", event(0));
+        assertEquals("data: second\n\n", event(1));
+        assertEquals("data: \n\n", event(2));
+        assertEquals(3, recording.piece(2).next());
         assertEquals("first\nsecond\n\n", new String(recording.replay(), StandardCharsets.UTF_8));
     }
 
     @Test
-    void aReaderWaitsForALine() throws InterruptedException {
-        Thread writer = new Thread(() -> write("now\n"));
-        writer.start();
-        assertEquals("now", new String(recording.line(0, 5000), StandardCharsets.UTF_8));
-        writer.join();
+    void everyChangeIsTold() {
+        int[] told = new int[1];
+        recording.onChange(() -> told[0]++);
+        write("now\n");
+        recording.close();
+        assertEquals(2, told[0]);
     }
 
     @Test
-    void afterTheEndNothingIsWaitedFor() throws InterruptedException {
+    void afterTheEndNothingFollows() {
         write("one\n");
         recording.close();
-        assertEquals("one", line(0));
-        assertNull(recording.line(1, 60_000));
+        assertEquals("data: one\n\n", event(0));
+        assertSame(Feed.END, recording.piece(1));
     }
 
     @Test

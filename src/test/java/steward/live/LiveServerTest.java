@@ -3,6 +3,7 @@ package steward.live;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -26,13 +27,15 @@ class LiveServerTest {
 
     private static final List<String> LINES = Recorded.of("duel", 5).lines();
 
+    private static final int VIEWERS = 16;
+
     private final LiveRecording recording = new LiveRecording();
     private LiveServer server;
     private Clients clients;
 
     @BeforeEach
     void start() throws IOException {
-        server = LiveServer.start(null, 0, "a against b", recording);
+        server = LiveServer.start(null, 0, VIEWERS, "a against b", recording);
         clients = new Clients(server.address());
     }
 
@@ -134,25 +137,51 @@ class LiveServerTest {
     }
 
     @Test
-    void thereIsRoomForSixteenAndThenForWhoeverComesAfterOneHasLeft() throws Exception {
+    void whoeverFindsAllPlacesTakenIsToldAndComesInWhenOneHasLeft() throws Exception {
         List<Clients.Feed> feeds = new ArrayList<>();
-        for (int k = 0; k < LiveServer.MOST_VIEWERS; k++) {
+        for (int k = 0; k < VIEWERS; k++) {
             feeds.add(clients.feed());
         }
-        assertEquals(503, clients.status("feed"));
-        assertEquals(200, clients.status(""));
+        Clients.Feed refused = clients.feed();
+        assertEquals("All places are taken: 16 are watching, more are not admitted.", refused.next());
+        assertEquals("refused", refused.ending());
+        assertNull(refused.next());
+        assertEquals(200, clients.status(""), "the page itself is there for everybody");
         feeds.get(3).close();
-        int status = 503;
-        while (status == 503) {                              // that one has gone is seen when it is next written to
-            write(List.of("line"));
-            status = clients.status("feed");
+        write(LINES.subList(0, 1));
+        String first = null;
+        while (!LINES.get(0).equals(first)) {                // that one has gone is seen a moment later
+            first = clients.feed().next();
         }
-        assertEquals(200, status);
+    }
+
+    /** 8 MB are more than all buffers between the two. A browser connects again by itself, with the last id. */
+    @Test
+    void aViewerWhoReadsNothingIsDroppedAndToldWhenItComesAgain() throws Exception {
+        LiveRecording lines = new LiveRecording();
+        try (LiveServer impatient = LiveServer.start(null, 0, 2, "b", lines, 300_000_000);
+             Clients others = new Clients(impatient.address())) {
+            Clients.Feed slow = others.feed();
+            Clients.Feed quick = others.feed();
+            byte[] line = ("x".repeat(1 << 20) + "\n").getBytes(StandardCharsets.UTF_8);
+            for (int k = 0; k < 8; k++) {
+                lines.write(line, 0, line.length);
+                assertEquals(1 << 20, quick.next().length());
+            }
+            String told = null;
+            while (told == null || !told.startsWith("This page has read nothing for ")) {
+                told = others.feed(slow.id()).next();        // until it is dropped, all places are taken
+            }
+            assertEquals(1 << 20, others.feed().next().length(), "without its number it is somebody new");
+            lines.close();
+            assertNull(quick.next());
+            assertEquals("end", quick.ending());
+        }
     }
 
     @Test
     void theCopyHoldsWhatHasBeenPlayed() throws Exception {
-        assertEquals(503, clients.status("match.html"), "nothing has been played");
+        assertEquals(404, clients.status("match.html"), "nothing has been played");
         write(LINES.subList(0, 5));
         String half = clients.body("match.html");
         assertTrue(half.contains("cut off after turn 4"), "it says where it ends");
@@ -208,13 +237,13 @@ class LiveServerTest {
 
     @Test
     void aPortThatIsTakenIsRefused() {
-        assertThrows(BindException.class, () -> LiveServer.start(null, clients.port(), "b", new LiveRecording()));
-        assertThrows(UnknownHostException.class, () -> LiveServer.start("no such host", 0, "b", recording));
+        assertThrows(BindException.class, () -> LiveServer.start(null, clients.port(), 1, "b", new LiveRecording()));
+        assertThrows(UnknownHostException.class, () -> LiveServer.start("no such host", 0, 1, "b", recording));
     }
 
     @Test
     void onAllAddressesItIsShownByTheLoopbackOne() throws Exception {
-        try (LiveServer open = LiveServer.start("0.0.0.0", 0, "b", recording)) {
+        try (LiveServer open = LiveServer.start("0.0.0.0", 0, 1, "b", recording)) {
             assertFalse(open.isLoopback());
             assertEquals("127.0.0.1", open.address().getHost());
             try (Clients other = new Clients(open.address())) {

@@ -120,11 +120,10 @@ public final class MatchCommand implements Callable<Integer> {
         check.that(!piped || !json, "--json is printed to the standard output, expected a file for --out");
         check.that(!StandardFiles.is(show.view()),
             "--view: found -, expected a file: the standard output is for the result");
-        String problem = show.problem(many.isAny());
-        check.that(problem == null, problem);
+        show.check(check, many.isAny());
         GameSetup setup = Games.warn(scene.open(streams), streams);
         boolean alone = setup.scene().players() == 1;
-        problem = alone ? many.problemAlone() : null;
+        String problem = alone ? many.problemAlone() : null;
         check.that(problem == null, problem);
         Contest contest = many.isAny() ? Contest.ofSeries(setup, bots, ProtocolWord.parse(protocol), factor)
             : Contest.of(setup, bots, ProtocolWord.parse(protocol), factor);

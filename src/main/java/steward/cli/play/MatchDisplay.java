@@ -7,11 +7,11 @@ import java.io.OutputStream;
 import java.io.PrintStream;
 import java.io.UncheckedIOException;
 import java.net.URI;
-import java.net.UnknownHostException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.concurrent.CompletableFuture;
+import steward.cli.options.WatchOptions;
 import steward.cli.shared.EnterKey;
 import steward.cli.shared.FailedException;
 import steward.cli.shared.Pages;
@@ -69,11 +69,11 @@ final class MatchDisplay implements AutoCloseable {
                         boolean overwrite) {
         MatchDisplay show = new MatchDisplay(streams, said, title, options.open());
         try {
-            if (options.view() != null || options.open() && !options.watch()) {
+            if (options.view() != null || options.open() && !options.watch().watch()) {
                 show.preparePage(options.view(), replay, overwrite);
             }
-            if (options.watch()) {
-                show.server = serve(options, title, show.recording);
+            if (options.watch().watch()) {
+                show.server = serve(options.watch(), title, show.recording);
             }
             return show;
         } catch (InputException problem) {
@@ -102,13 +102,11 @@ final class MatchDisplay implements AutoCloseable {
         }
     }
 
-    private static LiveServer serve(DisplayOptions options, String title, LiveRecording recording) {
+    private static LiveServer serve(WatchOptions options, String title, LiveRecording recording) {
         try {
-            return LiveServer.start(options.host(), options.port(), title, recording);
+            return LiveServer.start(options.host(), options.port(), options.viewers(), title, recording);
         } catch (IOException problem) {
-            String host = options.host() == null ? "" : options.host() + ", ";
-            throw new InputException("--watch: cannot listen on " + host + "port " + options.port() + ": "
-                + (problem instanceof UnknownHostException ? "found no such host" : problem.getMessage()));
+            throw options.cannotListen(problem);
         }
     }
 

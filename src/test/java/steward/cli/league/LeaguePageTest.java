@@ -103,7 +103,7 @@ class LeaguePageTest {
             "meanMs":1,\
             "worstMs":2}],"cross":[[null]],"path":{"versions":[1],"points":[]},"list":[]}""";
         byte[] page = LeaguePage.live("League", StatusServer.FEED);
-        try (StatusServer server = StatusServer.start(null, 0, page, path -> null);
+        try (StatusServer server = StatusServer.start(null, 0, 200, page, path -> null);
              PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
             server.show(state.formatted(1, 1));
             browser.go(server.address().toString());
@@ -134,7 +134,7 @@ class LeaguePageTest {
                 "\"fast fails in 9 of its 40 games and in 2 of 300 others of the same lineup, by chance 0.0001%\"")
             + "]}";
         byte[] page = LeaguePage.live("League", StatusServer.FEED);
-        try (StatusServer server = StatusServer.start(null, 0, page, path -> null);
+        try (StatusServer server = StatusServer.start(null, 0, 200, page, path -> null);
              PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
             server.show(state);
             browser.go(server.address().toString());

@@ -1,7 +1,6 @@
 package steward.cli.league.run;
 
 import java.io.IOException;
-import java.net.UnknownHostException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
@@ -13,6 +12,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import steward.cli.league.view.PageCommand;
+import steward.cli.options.WatchOptions;
 import steward.cli.shared.Pages;
 import steward.cli.shared.Streams;
 import steward.files.InputException;
@@ -62,7 +62,7 @@ final class LeagueWatch implements AutoCloseable {
         this.season = season;
         this.games = games;
         this.progress = progress;
-        server = StatusServer.start(options.host(), options.port(),
+        server = StatusServer.start(options.host(), options.port(), options.viewers(),
             LeaguePage.live(PageCommand.title(folder.path()), StatusServer.FEED), this::page);
     }
 
@@ -72,9 +72,7 @@ final class LeagueWatch implements AutoCloseable {
         try {
             return new LeagueWatch(folder, season, games, progress, options);
         } catch (IOException problem) {
-            throw new InputException("--watch: cannot listen on "
-                + (options.host() == null ? "" : options.host() + ", ") + "port " + options.port() + ": "
-                + (problem instanceof UnknownHostException ? "found no such host" : problem.getMessage()));
+            throw options.cannotListen(problem);
         }
     }
 

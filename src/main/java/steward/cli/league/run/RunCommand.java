@@ -20,6 +20,7 @@ import steward.cli.league.view.TableText;
 import steward.cli.league.view.WorkerBooks;
 import steward.cli.options.CallCheck;
 import steward.cli.options.ThreadsOption;
+import steward.cli.options.WatchOptions;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
 import steward.cli.shared.Interruption;
@@ -101,6 +102,9 @@ public final class RunCommand implements Callable<Integer> {
     @Mixin
     private final WatchOptions watch = new WatchOptions();
 
+    @Option(names = "--open", description = "Opens the page of --watch in the browser.")
+    private boolean open;
+
     @Mixin
     private final Serving serving;
 
@@ -117,7 +121,8 @@ public final class RunCommand implements Callable<Integer> {
     @SuppressWarnings("try")                           // the lock is only closed, never used
     public Integer call() throws InterruptedException {
         threads.check();
-        watch.check();
+        watch.check(check);
+        check.that(watch.watch() || !open, "--open is for --watch, expected both");
         StopRule rule = until.rule();
         check.that(!anew || !keepRules,
             "--keep-rules: expected no --new-season with it: it goes on with the old table");
@@ -196,7 +201,7 @@ public final class RunCommand implements Callable<Integer> {
              Interruption interruption = new Interruption(streams, () -> told.getAndSet(true) ? null
                 : interrupted(run, progress, season, others.get(), screen.get()))) {
             if (page != null) {
-                page.follow(run, machines, streams, watch.open());
+                page.follow(run, machines, streams, open);
             }
             if (machines != null) {
                 run.with(machines);

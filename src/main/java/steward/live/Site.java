@@ -1,0 +1,25 @@
+package steward.live;
+
+/** The pages of a server, and the feed that its front page follows. */
+interface Site {
+
+    /** Address of the feed, relative to the front page. */
+    String FEED = "feed";
+
+    /** The page at {@code /}. */
+    byte[] front();
+
+    Feed feed();
+
+    /**
+     * Makes another page; may take its time.
+     *
+     * @param path without its first slash
+     * @return {@code null} if there is none
+     */
+    byte[] page(String path);
+
+    /** Called when a page that was made has been sent to the last byte. */
+    default void sent(byte[] page) {
+    }
+}
