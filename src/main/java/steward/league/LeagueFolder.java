@@ -1,7 +1,6 @@
 package steward.league;
 
 import java.io.IOException;
-import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
@@ -12,6 +11,8 @@ import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.scene.json.JsonLimits;
 import steward.scene.json.SceneException;
+import steward.text.Utf8Text;
+import steward.text.Utf8Text.NotUtf8Exception;
 
 /**
  * The folder of a league: {@code league.json}, {@code league.db}, {@code league.lock} and the replays.
@@ -87,9 +88,10 @@ public record LeagueFolder(Path path) {
                 throw new InputException(file + ": found a file of " + Files.size(file)
                     + " bytes, expected at most " + JsonLimits.BYTES);
             }
-            return LeagueReader.read(Files.readString(file, StandardCharsets.UTF_8), file.toString());
-        } catch (CharacterCodingException problem) {
-            throw new InputException(file + ": found bytes that are not UTF-8, expected a text in UTF-8");
+            return LeagueReader.read(Utf8Text.decode(Files.readAllBytes(file), file.toString(), "a text in UTF-8"),
+                file.toString());
+        } catch (NotUtf8Exception problem) {
+            throw new InputException(problem.getMessage());
         } catch (AccessDeniedException problem) {
             throw new InputException(file + ": cannot be read: no permission");
         } catch (IOException problem) {

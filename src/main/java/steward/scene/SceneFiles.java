@@ -2,9 +2,6 @@ package steward.scene;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.ByteBuffer;
-import java.nio.charset.CharacterCodingException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
@@ -14,6 +11,8 @@ import java.util.Optional;
 import steward.scene.json.JsonLimits;
 import steward.scene.json.SceneException;
 import steward.scene.json.Wording;
+import steward.text.Utf8Text;
+import steward.text.Utf8Text.NotUtf8Exception;
 
 /** Finds scene files: by path, or by the name of a shipped scene. */
 public final class SceneFiles {
@@ -122,10 +121,10 @@ public final class SceneFiles {
     /** Strict decoding, unlike {@code new String}; a byte order mark is removed. */
     static String decode(byte[] bytes, String source) {
         try {
-            String text = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
+            String text = Utf8Text.decode(bytes, source, "a text in UTF-8");
             return text.startsWith("\ufeff") ? text.substring(1) : text;
-        } catch (CharacterCodingException e) {
-            throw new SceneException(source + ": found bytes that are not UTF-8, expected a text in UTF-8");
+        } catch (NotUtf8Exception problem) {
+            throw new SceneException(problem.getMessage());
         }
     }
 }

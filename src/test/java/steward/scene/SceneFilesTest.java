@@ -132,7 +132,8 @@ class SceneFilesTest {
     void aFileMustBeUtf8() throws IOException {
         Path file = temp.resolve("latin.json");
         Files.write(file, "{ \"name\": \"é\" }".getBytes(StandardCharsets.ISO_8859_1));
-        assertEquals(file + ": found bytes that are not UTF-8, expected a text in UTF-8", refused(file.toString()));
+        assertEquals(file + ":1:12: found the byte 0xE9, which is not UTF-8 here, expected a text in UTF-8",
+            refused(file.toString()));
     }
 
     @Test

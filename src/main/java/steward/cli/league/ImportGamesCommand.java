@@ -2,6 +2,7 @@ package steward.cli.league;
 
 import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -26,6 +27,7 @@ import steward.league.store.GameLine;
 import steward.league.store.GameStore;
 import steward.league.store.SeasonOpening;
 import steward.text.TextFormat;
+import steward.text.Utf8Text;
 
 /** {@code steward league import}: games of another league. */
 @Command(name = "import", description = "Reads games that 'league export' wrote, of the same scene, limits and rules.",
@@ -84,9 +86,18 @@ final class ImportGamesCommand implements Callable<Integer> {
                 GameFile.readJson(in, path.toString(), taker);
             }
         } catch (CharacterCodingException problem) {
-            throw new InputException(path + ": found bytes that are not UTF-8, expected a text in UTF-8");
+            throw new InputException(place(path));
         } catch (IOException problem) {
             throw new InputException(path + ": cannot be read: " + OutputFiles.reason(path, problem));
+        }
+    }
+
+    /** Where a file is not UTF-8: it is too long to be read at once. */
+    private static String place(Path path) {
+        try (InputStream in = Files.newInputStream(path)) {
+            return Utf8Text.problem(in, path.toString(), "a text in UTF-8").getMessage();
+        } catch (IOException problem) {
+            return path + ": cannot be read: " + OutputFiles.reason(path, problem);
         }
     }
 }

@@ -4,9 +4,6 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
-import java.nio.ByteBuffer;
-import java.nio.charset.CharacterCodingException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -31,6 +28,8 @@ import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.replay.page.UnclosedOutputStream;
 import steward.text.TextFormat;
+import steward.text.Utf8Text;
+import steward.text.Utf8Text.NotUtf8Exception;
 
 /** {@code steward import}: makes a replay from an official recording. */
 @Command(name = "import", description = "Makes a replay from CodinGame's own JSON of a game. Verifying it compares "
@@ -114,12 +113,11 @@ public final class ImportCommand implements Callable<Integer> {
         byte[] bytes = unpacked(piped ? StandardFiles.readAll(streams, RecordingImport.MOST_BYTES, RECORDING)
             : readFile(OutputFiles.path(file), replay), source);
         try {
-            String text = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
+            String text = Utf8Text.decode(bytes, source, "CodinGame's JSON of a game");
             return RecordingImport.of(text.startsWith(BYTE_ORDER_MARK) ? text.substring(1) : text, source,
                 Games.types());
-        } catch (CharacterCodingException problem) {
-            throw new InputException(source
-                + ": found bytes that are no text in UTF-8, expected CodinGame's JSON of a game");
+        } catch (NotUtf8Exception problem) {
+            throw new InputException(problem.getMessage());
         } catch (IllegalArgumentException problem) {
             throw new InputException(problem.getMessage());
         }

@@ -23,6 +23,8 @@ import steward.bot.isolation.Isolation;
 import steward.bot.isolation.Launch;
 import steward.bot.process.ProgramRun;
 import steward.cli.tournament.Programs.Program;
+import steward.text.Utf8Text;
+import steward.text.Utf8Text.NotUtf8Exception;
 
 /**
  * Makes programs ready to run: each gets a folder of its own with a copy of its source; what has to be compiled is
@@ -175,15 +177,18 @@ record Workshop(Path folder, Isolation isolation, long limitMs) {
         if (files.size() >= MOST_FILES) {
             return failed(program, "found " + files.size() + " files or more, expected fewer than " + MOST_FILES);
         }
-        String run = Files.readString(copy.resolve("run")).replaceFirst("^\uFEFF", "");
         List<String> words = new ArrayList<>(List.of("sh", "-c", "cd \"$0\" && exec \"$@\"", copy.toString()));
         try {
+            String run = Utf8Text.decode(Files.readAllBytes(copy.resolve("run")), "run", "a command in UTF-8")
+                .replaceFirst("^\uFEFF", "");
             if (run.startsWith("#!") && !copy.resolve("run").toFile().setExecutable(true)) {
                 return failed(program, "run: cannot be made executable");
             }
             words.addAll(run.startsWith("#!") ? List.of("./run")
                 : CommandLine.split(run.lines().map(String::strip).filter(line -> !line.isEmpty()).findFirst()
                     .orElse("")));
+        } catch (NotUtf8Exception problem) {
+            return failed(program, problem.getMessage());
         } catch (IllegalArgumentException problem) {
             return failed(program, "run: " + problem.getMessage());
         }

@@ -15,6 +15,8 @@ import java.util.function.Supplier;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.scene.json.JsonLimits;
+import steward.text.Utf8Text;
+import steward.text.Utf8Text.NotUtf8Exception;
 
 /** Files and folders that their owner alone may read. */
 public final class PrivateFile {
@@ -103,7 +105,9 @@ public final class PrivateFile {
                 throw new InputException(file + ": found a file of " + Files.size(file) + " bytes, expected "
                     + expected);
             }
-            return Files.readString(file, StandardCharsets.UTF_8);
+            return Utf8Text.decode(Files.readAllBytes(file), file.toString(), expected);
+        } catch (NotUtf8Exception problem) {
+            throw new InputException(problem.getMessage());
         } catch (IOException problem) {
             throw new InputException(file + ": cannot be read: " + OutputFiles.reason(file, problem));
         }

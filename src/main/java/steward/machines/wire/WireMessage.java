@@ -1,13 +1,14 @@
 package steward.machines.wire;
 
 import java.nio.ByteBuffer;
-import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import steward.files.InputException;
 import steward.scene.json.Block;
 import steward.scene.json.JsonTree;
 import steward.scene.json.SceneException;
+import steward.text.Utf8Text;
+import steward.text.Utf8Text.NotUtf8Exception;
 
 /**
  * A message: four bytes with the length of the header, the header, an object of JSON in UTF-8, and any bytes behind it.
@@ -49,12 +50,11 @@ public record WireMessage(Block header, byte[] payload) {
                 + ", expected a message");
         }
         try {
-            String text = StandardCharsets.UTF_8.newDecoder().decode(buffer.slice().limit(length)).toString();
+            String text = Utf8Text.decode(Arrays.copyOfRange(bytes, Integer.BYTES, Integer.BYTES + length), source,
+                "a message");
             return new WireMessage(new Block(source, "", JsonTree.read(text, source, "a message")),
                 Arrays.copyOfRange(bytes, Integer.BYTES + length, bytes.length));
-        } catch (CharacterCodingException problem) {
-            throw new InputException(source + ": found bytes that are not UTF-8, expected a message");
-        } catch (SceneException problem) {
+        } catch (NotUtf8Exception | SceneException problem) {
             throw new InputException(problem.getMessage());
         }
     }

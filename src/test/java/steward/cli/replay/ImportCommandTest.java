@@ -177,7 +177,7 @@ class ImportCommandTest {
         refused("found no frames", "import", Files.writeString(recording, "{}").toString(), "--out", out);
         refused("found no such file, expected a recording", "import", folder + "/nothing", "--out", out);
         refused(folder + ": found a folder, expected a recording", "import", folder.toString(), "--out", out);
-        refused("game.json: found bytes that are no text in UTF-8", "import",
+        refused("game.json:1:1: found the byte 0xFF, which is not UTF-8 here", "import",
             Files.write(recording, new byte[] {(byte) 0xff, 0x20}).toString(), "--out", out);
         assertFalse(Files.exists(replay));
     }
