@@ -11,6 +11,8 @@
  *   -u UID -g GID   what the user is in the user namespace (light)
  *   -l              brings up the loopback device (light)
  *   -r FOLDER       a mount point that the bot must not write to; can be repeated (light)
+ *   -e FOLDER       a folder that is made if it is not there, and of which the bot has an empty one of its own, for 64 MiB;
+ *                   can be repeated (light)
  *   -s SOCKET       a Unix socket on which the referee listens; its folder is hidden from the bot (light, outside)
  *   -h              descriptor 5 is that socket, connected (inside)
  *   -c FILE         joins the control group whose cgroup.procs this is
@@ -45,6 +47,7 @@
 #include <sys/resource.h>
 #include <sys/signalfd.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/statvfs.h>
 #include <sys/syscall.h>
 #include <sys/un.h>
@@ -60,8 +63,8 @@ static const char *uid = "65534", *gid = "65534", *group;
 static const char *holdSocket;
 static int holding = -1;                            /* the connected socket */
 static int loopback;
-static const char *readOnly[64];
-static int readOnlyCount;
+static const char *readOnly[64], *emptied[8];
+static int readOnlyCount, emptiedCount;
 static rlim_t limits[4];
 static const int resources[4] = {RLIMIT_AS, RLIMIT_NPROC, RLIMIT_FSIZE, RLIMIT_NOFILE};
 
@@ -140,6 +143,16 @@ static void connectToReferee(void) {
     }
     holding = fcntl(connected, F_DUPFD_CLOEXEC, 10);    /* beyond the descriptors with a meaning */
     close(connected);
+}
+
+/* Only its user writes there. What cannot be a folder is left as it is: another user of this machine may have made it. */
+static void emptyFolder(const char *folder) {
+    struct stat found;
+    mkdir(folder, 0755);
+    if (lstat(folder, &found) == 0 && S_ISDIR(found.st_mode)
+            && mount("tmpfs", folder, "tmpfs", MS_NOSUID | MS_NODEV | MS_NOEXEC, "size=64m,mode=755") != 0) {
+        fail(folder);
+    }
 }
 
 /* What the bot would find there are sockets of other bots. */
@@ -276,6 +289,9 @@ static void light(char **command) {
     for (int k = 0; k < readOnlyCount; k++) {
         closeForWriting(readOnly[k]);
     }
+    for (int k = 0; k < emptiedCount; k++) {
+        emptyFolder(emptied[k]);
+    }
     if (holdSocket != NULL) {
         hideSockets();
     }
@@ -370,6 +386,8 @@ int main(int count, char **words) {
             holdSocket = value;
         } else if (letter == 'r' && readOnlyCount < (int) (sizeof readOnly / sizeof *readOnly)) {
             readOnly[readOnlyCount++] = value;
+        } else if (letter == 'e' && emptiedCount < (int) (sizeof emptied / sizeof *emptied)) {
+            emptied[emptiedCount++] = value;
         } else if ((kind = strchr(kinds, letter)) != NULL) {
             limits[kind - kinds] = strtoull(value, NULL, 10);
         }

@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.StreamSupport;
@@ -34,6 +35,8 @@ public final class FairGround {
         "memory", "namespaces", "timer", "own");
     private static final String ROW = "%-11s %-7s %-5s %6s %12s %12s %6s %14s %8s%n";
     private static final String SEARCH_MS = "50";
+    /** Seeds, each played from both sides. */
+    private static final int ROUND = 5;
 
     private final List<String> options;
     private final Path work;
@@ -43,7 +46,12 @@ public final class FairGround {
         this.work = work;
     }
 
-    private record Row(int games, int lost, int again, int held, int uncounted) {
+    private record Row(int games, int lost, int again, int held, int uncounted, double seconds) {
+
+        Row and(Row other) {
+            return new Row(games + other.games, lost + other.lost, again + other.again, held + other.held,
+                uncounted + other.uncounted, seconds + other.seconds);
+        }
     }
 
     /** Reads the options, plays, prints. */
@@ -103,27 +111,35 @@ public final class FairGround {
         return fair;
     }
 
+    /** Cases take turns in rounds, so that all of them see the same machine. */
     private boolean isFair(Path scene, String level, String time) {
-        int baseline = -1;
+        List<String> words = List.of(option("only", String.join(",", CASES)).split(","));
+        Row[] rows = new Row[words.size()];
+        Arrays.fill(rows, new Row(0, 0, 0, 0, 0, 0));
+        int seeds = Math.max(1, Integer.parseInt(option("games", "50")) / 2);
+        for (int first = 1; first <= seeds; first += ROUND) {
+            for (int k = 0; k < rows.length; k++) {
+                rows[k] = rows[k].and(row(scene, words.get(k), level, time, first, Math.min(ROUND, seeds + 1 - first)));
+            }
+        }
+        int baseline = words.contains("none") ? rows[words.indexOf("none")].lost() : 0;
         boolean fair = true;
-        for (String word : option("only", String.join(",", CASES)).split(",")) {
-            long begun = System.nanoTime();
-            Row row = row(scene, word, level, time);
-            System.out.printf(ROW, word, level, time, row.games(), row.lost(), row.again(), row.held(),
-                row.uncounted(), String.format(Locale.ROOT, "%.0f", (System.nanoTime() - begun) / 1e9));
-            baseline = word.equals("none") ? row.lost() : baseline;
-            fair &= row.lost() <= Math.max(0, baseline);
+        for (int k = 0; k < rows.length; k++) {
+            Row row = rows[k];
+            System.out.printf(ROW, words.get(k), level, time, row.games(), row.lost(), row.again(), row.held(),
+                row.uncounted(), String.format(Locale.ROOT, "%.0f", row.seconds()));
+            fair &= row.lost() <= baseline;
         }
         return fair;
     }
 
     /** Sides take turns: who is asked first in a turn may matter. */
-    private Row row(Path scene, String word, String level, String time) {
+    private Row row(Path scene, String word, String level, String time, int first, int seeds) {
+        long begun = System.nanoTime();
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         ByteArrayOutputStream err = new ByteArrayOutputStream();
-        int games = Integer.parseInt(option("games", "50"));
         Main.run(new Streams(out, err, false, false), "match", "--scene", scene.toString(), "--games",
-            "" + Math.max(1, games / 2), "--swap", "--seed", "1", "--sandbox", level, "--time", time, "--hold",
+            "" + seeds, "--swap", "--seed", "" + first, "--sandbox", level, "--time", time, "--hold",
             option("hold", "burners"), "--threads", option("threads", "1"), "--json", "--bot",
             "hog=" + work.resolve("hog/hog") + " " + word + " " + (word.equals("own") ? SEARCH_MS : "0"), "--bot",
             "honest=" + work.resolve("honest/honest") + " none " + SEARCH_MS);
@@ -134,7 +150,8 @@ public final class FairGround {
         int held = (int) StreamSupport.stream(result.path("list").spliterator(), false).filter(FairGround::isHeld)
             .count();
         return new Row(result.path("games").asInt(), result.path("bots").path(1).path("faults").asInt(),
-            result.path("playedAgain").asInt(), held, result.path("games").asInt() - result.path("results").asInt());
+            result.path("playedAgain").asInt(), held, result.path("games").asInt() - result.path("results").asInt(),
+            (System.nanoTime() - begun) / 1e9);
     }
 
     private static boolean isHeld(JsonNode game) {

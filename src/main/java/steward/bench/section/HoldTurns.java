@@ -19,13 +19,17 @@ import steward.bot.process.BotProcess;
  * Cost of a turn where bots are held, at the level of isolation that is usual here: never, burners though there are
  * none, and always, which is a stop and a continue for each answer. In each round every policy has a pair of bots of
  * its own, started anew and asked in turns as in a match; policies take turns, so that all see the same machine. Then
- * once more beside busy processes, each in a session of its own.
+ * with bots that compute for some milliseconds before they answer, always as much, and at last beside busy processes,
+ * each in a session of its own.
  */
 final class HoldTurns {
 
     private static final int TURNS = 500;
-    /** Beside busy processes a turn takes milliseconds. */
+    /** Of bots that compute, or beside busy processes, a turn takes milliseconds. */
     private static final int SLOW_TURNS = 20;
+    /** Counts up for some 10 ms: long enough that the one that waits meanwhile is looked at. */
+    private static final List<String> SEARCHING = List.of("sh", "-c", "while read -r l; do k=0; while [ $k -lt 5000 ];"
+        + " do k=$((k + 1)); done; echo; done");
     private static final int HOGS = 16;
     /** Never reached; there is one, since without limits nobody is held. */
     private static final long LIMIT = TimeUnit.MINUTES.toNanos(1);
@@ -54,21 +58,24 @@ final class HoldTurns {
         if (HoldMeans.of(Isolation.usual()) != HoldMeans.INIT) {
             return;
         }
-        measure(rounds, TURNS, "", about, rows);
+        measure(responder, rounds, TURNS, "", about, rows);
+        measure(SEARCHING, rounds / 2, SLOW_TURNS, " of bots that compute", about, rows);
         try (BotProcess hogs = new BotProcess("hogs", new Launch(BUSY, Isolation.usual().holding(HoldPolicy.NEVER),
                 List.of()), BotProcess.DEFAULT_GRACE_MS)) {
             ask(hogs);
-            measure(Math.max(2, rounds / 10), SLOW_TURNS, ", beside " + HOGS + " busy processes", about, rows);
+            measure(responder, Math.max(2, rounds / 10), SLOW_TURNS, ", beside " + HOGS + " busy processes", about,
+                rows);
         }
     }
 
-    private void measure(int rounds, int turns, String where, Consumer<String> about, Consumer<Row> rows) {
+    private void measure(List<String> command, int rounds, int turns, String where, Consumer<String> about,
+                         Consumer<Row> rows) {
         int warm = rounds / 3;
         double[][] spent = new double[policies.size()][rounds - warm];
         for (int round = 0; round < rounds; round++) {
             about.accept("holding" + where);
             for (int k = 0; k < policies.size(); k++) {
-                double turn = turn(policies.get(k), turns);
+                double turn = turn(command, policies.get(k), turns);
                 if (round >= warm) {
                     spent[k][round - warm] = turn;
                 }
@@ -88,11 +95,11 @@ final class HoldTurns {
     }
 
     /** The mean of the turns of one pair of bots, in nanoseconds. */
-    private double turn(HoldPolicy policy, int turns) {
+    private double turn(List<String> command, HoldPolicy policy, int turns) {
         List<BotProcess> bots = new ArrayList<>();
         try {
             for (int k = 0; k < 2; k++) {
-                bots.add(new BotProcess("bot", new Launch(responder, Isolation.usual().holding(policy), List.of()),
+                bots.add(new BotProcess("bot", new Launch(command, Isolation.usual().holding(policy), List.of()),
                     BotProcess.DEFAULT_GRACE_MS));
                 ask(bots.get(k));
             }

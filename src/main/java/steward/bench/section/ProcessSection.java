@@ -67,13 +67,13 @@ final class ProcessSection implements Section {
             + " answered, as in a match, and ending them: the rest is our own. Last, a bot's start up to its first"
             + " answer at each level of isolation, and a turn after that; and a turn with limits of time by the clock"
             + " and of CPU time; and a turn of two bots where waiting bots are never held, burners are, and all are,"
-            + " also beside 16 busy processes.";
+            + " also of bots that compute and beside 16 busy processes.";
     }
 
     @Override
     public int steps(Effort effort) {
         return warmUps(effort) + 2 * effort.rounds() + 3 * (starts(effort) * 3 / 2) + starts(effort)
-            + Math.max(2, starts(effort) / 10);
+            + starts(effort) / 2 + Math.max(2, starts(effort) / 10);
     }
 
     private static int warmUps(Effort effort) {

@@ -17,6 +17,12 @@ public record Launch(List<String> command, Isolation isolation, List<List<String
 
     private static final String END = "--";
 
+    /**
+     * Where a JVM has a file by its number and locks it. Bots have the same numbers, each in its own namespace, and the
+     * second JVM would say so on its standard output, as its first answer.
+     */
+    private static final String JVM_FILES = "/tmp/hsperfdata_";
+
     /** Copies the lists. */
     public Launch {
         command = List.copyOf(command);
@@ -78,6 +84,7 @@ public record Launch(List<String> command, Isolation isolation, List<List<String
                     words.add("-l");
                 }
                 ControlGroup.mountPoints().forEach(point -> words.addAll(List.of("-r", point)));
+                words.addAll(List.of("-e", JVM_FILES + UserNumbers.nameInside()));
                 words.addAll(socket(holdSocket));
                 words.addAll(NativeLauncher.options(isolation.limits(), join));
                 words.add(END);

@@ -27,6 +27,11 @@ final class UserNumbers {
         return own == 0 ? NOBODY : own;
     }
 
+    /** The name of {@link #userInside}. */
+    static String nameInside() {
+        return isRoot() ? "nobody" : System.getProperty("user.name");
+    }
+
     private static int number(String attribute) {
         try {
             return (Integer) Files.getAttribute(Path.of("/proc/self"), attribute);

@@ -11,6 +11,8 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -33,6 +35,7 @@ import steward.bot.isolation.SandboxLevel;
 class BotHoldTest {
 
     private static final long LIMIT = TimeUnit.SECONDS.toNanos(60);
+    private static final long OPPONENTS_TURN = TimeUnit.MILLISECONDS.toNanos(70);
 
     @TempDir
     private Path folder;
@@ -88,6 +91,25 @@ class BotHoldTest {
             List<Long> processes = bot.processes();
             bot.close();
             processes.forEach(ScriptedBots::assertGone);
+        }
+    }
+
+    /** Its children burn from 5 ms after each of its answers on, for 65 ms: it is seen over two of its waits. */
+    @ParameterizedTest
+    @EnumSource(value = SandboxLevel.class, names = {"LIGHT", "STRICT"})
+    void aBotWhoseChildrenWaitUntilTheOtherIsAskedIsHeld(SandboxLevel level) throws Exception {
+        try (BotProcess bot = hog(level, "sleeper", HoldPolicy.BURNERS)) {
+            begin(bot);
+            AtomicBoolean held = new AtomicBoolean();
+            AtomicLong answered = new AtomicLong(Watchdog.now());
+            ScriptedBots.await("it is not held", () -> {
+                if (!held.get() && Watchdog.now() - answered.get() > OPPONENTS_TURN) {
+                    held.set(ask(bot));
+                    answered.set(Watchdog.now());
+                }
+                return held.get();
+            });
+            ScriptedBots.await("it is not stopped", () -> allHalted(bot));
         }
     }
 

@@ -2,18 +2,23 @@ package steward.bot.process;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import steward.bot.Answer;
 import steward.bot.Player;
 import steward.bot.hold.HoldPolicy;
+import steward.bot.isolation.HoldMeans;
 import steward.bot.isolation.Isolation;
 import steward.bot.isolation.Launch;
 import steward.bot.isolation.SandboxLevel;
@@ -202,6 +207,27 @@ class SandboxVerdictsTest {
         List<Long> processes = bot.processes();
         bot.close();
         processes.forEach(ScriptedBots::assertGone);
+    }
+
+    /** Both have the same number in their namespaces, by which a JVM names a file in /tmp and locks it. */
+    @ParameterizedTest
+    @EnumSource(SandboxLevel.class)
+    void aJvmBesideAnotherSaysNothingOfItsOwn(SandboxLevel level, @TempDir Path folder) throws IOException {
+        ScriptedBots.assumeWorks(level);
+        assumeTrue(level != SandboxLevel.LIGHT || HoldMeans.of(Isolation.at(level)) == HoldMeans.INIT,
+            "skipped: there is no C compiler");
+        Path program = Files.writeString(folder.resolve("Echo.java"), "class Echo { public static void main(String[] a)"
+            + " throws Exception { System.in.transferTo(System.out); } }");
+        List<String> command = List.of(ProcessHandle.current().info().command().orElseThrow(), program.toString());
+        List<BotProcess> bots = new ArrayList<>();
+        try {
+            for (int k = 0; k < 2; k++) {
+                bots.add(new BotProcess("bot", new Launch(command, Isolation.at(level), List.of()), 0));
+                assertEquals("one", ScriptedBots.reply(bots.get(k), "one\n"));
+            }
+        } finally {
+            bots.forEach(Player::close);
+        }
     }
 
     /** The reply within a limit: without one, bots are not held. */
