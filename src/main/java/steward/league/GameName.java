@@ -11,7 +11,7 @@ public final class GameName {
     /**
      * @param season     its key has the scene, the limits, the time mode and the version of the rules
      * @param identities of the bots' versions, in the order of seats
-     * @param attempt    1, or 2 for a game that is played again because the machine was starved
+     * @param attempt    counted from 1: a game may be played again
      * @return 16 bytes
      */
     public static byte[] of(Season season, long seed, List<String> identities, int attempt) {

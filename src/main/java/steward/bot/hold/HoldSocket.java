@@ -19,8 +19,11 @@ import java.util.concurrent.locks.LockSupport;
  */
 public final class HoldSocket implements AutoCloseable {
 
-    /** How long an acknowledgement may take: beside busy processes the other end waits for a processor. */
-    private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(2);
+    /**
+     * How long an acknowledgement may take: beside busy processes the other end waits for a processor. Later ones are
+     * awaited with the next order.
+     */
+    private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(10);
     /** How long it is awaited without sleeping: on a free processor it comes sooner. */
     private static final long SPIN_NANOS = 100_000;
     private static final long NAP_NANOS = 50_000;
@@ -31,7 +34,8 @@ public final class HoldSocket implements AutoCloseable {
     private final ServerSocketChannel listening;
     private final ByteBuffer letter = ByteBuffer.allocateDirect(1);
     private SocketChannel connected;
-    private boolean broken;
+    private int unacknowledged;
+    private volatile boolean broken;
 
     private HoldSocket(Path path, ServerSocketChannel listening) {
         this.path = path;
@@ -68,7 +72,7 @@ public final class HoldSocket implements AutoCloseable {
     /**
      * Stops the bot, or lets it go on; returns when that is acknowledged.
      *
-     * @return false if it is not, and never will be: nobody has connected, or the other end has gone
+     * @return false if it is not: nobody has connected, or the other end has gone or got no processor
      */
     public boolean order(boolean stop) {
         if (broken) {
@@ -84,11 +88,18 @@ public final class HoldSocket implements AutoCloseable {
                 connected.configureBlocking(false);
             }
             letter.clear().put((byte) (stop ? 'h' : 'c')).flip();
-            broken = connected.write(letter) != 1 || !isAcknowledged();
+            broken = connected.write(letter) != 1;
+            unacknowledged++;
+            return !broken && isAcknowledged();
         } catch (IOException gone) {
             broken = true;
+            return false;
         }
-        return !broken;
+    }
+
+    /** True if it cannot be used any more. */
+    public boolean isBroken() {
+        return broken;
     }
 
     private boolean isAcknowledged() throws IOException {
@@ -96,9 +107,11 @@ public final class HoldSocket implements AutoCloseable {
         for (;;) {
             letter.clear();
             int count = connected.read(letter);
+            unacknowledged -= Math.max(0, count);
+            broken = count < 0;
             long waited = System.nanoTime() - begun;
-            if (count != 0 || waited > PATIENCE_NANOS) {
-                return count > 0;
+            if (unacknowledged == 0 || broken || waited > PATIENCE_NANOS) {
+                return unacknowledged == 0;
             }
             if (waited < SPIN_NANOS) {
                 Thread.onSpinWait();

@@ -65,6 +65,7 @@ final class BotHold implements WaitingSampler.WaitingBot {
         waitingSince = now;
         if (held) {
             group.pause(true);
+            waitingSince = Watchdog.now();              // until then it was not stopped, which is not its doing
         }
     }
 

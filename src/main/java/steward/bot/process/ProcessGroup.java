@@ -87,7 +87,7 @@ final class ProcessGroup {
 
     /** Whether all of the bot can be stopped: by the first process of its namespace, or its control group. */
     boolean canPause() {
-        return holdSocket != null || controlGroup != null;
+        return holdSocket != null && !holdSocket.isBroken() || controlGroup != null;
     }
 
     /**

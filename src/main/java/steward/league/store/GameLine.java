@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.SortedMap;
+import steward.contest.Attempts;
 import steward.files.InputException;
 import steward.league.GameName;
 import steward.league.Season;
@@ -104,7 +105,7 @@ public final class GameLine {
                 throw new InputException(place + ": found " + seats.size() + " seats, expected " + season.players());
             }
             long seed = number(place, game, "seed", Long.MIN_VALUE, Long.MAX_VALUE);
-            int attempt = (int) number(place, game, "attempt", 1, 2);
+            int attempt = (int) number(place, game, "attempt", 1, Attempts.MOST);
             byte[] name = GameName.of(season, seed,
                 seats.stream().map(seat -> text(place, seat, "identity")).toList(), attempt);
             if (!HexFormat.of().formatHex(name).equals(text(place, game, "name"))) {

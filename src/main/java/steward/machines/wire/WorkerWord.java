@@ -3,6 +3,7 @@ package steward.machines.wire;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import steward.contest.Attempts;
 import steward.scene.json.Block;
 
 /** What a worker says, read strictly. */
@@ -11,7 +12,7 @@ public interface WorkerWord {
     /** How many games a worker may play at the same time. */
     int MOST_SLOTS = 256;
     /** How often a game may have been played. */
-    int MOST_ATTEMPTS = 3;
+    int MOST_ATTEMPTS = Attempts.MOST;
 
     /**
      * That it is there.

@@ -314,6 +314,10 @@ class GameStoreTest {
                 List.of(GameLine.seat(read.seats().get(0), a), GameLine.seat(read.seats().get(1), b)));
             assertEquals(-5, again.transcript());
             assertEquals(read.seats(), again.seats());
+
+            StoredGame third = game(a, b, 8, 1, 3, false);
+            assertEquals(3, new GameLine.Reader(store, SEASON).read("a line", GameLine.game(third, SEASON),
+                List.of(GameLine.seat(third.seats().get(0), a), GameLine.seat(third.seats().get(1), b))).attempt());
         }
     }
 
