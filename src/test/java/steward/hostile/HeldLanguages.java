@@ -76,10 +76,6 @@ public final class HeldLanguages {
         }
         String source = SOURCES.resolve(language.equals("java") ? "Threads.java" : "threads."
             + (language.equals("node") ? "js" : language.equals("go") ? "go" : "py")).toAbsolutePath().toString();
-        if (language.equals("java")) {
-            // Of two JVMs with one number in their namespaces one would print a warning of this file as its answer.
-            return List.of(program.toString(), "-XX:-UsePerfData", source);
-        }
         if (!language.equals("go")) {
             return List.of(program.toString(), source);
         }
