@@ -33,6 +33,16 @@ public interface GameType {
         return null;
     }
 
+    /**
+     * A scene by the rules of a league of the site.
+     *
+     * @param league 1 for the lowest; the highest one has all rules, and so have numbers beyond it
+     * @return the scene as JSON; the scene itself where a game has the same rules in all leagues
+     */
+    default String inLeague(Scene scene, int league) {
+        return scene.json();
+    }
+
     /** How the site's server shows this game in its recordings; without, none of them can be imported this way. */
     @Internal
     default Optional<ServerView> serverView() {

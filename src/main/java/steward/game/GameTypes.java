@@ -49,6 +49,14 @@ public record GameTypes(List<GameType> types) {
             "one of " + String.join(", ", known) + NearestName.question(scene.gameId(), known, "\""));
     }
 
+    /** A scene by the rules of a league of the site, see {@link GameType#inLeague}; the setup itself if it has them. */
+    public GameSetup inLeague(GameSetup setup, int league) {
+        Scene scene = setup.scene();
+        GameType type = types.stream().filter(each -> each.id().equals(scene.gameId())).findFirst().orElseThrow();
+        String text = type.inLeague(scene, league);
+        return text.equals(scene.json()) ? setup : open(text, scene.root().source());
+    }
+
     /** How the site's server shows a game; empty also for an unknown one. */
     @Internal
     public Optional<ServerView> serverView(String gameId) {

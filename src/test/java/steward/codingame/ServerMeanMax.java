@@ -7,7 +7,6 @@ import steward.game.GameSetup;
 import steward.game.TextCodec;
 import steward.game.ViewWriter;
 import steward.game.meanmax.MeanMax;
-import steward.game.meanmax.MeanMaxWorld;
 import steward.game.meanmax.Sinking;
 import steward.match.TestScenes;
 import steward.physics.Bodies;
@@ -91,10 +90,10 @@ public final class ServerMeanMax {
 
     private String answer(int player) {
         Bodies bodies = game.bodies();
-        int tanker = Math.min(bodies.size() - 1, MeanMaxWorld.looter(2, 2) + 1 + player);
+        int tanker = Math.min(bodies.size() - 1, game.world().looter(2, 2) + 1 + player);
         String there = (long) bodies.x[tanker] + " " + (long) bodies.y[tanker] + " 300";
         boolean skill = game.turn() % SKILL_EVERY == player && game.rage(player) >= 30;
-        int reaper = MeanMaxWorld.looter(player, 0);
+        int reaper = game.world().looter(player, 0);
         return (skill ? "SKILL " + (long) bodies.x[reaper] + " " + (long) bodies.y[reaper] : "0 0 300") + "\n" + there
             + "\n" + there + " hello";
     }

@@ -6,6 +6,8 @@ import java.util.List;
 /** What a bot knows in a turn: its number, scores, rages, and all that is in the arena. */
 final class Situation {
 
+    private static final String REAPER = "reaper";
+
     int player;
     double arenaRadius = 6000;
     final List<Integer> scores = new ArrayList<>();
@@ -19,12 +21,15 @@ final class Situation {
         return of(player, kind);
     }
 
-    /** A player's looter of a kind. */
+    /** A player's looter of a kind; its reaper where the league has no such looter, and obeys no order to it. */
     Thing of(int owner, String kind) {
         for (Thing unit : units) {
             if (unit.player == owner && unit.kind.equals(kind)) {
                 return unit;
             }
+        }
+        if (!kind.equals(REAPER)) {
+            return of(owner, REAPER);
         }
         throw new IllegalStateException("no " + kind + " of player " + owner);
     }
@@ -44,7 +49,7 @@ final class Situation {
     List<Thing> rivals() {
         List<Thing> rivals = new ArrayList<>();
         for (Thing unit : units) {
-            if (unit.kind.equals("reaper") && unit.player != player) {
+            if (unit.kind.equals(REAPER) && unit.player != player) {
                 rivals.add(unit);
             }
         }

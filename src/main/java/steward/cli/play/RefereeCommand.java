@@ -76,7 +76,8 @@ public final class RefereeCommand implements Callable<Integer> {
     private final AccuracyOption accuracy = new AccuracyOption();
 
     @Option(names = {"-league", "-lvl"}, paramLabel = "N",
-        description = "Accepted as other referees do; the rules are the scene's.")
+        description = "The rules of a league of Mean Max (1 to 4) or Fantastic Bits (1 to 3), from the lowest; a "
+            + "higher number is the highest. Without it, with 0 and in other games the rules are the scene's.")
     private Integer league;
 
     @Option(names = {"--old", "-old"}, description = "Talks with the tool by ###Input and ###Output on the standard "
@@ -119,7 +120,7 @@ public final class RefereeCommand implements Callable<Integer> {
             check.that(!sandbox.isAny(), "--old: expected no option of the sandbox with it: the tool starts the bots");
             return playOld(factor, wanted);
         }
-        GameSetup setup = Games.warn(accuracy.open(scene, streams), streams);
+        GameSetup setup = open();
         List<String> bots = arguments.bots(setup.scene().players(), setup.scene().name());
         Contest contest = named(Contest.withFailing(setup, bots, Protocol.CODINGAME, factor), arguments)
             .limitedBy(basis);
@@ -141,8 +142,14 @@ public final class RefereeCommand implements Callable<Integer> {
             .play(wanted);
     }
 
+    private GameSetup open() {
+        GameSetup setup = accuracy.open(scene, streams);
+        boolean own = league == null || league == 0;
+        return Games.warn(own ? setup : Games.types().inLeague(setup, league), streams);
+    }
+
     private Integer playOld(double factor, Long wanted) throws InterruptedException {
-        GameSetup setup = Games.warn(accuracy.open(scene, streams), streams);
+        GameSetup setup = open();
         OldReferee referee = new OldReferee(setup, new FileInputStream(FileDescriptor.in), streams.out());
         try {
             TimeControl time = factor == Double.POSITIVE_INFINITY ? TimeControl.UNLIMITED

@@ -9,7 +9,7 @@ import steward.physics.Motion;
 import steward.scene.Plan;
 
 /**
- * The rules of Fantastic Bits, highest league, in both variants, free of JSON. Source: the published official referee;
+ * The rules of Fantastic Bits in all leagues and both variants, free of JSON. Source: the published official referee;
  * with the official arithmetic, positions, speeds, scores, magic, spells and impact times agree with it to the last
  * bit.
  *
@@ -40,7 +40,7 @@ public final class FantasticBits extends AbstractGame {
         super(FantasticBitsSettings.PLAYERS);
         this.settings = settings;
         this.plan = plan;
-        pitch = Pitch.draw(seed);
+        pitch = Pitch.draw(seed, settings.bludgers() ? Pitch.BLUDGERS : 0);
         advance = plan.advance(new Captures());
     }
 
@@ -128,7 +128,7 @@ public final class FantasticBits extends AbstractGame {
             obey(wizard);
         }
         int left = pitch.update();
-        for (int player = 0; player < players(); player++) {
+        for (int player = 0; settings.spells() && player < players(); player++) {
             magic[player] += magic[player] < MOST_MAGIC ? 1 : 0;
         }
         advance.turn(pitch.bodies(), log);

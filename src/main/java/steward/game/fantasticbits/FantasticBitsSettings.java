@@ -18,8 +18,10 @@ import steward.scene.json.Block;
  *
  * @param variant      what some spells cost and how long they work, and what a player reads
  * @param maximumTurns turns after which the game ends, 1..10000
+ * @param bludgers     true if there are bludgers; not in the lowest league
+ * @param spells       true if players gather magic; without any, no spell works
  */
-public record FantasticBitsSettings(Variant variant, int maximumTurns) {
+public record FantasticBitsSettings(Variant variant, int maximumTurns, boolean bludgers, boolean spells) {
 
     /** The number of players. */
     public static final int PLAYERS = 2;
@@ -62,6 +64,7 @@ public record FantasticBitsSettings(Variant variant, int maximumTurns) {
         }
         Block match = root.block("match");
         return new FantasticBitsSettings(match.choice("variant", Map.of(Variant.CONTEST.text(), Variant.CONTEST,
-            Variant.PUZZLE.text(), Variant.PUZZLE)), match.integer("maximumTurns", 1, MOST_TURNS));
+            Variant.PUZZLE.text(), Variant.PUZZLE)), match.integer("maximumTurns", 1, MOST_TURNS),
+            match.flag("bludgers", true), match.flag("spells", true));
     }
 }

@@ -36,7 +36,7 @@ public final class OfficialFantasticBits extends OfficialLoop {
     @Override
     protected void look(Bodies bodies, double now) {
         int bludger = Pitch.firstBludger(bodies);
-        int post = bludger + Pitch.BLUDGERS;
+        int post = Pitch.firstPost(bodies);
         for (int i = Pitch.WIZARDS - 1; i >= 0; i--) {
             lookAtWalls(bodies, i, now);
             lookAtPosts(bodies, i, post, now);

@@ -27,7 +27,7 @@ public final class Pitch {
     public static final int WIZARDS = 4;
     /** The number of wizards of a player. */
     public static final int WIZARDS_PER_PLAYER = 2;
-    /** The number of bludgers. */
+    /** The number of bludgers, where there are any. */
     public static final int BLUDGERS = 2;
     /** Most snaffles of a game: three pairs and one. */
     public static final int MOST_SNAFFLES = 7;
@@ -58,6 +58,7 @@ public final class Pitch {
 
     private final Bodies bodies;
     private final int snaffles;
+    private final int bludgers;
     private final double[] thrustX;
     private final double[] thrustY;
     private final SpellBook spells = new SpellBook();
@@ -65,9 +66,10 @@ public final class Pitch {
     private double unitY;
 
     /** Wizards and bludgers at their places, and snaffles at (0, 0). */
-    Pitch(int snaffles) {
+    Pitch(int snaffles, int bludgers) {
         this.snaffles = snaffles;
-        bodies = new Bodies(WIZARDS + snaffles + BLUDGERS + POSTS.size(), COLUMNS);
+        this.bludgers = bludgers;
+        bodies = new Bodies(WIZARDS + snaffles + bludgers + POSTS.size(), COLUMNS);
         thrustX = new double[bodies.capacity()];
         thrustY = new double[bodies.capacity()];
         for (int wizard = 0; wizard < WIZARDS; wizard++) {
@@ -76,8 +78,9 @@ public final class Pitch {
         for (int k = 0; k < snaffles; k++) {
             add(EntityKind.SNAFFLE, 0, 0);
         }
-        add(EntityKind.BLUDGER, 7450, HEIGHT / 2);
-        add(EntityKind.BLUDGER, 8550, HEIGHT / 2);
+        for (int k = 0; k < bludgers; k++) {
+            add(EntityKind.BLUDGER, 7450 + 1100 * k, HEIGHT / 2);
+        }
         for (Bumper post : POSTS) {
             add(EntityKind.POST, post.x(), post.y());
         }
@@ -96,7 +99,7 @@ public final class Pitch {
     }
 
     Pitch copy() {
-        Pitch copy = new Pitch(snaffles);
+        Pitch copy = new Pitch(snaffles, bludgers);
         copy.bodies.copyFrom(bodies);
         copy.spells.copyFrom(spells);
         return copy;
@@ -106,10 +109,10 @@ public final class Pitch {
      * A start. Draws 2 or 3 pairs of snaffles, each point-symmetric and at least 1250 u from those before; one more
      * stands in the middle.
      */
-    static Pitch draw(long seed) {
+    static Pitch draw(long seed, int bludgers) {
         JavaRandom random = new JavaRandom(seed);
         int pairs = 2 + random.nextInt(2);
-        Pitch pitch = new Pitch(2 * pairs + 1);
+        Pitch pitch = new Pitch(2 * pairs + 1, bludgers);
         Bodies bodies = pitch.bodies;
         for (int next = WIZARDS; next < WIZARDS + 2 * pairs;) {
             double x = random.nextInt(5000) + 2000;
@@ -135,9 +138,18 @@ public final class Pitch {
         return List.of(Motion.Step.DRAG, Motion.Step.ROUND_POSITION_AWAY, Motion.Step.ROUND_VELOCITY);
     }
 
-    /** The index of the first bludger among the bodies of a pitch. */
+    /** The index of the first bludger among the bodies of a pitch; without any, that of the first post. */
     static int firstBludger(Bodies bodies) {
-        return bodies.size() - BLUDGERS - POSTS.size();
+        int first = firstPost(bodies);
+        while (bodies.kind[first - 1] == EntityKind.BLUDGER.ordinal()) {
+            first--;
+        }
+        return first;
+    }
+
+    /** The index of the first goal post among the bodies of a pitch. */
+    static int firstPost(Bodies bodies) {
+        return bodies.size() - POSTS.size();
     }
 
     /** Whether a height is between the posts of a goal. */
@@ -230,8 +242,9 @@ public final class Pitch {
             left += kind(k) == EntityKind.LOST_SNAFFLE ? 0 : 1;
             push(k, thrustX[k], thrustY[k]);
         }
-        hunt(WIZARDS + snaffles);
-        hunt(WIZARDS + snaffles + 1);
+        for (int bludger = WIZARDS + snaffles; bludger < entities(); bludger++) {
+            hunt(bludger);
+        }
         applySpells();
         return left;
     }
@@ -344,7 +357,7 @@ public final class Pitch {
 
     /** The number of wizards, snaffles and bludgers: their ids come before those of the posts. */
     public int entities() {
-        return WIZARDS + snaffles + BLUDGERS;
+        return WIZARDS + snaffles + bludgers;
     }
 
     /** Wizards, snaffles, bludgers, posts. */

@@ -9,7 +9,7 @@ import steward.physics.Bodies;
 import steward.scene.Plan;
 
 /**
- * The rules of Mean Max, highest league, free of JSON. Source: the published official referee; with the official
+ * The rules of Mean Max in all leagues, free of JSON. Source: the published official referee; with the official
  * arithmetic, positions, speeds, masses, scores, rages, ids and impact times agree with it to the last bit.
  *
  * <p>The units of a player who is out drift on, may harvest, and its tankers keep coming; its score stays. Commands
@@ -42,7 +42,7 @@ public final class MeanMax extends AbstractGame {
         super(MeanMaxSettings.PLAYERS);
         this.settings = settings;
         this.plan = plan;
-        world = MeanMaxWorld.draw(seed, MeanMaxSettings.PLAYERS);
+        world = MeanMaxWorld.draw(settings, seed, MeanMaxSettings.PLAYERS);
         advance = plan.advance(new Sinking());
         leaving = new int[world.bodies().capacity()];
         motion.endTurn(world.bodies(), world);
@@ -78,24 +78,24 @@ public final class MeanMax extends AbstractGame {
     }
 
     /**
-     * Gives a looter a command for the next turn.
+     * Gives a looter a command for the next turn; a looter that the league does not have does nothing.
      *
      * @param looter  0..2
      * @param command {@code null} for none
      */
     public void command(int player, int looter, LooterCommand command) {
-        commands[MeanMaxWorld.looter(player, looter)] = command;
+        commands[player * UnitKind.LOOTERS + looter] = command;
     }
 
     /** The command that a looter has for the next turn, or {@code null}. */
     public LooterCommand command(int player, int looter) {
-        return commands[MeanMaxWorld.looter(player, looter)];
+        return commands[player * UnitKind.LOOTERS + looter];
     }
 
     @Override
     protected void playTurn() {
-        for (int looter = 0; looter < commands.length; looter++) {
-            castSkill(looter);
+        for (int command = 0; command < commands.length; command++) {
+            castSkill(command);
         }
         world.applyEffects();
         world.steerTankers();
@@ -105,27 +105,36 @@ public final class MeanMax extends AbstractGame {
         replaceTankers();
         harvest();
         motion.endTurn(world.bodies(), world);
-        for (int player = 0; player < players(); player++) {
-            int doof = MeanMaxWorld.looter(player, DOOF);
-            double vx = world.bodies().vx[doof];
-            double vy = world.bodies().vy[doof];
-            rages[player] = Math.min(MOST_RAGE,
-                rages[player] + (int) Math.floor(Math.sqrt(vx * vx + vy * vy) * RAGE_BY_SPEED));
+        if (settings.looters() > DOOF) {
+            sing();
         }
         world.restoreMasses();
         world.removeSpentEffects();
         decideOutcome();
     }
 
-    /** A skill that is too dear or too far away is nothing. */
-    private void castSkill(int looter) {
-        LooterCommand command = commands[looter];
+    /** The songs of doofs give rage. */
+    private void sing() {
+        for (int player = 0; player < players(); player++) {
+            int doof = world.looter(player, DOOF);
+            double vx = world.bodies().vx[doof];
+            double vy = world.bodies().vy[doof];
+            rages[player] = Math.min(MOST_RAGE,
+                rages[player] + (int) Math.floor(Math.sqrt(vx * vx + vy * vy) * RAGE_BY_SPEED));
+        }
+    }
+
+    /** A skill that the league does not have, that is too dear or too far away is nothing. */
+    private void castSkill(int number) {
+        LooterCommand command = commands[number];
         if (command == null || command.action() != LooterCommand.Action.SKILL) {
             return;
         }
-        int player = looter / UnitKind.LOOTERS;
-        Skill skill = UnitKind.of(looter % UnitKind.LOOTERS).skill();
-        if (rages[player] >= skill.cost()
+        int player = number / UnitKind.LOOTERS;
+        int kind = number % UnitKind.LOOTERS;
+        int looter = world.looter(player, kind);
+        Skill skill = UnitKind.of(kind).skill();
+        if (settings.isActive(skill) && rages[player] >= skill.cost()
             && world.distance(looter, command.x(), command.y()) <= MeanMaxWorld.SKILL_RANGE) {
             rages[player] -= skill.cost();
             world.cast(skill, command.x(), command.y(), looter);
@@ -133,12 +142,14 @@ public final class MeanMax extends AbstractGame {
     }
 
     private void thrustLooters() {
-        for (int looter = 0; looter < commands.length; looter++) {
-            LooterCommand command = commands[looter];
-            if (command != null && command.action() == LooterCommand.Action.MOVE) {
-                world.thrust(looter, command.x(), command.y(), Math.min(LooterCommand.MOST_POWER, command.power()));
+        for (int number = 0; number < commands.length; number++) {
+            LooterCommand command = commands[number];
+            int kind = number % UnitKind.LOOTERS;
+            if (command != null && command.action() == LooterCommand.Action.MOVE && kind < settings.looters()) {
+                world.thrust(world.looter(number / UnitKind.LOOTERS, kind), command.x(), command.y(),
+                    Math.min(LooterCommand.MOST_POWER, command.power()));
             }
-            commands[looter] = null;
+            commands[number] = null;
         }
     }
 
@@ -146,7 +157,7 @@ public final class MeanMax extends AbstractGame {
     private void takeFacts() {
         for (int k = 0; k < log.facts(); k++) {
             if (log.factKind(k) == Sinking.WRECK) {
-                world.addWreck(log.factB(k), log.factX(k), log.factY(k), log.factQ(k), (int) log.factP(k));
+                world.addWreck(log.factB(k), log.factX(k), log.factY(k), log.factQ(k), (int) log.factP(k), -1);
             } else {
                 events.add(TurnEvent.Kind.DEATH, log.factTime(k), log.factA(k), log.factX(k), log.factY(k),
                     SUNK_BY[playerOf(log.factB(k))], false);
@@ -178,7 +189,7 @@ public final class MeanMax extends AbstractGame {
     }
 
     private void spawn(int player) {
-        int tanker = world.spawnTanker(player);
+        int tanker = world.spawn(player);
         if (tanker >= 0) {
             events.add(TurnEvent.Kind.BIRTH, 1, world.bodies().id(tanker), world.bodies().x[tanker],
                 world.bodies().y[tanker], "", false);
@@ -191,16 +202,31 @@ public final class MeanMax extends AbstractGame {
         for (int k = 0; k < wrecks.size(); k++) {
             Wreck wreck = wrecks.get(k);
             for (int player = 0; player < players(); player++) {
-                int reaper = MeanMaxWorld.looter(player, REAPER);
+                int reaper = world.looter(player, REAPER);
                 if (world.distance(reaper, wreck.x(), wreck.y()) <= wreck.radius() && !world.isInOil(reaper)) {
                     scores[player]++;
                     wreck.takeWater();
                 }
             }
         }
+        if (settings.hasWrecksOnly()) {
+            replaceWrecks(wrecks.size());
+        }
         for (int k = wrecks.size() - 1; k >= 0; k--) {
             if (wrecks.get(k).water() <= 0) {
                 world.removeWreck(k);
+            }
+        }
+    }
+
+    /** Others come for the first wrecks that are empty, in the order of the published referee's hash table. */
+    private void replaceWrecks(int count) {
+        for (int bucket = 0; bucket < Wreck.BUCKETS; bucket++) {
+            for (int k = 0; k < count; k++) {
+                Wreck wreck = world.wrecks().get(k);
+                if (wreck.water() <= 0 && wreck.bucket() == bucket) {
+                    spawn(wreck.player());
+                }
             }
         }
     }
@@ -280,7 +306,7 @@ public final class MeanMax extends AbstractGame {
 
     /** The player of a body, or -1 for a tanker. */
     public int playerOf(int id) {
-        return id < players() * UnitKind.LOOTERS ? id / UnitKind.LOOTERS : -1;
+        return id < players() * settings.looters() ? id / settings.looters() : -1;
     }
 
     @Override

@@ -16,8 +16,12 @@ import steward.scene.json.Block;
  *
  * @param winningScore the score that ends the game, 1..1000
  * @param maximumTurns turns after which the game ends, 1..10000
+ * @param version      the league by the number that the published referee has for it, 0..{@value #WHOLE}
  */
-public record MeanMaxSettings(int winningScore, int maximumTurns) {
+public record MeanMaxSettings(int winningScore, int maximumTurns, int version) {
+
+    /** The version with all looters and all skills; scenes that name none have it. */
+    public static final int WHOLE = 3;
 
     /** The number of players. */
     public static final int PLAYERS = 3;
@@ -52,6 +56,21 @@ public record MeanMaxSettings(int winningScore, int maximumTurns) {
         }
         Block harvest = root.block("harvest");
         return new MeanMaxSettings(harvest.integer("winningScore", 1, MOST_WATER),
-            harvest.integer("maximumTurns", 1, MOST_TURNS));
+            harvest.integer("maximumTurns", 1, MOST_TURNS), harvest.integer("version", 0, WHOLE, WHOLE));
+    }
+
+    /** Looters that a player has: the reaper in version 0, the destroyer too in 1, the doof too from 2 on. */
+    public int looters() {
+        return Math.min(version + 1, UnitKind.LOOTERS);
+    }
+
+    /** True if no tankers come, but wrecks in their place, as in version 0. */
+    public boolean hasWrecksOnly() {
+        return version == 0;
+    }
+
+    /** True if a looter has its skill: only the destroyer in version 2, all in 3. */
+    public boolean isActive(Skill skill) {
+        return version == WHOLE || version == WHOLE - 1 && skill == Skill.GRENADE;
     }
 }

@@ -9,7 +9,7 @@ import steward.physics.Bodies;
 
 /**
  * Everything in the arena: looters and tankers, which are bodies, and wrecks and skill effects, which are places. All
- * share one counter of ids. Bodies stand in the order of their ids: looters 0..8, player by player, then tankers.
+ * share one counter of ids. Bodies stand in the order of their ids: looters from 0 on, player by player, then tankers.
  */
 public final class MeanMaxWorld {
 
@@ -55,11 +55,13 @@ public final class MeanMaxWorld {
     private final List<Wreck> spareWrecks = new ArrayList<>();
     private final List<SkillEffect> spareEffects = new ArrayList<>();
     private final TankerQueue queue;
+    private final MeanMaxSettings settings;
     private final int players;
     private final SineCosine direction = new SineCosine();
 
     /** @param capacity maximum number of bodies */
-    MeanMaxWorld(int players, int capacity, TankerQueue queue) {
+    MeanMaxWorld(MeanMaxSettings settings, int players, int capacity, TankerQueue queue) {
+        this.settings = settings;
         this.players = players;
         this.queue = queue;
         bodies = new Bodies(capacity, COLUMNS);
@@ -70,6 +72,7 @@ public final class MeanMaxWorld {
     }
 
     private MeanMaxWorld(MeanMaxWorld other) {
+        settings = other.settings;
         players = other.players;
         queue = other.queue.copy();
         bodies = new Bodies(other.bodies.capacity(), COLUMNS);
@@ -86,23 +89,24 @@ public final class MeanMaxWorld {
      * A start. Draws, in this order: tankers per player, 1..3; the queue of tankers; then the places of the looters,
      * for each kind a distance and an angle, all anew until no two are within 800 u.
      */
-    static MeanMaxWorld draw(long seed, int players) {
+    static MeanMaxWorld draw(MeanMaxSettings settings, long seed, int players) {
         JavaRandom random = new JavaRandom(seed);
         int tankersByPlayer = 1 + random.nextInt(3);
         TankerQueue queue = new TankerQueue(random, players);
-        MeanMaxWorld world = new MeanMaxWorld(players, players * (UnitKind.LOOTERS + tankersByPlayer), queue);
-        for (int looter = 0; looter < players * UnitKind.LOOTERS; looter++) {
-            UnitKind kind = UnitKind.of(looter % UnitKind.LOOTERS);
-            world.add(kind, looter / UnitKind.LOOTERS, 0, 0, LOOTER_RADIUS, kind.mass());
+        int looters = settings.looters();
+        MeanMaxWorld world = new MeanMaxWorld(settings, players, players * (looters + tankersByPlayer), queue);
+        for (int looter = 0; looter < players * looters; looter++) {
+            UnitKind kind = UnitKind.of(looter % looters);
+            world.add(kind, looter / looters, 0, 0, LOOTER_RADIUS, kind.mass());
         }
         while (!world.placeLooters(random)) {
-            for (int looter = 0; looter < players * UnitKind.LOOTERS; looter++) {
+            for (int looter = 0; looter < players * looters; looter++) {
                 world.bodies.setPosition(looter, 0, 0);
             }
         }
         for (int j = 0; j < tankersByPlayer; j++) {
             for (int player = 0; player < players; player++) {
-                world.spawnTanker(player);
+                world.spawn(player);
             }
         }
         return world;
@@ -113,10 +117,10 @@ public final class MeanMaxWorld {
      *
      * @param capacity maximum number of bodies
      */
-    public static MeanMaxWorld empty(long seed, int players, int capacity) {
+    public static MeanMaxWorld empty(MeanMaxSettings settings, long seed, int players, int capacity) {
         JavaRandom random = new JavaRandom(seed);
         random.nextInt(3);
-        return new MeanMaxWorld(players, capacity, new TankerQueue(random, players));
+        return new MeanMaxWorld(settings, players, capacity, new TankerQueue(random, players));
     }
 
     /** Takes ids until the next one is this: for tests of the rules. */
@@ -140,10 +144,10 @@ public final class MeanMaxWorld {
         return body;
     }
 
-    /** Adds a wreck. */
-    public void addWreck(int id, double x, double y, double radius, int water) {
+    /** Adds a wreck. @param player for whom another comes when it is gone, or -1 */
+    public void addWreck(int id, double x, double y, double radius, int water, int player) {
         Wreck wreck = spareWrecks.isEmpty() ? new Wreck() : spareWrecks.remove(spareWrecks.size() - 1);
-        wrecks.add(wreck.set(id, x, y, radius, water));
+        wrecks.add(wreck.set(id, x, y, radius, water, player));
     }
 
     /** Removes a wreck; its object serves the next one. */
@@ -158,14 +162,14 @@ public final class MeanMaxWorld {
 
     /** @return false if two came too near, looters without a place at (0, 0) included */
     private boolean placeLooters(JavaRandom random) {
-        for (int kind = 0; kind < UnitKind.LOOTERS; kind++) {
+        for (int kind = 0; kind < settings.looters(); kind++) {
             double distance = random.nextDouble() * (ARENA_RADIUS - LOOTER_RADIUS);
             double share = random.nextDouble();
             for (int player = 0; player < players; player++) {
                 int looter = looter(player, kind);
                 direction.turn((player + share) * (Math.PI * 2.0 / 3));
                 bodies.setPosition(looter, direction.cos() * distance, direction.sin() * distance);
-                for (int other = 0; other < players * UnitKind.LOOTERS; other++) {
+                for (int other = 0; other < players * settings.looters(); other++) {
                     if (other != looter && distance(looter, bodies.x[other], bodies.y[other]) <= 2 * LOOTER_RADIUS) {
                         return false;
                     }
@@ -184,8 +188,13 @@ public final class MeanMaxWorld {
         return body;
     }
 
-    /** Adds the next tanker of a player's queue, outside the arena. @return its index, or -1 if there is none left */
-    int spawnTanker(int player) {
+    /**
+     * Adds the next tanker of a player's queue, outside the arena; or the wreck that comes in its place, where there
+     * are wrecks only.
+     *
+     * @return the index of the tanker, or -1 if none has come
+     */
+    int spawn(int player) {
         if (queue.left(player) == 0) {
             return -1;
         }
@@ -193,6 +202,15 @@ public final class MeanMaxWorld {
         direction.turn((player + queue.angle(player)) * Math.PI * 2.0 / 3);
         queue.take(player);
         double radius = LOOTER_RADIUS + RADIUS_BY_SIZE * size;
+        if (settings.hasWrecksOnly()) {
+            addWreck(bodies.takeId(), direction.cos() * WATER_RADIUS, direction.sin() * WATER_RADIUS, radius, size,
+                player);
+            return -1;
+        }
+        return addTanker(player, size, radius);
+    }
+
+    private int addTanker(int player, int size, double radius) {
         double from = BIRTH_RADIUS + radius;
         double x = direction.cos() * from;
         double y = direction.sin() * from;
@@ -331,8 +349,8 @@ public final class MeanMaxWorld {
     }
 
     /** The index of a player's looter. @param kind 0 reaper, 1 destroyer, 2 doof */
-    public static int looter(int player, int kind) {
-        return player * UnitKind.LOOTERS + kind;
+    public int looter(int player, int kind) {
+        return player * settings.looters() + kind;
     }
 
     /** Whether the body at an index is a tanker. */
@@ -371,6 +389,9 @@ public final class MeanMaxWorld {
         for (int k = 0; k < wrecks.size(); k++) {
             Wreck wreck = wrecks.get(k);
             hash.add(wreck.id()).add(wreck.x()).add(wreck.y()).add(wreck.radius()).add(wreck.water());
+            if (settings.hasWrecksOnly()) {
+                hash.add(wreck.player());
+            }
         }
         for (int k = 0; k < effects.size(); k++) {
             SkillEffect effect = effects.get(k);

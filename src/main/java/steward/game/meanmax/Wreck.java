@@ -1,32 +1,43 @@
 package steward.game.meanmax;
 
 /**
- * A sunken tanker from which reapers harvest water: a place that is no body, with an id from the same counter. When it
- * is gone, a later turn may use the object for another.
+ * A sunken tanker from which reapers harvest water, or the water that comes without tankers: a place that is no body,
+ * with an id from the same counter. When it is gone, a later turn may use the object for another.
  */
 public final class Wreck {
+
+    /** Buckets of a hash table of Java with up to 12 elements; at most 9 wrecks come by themselves. */
+    static final int BUCKETS = 16;
 
     private int id;
     private double x;
     private double y;
     private double radius;
     private int water;
+    private int player;
 
-    Wreck set(int newId, double newX, double newY, double newRadius, int newWater) {
+    Wreck set(int newId, double newX, double newY, double newRadius, int newWater, int newPlayer) {
         id = newId;
         x = newX;
         y = newY;
         radius = newRadius;
         water = newWater;
+        player = newPlayer;
         return this;
     }
 
     Wreck copy() {
-        return new Wreck().set(id, x, y, radius, water);
+        return new Wreck().set(id, x, y, radius, water, player);
     }
 
     void takeWater() {
         water--;
+    }
+
+    /** The bucket of a hash table of Java in which a place with these coordinates lies. */
+    int bucket() {
+        int hash = 31 * (31 + Double.hashCode(x)) + Double.hashCode(y);
+        return (hash ^ hash >>> 16) & BUCKETS - 1;
     }
 
     /** Its id. */
@@ -34,12 +45,12 @@ public final class Wreck {
         return id;
     }
 
-    /** Its centre, a whole number of u. */
+    /** Its centre, in u; a whole number where a tanker has sunk. */
     public double x() {
         return x;
     }
 
-    /** Its centre, a whole number of u. */
+    /** Its centre, in u; a whole number where a tanker has sunk. */
     public double y() {
         return y;
     }
@@ -47,6 +58,11 @@ public final class Wreck {
     /** Its radius, that of its tanker, in u. */
     public double radius() {
         return radius;
+    }
+
+    /** The player for whom another comes when it is gone; -1 where tankers bring the water. */
+    public int player() {
+        return player;
     }
 
     /** The water left; above 0 between turns. */

@@ -12,6 +12,7 @@ import steward.Internal;
 import steward.scene.json.JsonValue.Entry;
 import steward.scene.json.JsonValue.JsonArray;
 import steward.scene.json.JsonValue.JsonLiteral;
+import steward.scene.json.JsonValue.JsonLiteral;
 import steward.scene.json.JsonValue.JsonNumber;
 import steward.scene.json.JsonValue.JsonObject;
 import steward.scene.json.JsonValue.JsonText;
@@ -251,6 +252,21 @@ public final class Block {
     /** This object on one line, as it was read. */
     public String json() {
         return JsonTree.write(object);
+    }
+
+    /**
+     * This object on one line, with other values in a block of it.
+     *
+     * @param block  the name of the block, which is there
+     * @param values fields of it with their values as JSON; behind the others if they are new
+     */
+    @Internal
+    public String json(String block, Map<String, String> values) {
+        JsonObject inner = (JsonObject) object.entries().get(block).value();
+        Map<String, Entry> entries = new LinkedHashMap<>(inner.entries());
+        values.forEach((name, value) ->
+            entries.put(name, new Entry(inner.place(), new JsonLiteral(inner.place(), value))));
+        return with(block, new JsonObject(inner.place(), entries)).json();
     }
 
     /** Whether the field is present, without counting as reading it: {@link #done()} may still refuse it. */

@@ -52,8 +52,15 @@ record FantasticBitsMatch(String name, JsonNode header, JsonNode start, List<Jso
         return variant == Variant.PUZZLE ? PUZZLE : CONTEST;
     }
 
+    /** The shipped scene, in the league of the match. */
     FantasticBitsType.FantasticBitsSetup setup() {
-        return setup(Variant.valueOf(header.get("variant").asString().toUpperCase(Locale.ROOT)));
+        Variant variant = Variant.valueOf(header.get("variant").asString().toUpperCase(Locale.ROOT));
+        if (!header.has("spells")) {
+            return setup(variant);
+        }
+        String text = setup(variant).scene().json().replace("\"maximumTurns\":", "\"spells\":" + header.get("spells")
+            + ",\"bludgers\":" + header.get("bludgers") + ",\"maximumTurns\":");
+        return new FantasticBitsType().open(SceneReader.read(text, name));
     }
 
     long seed() {
@@ -68,7 +75,7 @@ record FantasticBitsMatch(String name, JsonNode header, JsonNode start, List<Jso
 
     /** A game that goes on from a recorded state. */
     static FantasticBits in(FantasticBits game, JsonNode state) {
-        Pitch pitch = new Pitch(state.get("snaffles").size());
+        Pitch pitch = new Pitch(state.get("snaffles").size(), state.get("bludgers").size());
         Bodies bodies = pitch.bodies();
         for (JsonNode wizard : state.get("wizards")) {
             int self = move(bodies, wizard);

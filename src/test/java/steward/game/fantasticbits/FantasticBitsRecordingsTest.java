@@ -62,7 +62,7 @@ class FantasticBitsRecordingsTest {
             comparison = new Comparison(file.getFileName().toString());
             List<String> first = lines.subList(1, lines.indexOf("Sortie standard :")).stream()
                 .filter(line -> line.contains(" SNAFFLE ")).toList();
-            Pitch pitch = new Pitch(first.size());
+            Pitch pitch = new Pitch(first.size(), 2);
             for (String line : first) {
                 String[] words = line.split(" ");
                 pitch.bodies().setPosition(Integer.parseInt(words[0]), Double.parseDouble(words[2]),

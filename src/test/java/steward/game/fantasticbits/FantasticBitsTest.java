@@ -34,7 +34,7 @@ class FantasticBitsTest {
 
     /** A game with five snaffles (4 to 8) in the upper left corner's reach of no wizard, and bludgers (9, 10). */
     private static FantasticBits quiet(int magic) {
-        Pitch pitch = new Pitch(5);
+        Pitch pitch = new Pitch(5, 2);
         for (int k = 0; k < 5; k++) {
             pitch.bodies().setPosition(4 + k, 3000 + 1000 * k, 7000);
         }
@@ -177,7 +177,7 @@ class FantasticBitsTest {
 
     @Test
     void moreThanHalfOfTheSnafflesEndTheGame() {
-        FantasticBits game = SETUP.create(1).on(new Pitch(5), new int[] {1, 2}, new int[2]);
+        FantasticBits game = SETUP.create(1).on(new Pitch(5, 2), new int[] {1, 2}, new int[2]);
         for (int k = 0; k < 5; k++) {
             game.bodies().setPosition(4 + k, 3000 + 1000 * k, 7000);
         }

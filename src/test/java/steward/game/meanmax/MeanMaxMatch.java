@@ -39,8 +39,13 @@ record MeanMaxMatch(String name, JsonNode header, JsonNode start, List<JsonNode>
             lines.subList(2, lines.size() - 1), lines.get(lines.size() - 1));
     }
 
-    static MeanMaxType.MeanMaxSetup setup() {
-        return new MeanMaxType().open(SceneReader.read(SceneFiles.load("mean-max"), null));
+    /** The shipped scene, in the league of the match. */
+    MeanMaxType.MeanMaxSetup setup() {
+        String text = SceneFiles.load("mean-max").text();
+        if (header.has("version")) {
+            text = text.replace("\"winningScore\":", "\"version\": " + header.get("version") + ", \"winningScore\":");
+        }
+        return new MeanMaxType().open(SceneReader.read(text, name));
     }
 
     long seed() {
@@ -59,7 +64,7 @@ record MeanMaxMatch(String name, JsonNode header, JsonNode start, List<JsonNode>
 
     /** A game that goes on from a recorded state. */
     MeanMax in(MeanMax game, JsonNode state) {
-        MeanMaxWorld world = MeanMaxWorld.empty(seed(), game.players(), state.get("units").size());
+        MeanMaxWorld world = MeanMaxWorld.empty(game.settings(), seed(), game.players(), state.get("units").size());
         for (JsonNode unit : state.get("units")) {
             boolean tanker = unit.get("type").asInt() == UnitKind.TANKER.ordinal();
             int body = world.addUnit(unit.get("id").asInt(), UnitKind.of(unit.get("type").asInt()),
@@ -70,7 +75,8 @@ record MeanMaxMatch(String name, JsonNode header, JsonNode start, List<JsonNode>
         }
         for (JsonNode wreck : state.get("wrecks")) {
             world.addWreck(wreck.get("id").asInt(), wreck.get("x").asDouble(), wreck.get("y").asDouble(),
-                wreck.get("radius").asDouble(), wreck.get("water").asInt());
+                wreck.get("radius").asDouble(), wreck.get("water").asInt(),
+                wreck.path("player").asInt(-1));
         }
         for (JsonNode effect : state.get("effects")) {
             world.addEffect(effect.get("id").asInt(), skill(effect.get("type").asInt()), effect.get("x").asDouble(),

@@ -48,7 +48,7 @@ final class MeanMaxReplay {
     /** Each turn from the recorded state before it. */
     Comparison compareTurnByTurn() {
         JsonNode before = match.start();
-        MeanMax fresh = MeanMaxMatch.setup().create(match.seed());
+        MeanMax fresh = match.setup().create(match.seed());
         for (JsonNode turn : match.turns()) {
             MeanMax game = match.in(fresh, before);
             for (int player = 0; player < game.players(); player++) {
@@ -73,7 +73,7 @@ final class MeanMaxReplay {
     }
 
     private void compareTurn(String when, JsonNode turn, MeanMax game) {
-        TextCodec lines = MeanMaxMatch.setup().textCodec(game).orElseThrow();
+        TextCodec lines = match.setup().textCodec(game).orElseThrow();
         compareInputs(when, turn, lines);
         for (int player = 0; player < game.players(); player++) {
             JsonNode answer = turn.get("commands").get(player);
@@ -187,8 +187,9 @@ final class MeanMaxReplay {
             JsonNode of = state.get("wrecks").get(k);
             Wreck wreck = world.wrecks().get(k);
             comparison.same(when + " wreck " + k, List.of(of.get("id").asInt(), of.get("x").asDouble(),
-                of.get("y").asDouble(), of.get("radius").asDouble(), of.get("water").asInt()),
-                List.of(wreck.id(), wreck.x(), wreck.y(), wreck.radius(), wreck.water()));
+                of.get("y").asDouble(), of.get("radius").asDouble(), of.get("water").asInt(),
+                of.path("player").asInt(-1)), List.of(wreck.id(), wreck.x(), wreck.y(), wreck.radius(), wreck.water(),
+                wreck.player()));
         }
         comparison.same(when + " effects", state.get("effects").size(), world.effects().size());
         for (int k = 0; k < Math.min(state.get("effects").size(), world.effects().size()); k++) {

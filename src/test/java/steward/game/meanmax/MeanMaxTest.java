@@ -33,7 +33,7 @@ class MeanMaxTest {
 
     /** A game with all looters far apart at rest, and no tankers. */
     private static MeanMax quiet(int[] rages) {
-        MeanMaxWorld world = MeanMaxWorld.empty(1, 3, 12);
+        MeanMaxWorld world = MeanMaxWorld.empty(SETUP.settings(), 1, 3, 12);
         for (int looter = 0; looter < 9; looter++) {
             UnitKind kind = UnitKind.of(looter % 3);
             int body = world.addUnit(looter, kind, looter / 3, 400, kind.mass(), 0, 0);
@@ -113,7 +113,7 @@ class MeanMaxTest {
     /** A destroyer sinks a tanker and goes on through; the reaper in the wreck takes a water each turn. */
     @Test
     void aSunkenTankerIsHarvested() {
-        MeanMaxWorld world = MeanMaxWorld.empty(1, 3, 12);
+        MeanMaxWorld world = MeanMaxWorld.empty(SETUP.settings(), 1, 3, 12);
         for (int looter = 0; looter < 9; looter++) {
             UnitKind kind = UnitKind.of(looter % 3);
             int body = world.addUnit(looter, kind, looter / 3, 400, kind.mass(), 0, 0);
@@ -158,19 +158,19 @@ class MeanMaxTest {
     /** Two pass 1 in the same turn: they tie before the third. */
     @Test
     void equalScoresTie() {
-        MeanMax game = SETUP.create(1).in(MeanMaxWorld.draw(3, 3), new int[] {4, 7, 7}, new int[3]);
+        MeanMax game = SETUP.create(1).in(MeanMaxWorld.draw(SETUP.settings(), 3, 3), new int[] {4, 7, 7}, new int[3]);
 
         assertEquals(List.of(2, 0, 0), java.util.Arrays.stream(game.ranks()).boxed().toList());
     }
 
     @Test
     void theLastOneLeftMustBeAhead() {
-        MeanMax behind = SETUP.create(1).in(MeanMaxWorld.draw(3, 3), new int[] {4, 7, 2}, new int[3]);
+        MeanMax behind = SETUP.create(1).in(MeanMaxWorld.draw(SETUP.settings(), 3, 3), new int[] {4, 7, 2}, new int[3]);
         behind.eliminate(1, "test");
         behind.eliminate(2, "test");
         behind.play();
         assertFalse(behind.isOver());
-        MeanMax ahead = SETUP.create(1).in(MeanMaxWorld.draw(3, 3), new int[] {8, 7, 2}, new int[3]);
+        MeanMax ahead = SETUP.create(1).in(MeanMaxWorld.draw(SETUP.settings(), 3, 3), new int[] {8, 7, 2}, new int[3]);
         ahead.eliminate(1, "test");
         ahead.eliminate(2, "test");
         ahead.play();

@@ -20,6 +20,10 @@ final class FantasticBitsFrames implements BotFrames {
 
     private static final SerializedString ENTITIES = new SerializedString("entities");
 
+    /** The kinds that move; the last one is not in all leagues. */
+    private static final List<EntityKind> KINDS =
+        List.of(EntityKind.WIZARD, EntityKind.SNAFFLE, EntityKind.BLUDGER);
+
     private final FantasticBits game;
     private final FantasticBitsAnswer answer;
     private final String[] messages;
@@ -47,7 +51,7 @@ final class FantasticBitsFrames implements BotFrames {
         }
         out.writeEndArray();
         out.writeArrayPropertyStart("kinds");
-        for (EntityKind kind : List.of(EntityKind.WIZARD, EntityKind.SNAFFLE, EntityKind.BLUDGER)) {
+        for (EntityKind kind : game.settings().bludgers() ? KINDS : KINDS.subList(0, 2)) {
             out.writeStartObject();
             out.writeStringProperty("kind", kind.text());
             JsonNumbers.write(out, "radius", kind.radius());
@@ -62,7 +66,8 @@ final class FantasticBitsFrames implements BotFrames {
         out.writeNumberProperty("maximumThrow", WizardCommand.MOST_THROW);
         out.writeNumberProperty("maximumMagic", FantasticBits.MOST_MAGIC);
         out.writeArrayPropertyStart("spells");
-        for (Spell spell : Spell.values()) {
+        for (int k = 0; game.settings().spells() && k < Spell.count(); k++) {
+            Spell spell = Spell.of(k);
             out.writeStartObject();
             out.writeStringProperty("spell", spell.text());
             out.writeNumberProperty("cost", variant.cost(spell));

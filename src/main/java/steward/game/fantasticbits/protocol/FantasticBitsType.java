@@ -1,7 +1,9 @@
 package steward.game.fantasticbits.protocol;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import steward.Internal;
 import steward.game.FrameCodec;
 import steward.game.Game;
@@ -26,6 +28,7 @@ import steward.scene.GameOwn;
 import steward.scene.Part;
 import steward.scene.Plan;
 import steward.scene.Scene;
+import steward.scene.json.Block;
 
 /** Fantastic Bits as a {@link GameType}. */
 public final class FantasticBitsType implements GameType {
@@ -68,13 +71,23 @@ public final class FantasticBitsType implements GameType {
         return FantasticBitsSettings.PLAYERS;
     }
 
+    /** Bludgers come with the second league, spells with the third. */
+    @Override
+    public String inLeague(Scene scene, int league) {
+        Block match = scene.root().block("match");
+        boolean already = league > 2 && !match.contains("bludgers") && !match.contains("spells");
+        return already ? scene.json() : scene.root().json("match", new TreeMap<>(Map.of(
+            "bludgers", Boolean.toString(league > 1), "spells", Boolean.toString(league > 2))));
+    }
+
     @Override
     public FantasticBitsSetup open(Scene scene) {
         FantasticBitsSettings settings = FantasticBitsSettings.read(scene);
         scene.root().done();
         Plan plan = Plan.of(scene, contacts(), 1, false,
             Pitch.WIZARDS + Pitch.MOST_SNAFFLES + Pitch.BLUDGERS + Pitch.POSTS.size(), List.of(
-                new Part("spells", true, "variant " + settings.variant().text(), Part.When.COMMANDS),
+                new Part("spells", settings.spells(), settings.spells() ? "variant " + settings.variant().text()
+                    : "none in this league", Part.When.COMMANDS),
                 new Part("captures", true, "wizards take and throw snaffles", Part.When.COMMANDS),
                 new Part("goals", true, "snaffles leave between the posts", Part.When.OUTCOME)),
             new GameOwn(OfficialFantasticBits::new, new Motion(Pitch.endOfTurn()), "drag 0.1 or 0.25 by kind"));

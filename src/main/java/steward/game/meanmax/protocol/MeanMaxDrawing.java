@@ -30,7 +30,7 @@ final class MeanMaxDrawing implements Drawing {
         out.writeEndArray();
         out.writeArrayPropertyStart("bodies");
         Bodies bodies = game.bodies();
-        for (int unit = 0; unit < game.players() * UnitKind.LOOTERS; unit++) {
+        for (int unit = 0; unit < game.players() * game.settings().looters(); unit++) {
             String kind = UnitKind.of(bodies.kind[unit]).text();
             DrawingJson.body(out, bodies.id(unit), kind, bodies.radius[unit], game.playerOf(bodies.id(unit)),
                 kind.substring(0, 2));

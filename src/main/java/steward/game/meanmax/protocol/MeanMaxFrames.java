@@ -33,27 +33,35 @@ final class MeanMaxFrames implements BotFrames {
         out.writeNumberProperty("winningScore", game.settings().winningScore());
         out.writeNumberProperty("maximumTurns", game.settings().maximumTurns());
         out.writeArrayPropertyStart("looters");
-        for (int looter = 0; looter < UnitKind.LOOTERS; looter++) {
+        for (int looter = 0; looter < game.settings().looters(); looter++) {
             UnitKind kind = UnitKind.of(looter);
             out.writeStartObject();
             out.writeStringProperty("kind", kind.text());
             JsonNumbers.write(out, "mass", kind.mass());
             JsonNumbers.write(out, "friction", kind.friction());
-            out.writeStringProperty("skill", kind.skill().text());
+            if (game.settings().isActive(kind.skill())) {
+                out.writeStringProperty("skill", kind.skill().text());
+            }
             out.writeEndObject();
         }
         out.writeEndArray();
         out.writeArrayPropertyStart("skills");
         for (Skill skill : Skill.values()) {
-            out.writeStartObject();
-            out.writeStringProperty("skill", skill.text());
-            out.writeNumberProperty("cost", skill.cost());
-            out.writeNumberProperty("turns", skill.turns());
-            JsonNumbers.write(out, "radius", MeanMaxWorld.SKILL_RADIUS);
-            JsonNumbers.write(out, "range", MeanMaxWorld.SKILL_RANGE);
-            out.writeEndObject();
+            if (game.settings().isActive(skill)) {
+                writeSkill(out, skill);
+            }
         }
         out.writeEndArray();
+    }
+
+    private static void writeSkill(JsonGenerator out, Skill skill) {
+        out.writeStartObject();
+        out.writeStringProperty("skill", skill.text());
+        out.writeNumberProperty("cost", skill.cost());
+        out.writeNumberProperty("turns", skill.turns());
+        JsonNumbers.write(out, "radius", MeanMaxWorld.SKILL_RADIUS);
+        JsonNumbers.write(out, "range", MeanMaxWorld.SKILL_RANGE);
+        out.writeEndObject();
     }
 
     @Override

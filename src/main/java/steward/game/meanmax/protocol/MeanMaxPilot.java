@@ -33,11 +33,16 @@ final class MeanMaxPilot implements Pilot {
         MeanMax of = (MeanMax) game;
         StringJoiner all = new StringJoiner(",", "{\"looters\":[", "]}");
         for (int looter = 0; looter < UnitKind.LOOTERS; looter++) {
+            if (looter >= of.settings().looters()) {
+                all.add("{\"wait\":true}");
+                continue;
+            }
             double[] goal = goal(of, player, looter, random);
             long x = Math.round(goal[0]) + random.nextInt(-AIM, AIM);
             long y = Math.round(goal[1]) + random.nextInt(-AIM, AIM);
             Skill skill = UnitKind.of(looter).skill();
-            boolean casts = random.nextInt(SKILLS) == 0 && of.rage(player) >= skill.cost();
+            boolean casts = random.nextInt(SKILLS) == 0 && of.settings().isActive(skill)
+                && of.rage(player) >= skill.cost();
             int power = random.nextInt(MOST_POWER / 2, MOST_POWER);
             all.add("{\"x\":" + x + ",\"y\":" + y + (casts ? ",\"skill\":true}" : ",\"power\":" + power + "}"));
         }
@@ -47,7 +52,7 @@ final class MeanMaxPilot implements Pilot {
     private double[] goal(MeanMax game, int player, int looter, SplitMix64 random) {
         MeanMaxWorld world = game.world();
         Bodies bodies = game.bodies();
-        int self = MeanMaxWorld.looter(player, looter);
+        int self = world.looter(player, looter);
         if (aim == Aim.MINGLE) {
             int far = (int) MeanMaxWorld.ARENA_RADIUS;
             return new double[] {random.nextInt(-far, far), random.nextInt(-far, far)};
@@ -61,7 +66,7 @@ final class MeanMaxPilot implements Pilot {
         int nearest = -1;
         for (int unit = 0; unit < bodies.size(); unit++) {
             boolean wanted = looter == UnitKind.DOOF.ordinal()
-                ? bodies.kind[unit] == UnitKind.REAPER.ordinal() && bodies.id(unit) / UnitKind.LOOTERS != player
+                ? bodies.kind[unit] == UnitKind.REAPER.ordinal() && game.playerOf(bodies.id(unit)) != player
                 : world.isTanker(unit);
             if (wanted && (nearest < 0 || squared(bodies, self, unit) < squared(bodies, self, nearest))) {
                 nearest = unit;

@@ -20,7 +20,8 @@ import steward.text.TextFormat;
  * The site's line protocol of Mean Max. A turn is the scores and rages, the reader's own first, the number of units,
  * and a line {@code id type player mass radius x y vx vy extra extra2} for each unit, wreck and skill effect; there is
  * no setup. The answer is three lines, for reaper, destroyer and doof: {@code X Y POWER}, {@code SKILL X Y} or
- * {@code WAIT}, each with an optional message. Lines before a bad one take effect.
+ * {@code WAIT}, each with an optional message. Lines before a bad one take effect; lines for looters that the league
+ * does not have are not read.
  */
 final class MeanMaxText implements TextCodec {
 
@@ -113,7 +114,7 @@ final class MeanMaxText implements TextCodec {
             return "found " + lines.length + " lines, expected " + UnitKind.LOOTERS;
         }
         List<String> said = new ArrayList<>();
-        for (int looter = 0; looter < lines.length; looter++) {
+        for (int looter = 0; looter < game.settings().looters(); looter++) {
             String line = lines[looter].endsWith("\r") ? lines[looter].substring(0, lines[looter].length() - 1)
                 : lines[looter];
             LooterCommand command = read(line, said);
@@ -123,6 +124,9 @@ final class MeanMaxText implements TextCodec {
                     + "most 9 digits";
             }
             game.command(player, looter, command);
+        }
+        for (int looter = game.settings().looters(); looter < lines.length; looter++) {
+            game.command(player, looter, LooterCommand.WAIT);
         }
         messages[player] = said.isEmpty() ? null : String.join(" | ", said);
         return null;

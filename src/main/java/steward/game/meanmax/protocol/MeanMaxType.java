@@ -1,6 +1,7 @@
 package steward.game.meanmax.protocol;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import steward.Internal;
 import steward.game.FrameCodec;
@@ -16,6 +17,7 @@ import steward.game.meanmax.MeanMaxSettings;
 import steward.game.meanmax.MeanMaxWorld;
 import steward.game.meanmax.OfficialMeanMax;
 import steward.game.meanmax.OilMotion;
+import steward.game.meanmax.Skill;
 import steward.game.meanmax.Sinking;
 import steward.game.meanmax.UnitKind;
 import steward.physics.Contacts;
@@ -64,6 +66,13 @@ public final class MeanMaxType implements GameType {
     }
 
     @Override
+    public String inLeague(Scene scene, int league) {
+        int version = Math.min(league - 1, MeanMaxSettings.WHOLE);
+        boolean already = version == MeanMaxSettings.WHOLE && !scene.root().block("harvest").contains("version");
+        return already ? scene.json() : scene.root().json("harvest", Map.of("version", Integer.toString(version)));
+    }
+
+    @Override
     public MeanMaxSetup open(Scene scene) {
         MeanMaxSettings settings = MeanMaxSettings.read(scene);
         scene.root().done();
@@ -72,7 +81,9 @@ public final class MeanMaxType implements GameType {
             .set(UnitKind.DESTROYER.ordinal(), tanker, Meaning.ASK).setWall(tanker, Meaning.NONE);
         Plan plan = Plan.of(scene, contacts, MeanMaxWorld.RESTITUTION, false,
             MeanMaxSettings.PLAYERS * (UnitKind.LOOTERS + TANKERS), List.of(
-                new Part("skills", true, "tar, oil and grenades", Part.When.COMMANDS),
+                new Part("skills", settings.isActive(Skill.GRENADE), settings.isActive(Skill.TAR)
+                    ? "tar, oil and grenades" : settings.isActive(Skill.GRENADE) ? "grenades" : "none in this league",
+                    Part.When.COMMANDS),
                 new Part("harvest", true, "reapers take water from wrecks", Part.When.OUTCOME)),
             new GameOwn(OfficialMeanMax::new, new OilMotion(), "drag 0.2 to 0.4 by kind, none in oil"));
         return new MeanMaxSetup(scene, settings, plan);

@@ -37,7 +37,8 @@ def commands(frame, me):
     """Decide what our reaper, destroyer and doof do, in this order."""
     units = frame["units"]
     mine = {unit["kind"]: unit for unit in units if unit.get("player") == me}
-    reaper, destroyer, doof = mine["reaper"], mine["destroyer"], mine["doof"]
+    reaper = mine["reaper"]
+    destroyer, doof = mine.get("destroyer", reaper), mine.get("doof", reaper)    # lower leagues have none of these
     tankers = [unit for unit in units if unit["kind"] == "tanker"]
     rivals = [unit for unit in units if unit["kind"] == "reaper" and unit["player"] != me]
 
