@@ -40,6 +40,9 @@ function paint(node, bot) {
 
 const fixed = (value, decimals) => value === null || value === undefined ? '–' : value.toFixed(decimals);
 const signed = value => (Math.round(value) > 0 ? '+' : Math.round(value) < 0 ? '−' : '±') + Math.abs(Math.round(value));
+/** A bar with one end: of a bot that has won or lost nearly everything. */
+const bounded = bot => bot.bound !== null && bot.bound !== undefined;
+const bound = (value, end) => `${value > 0 ? '>' : '<'} ${Math.round(end)}`;
 const plusMinus = bar => bar === null || bar === undefined ? '' : ` ± ${Math.round(bar)}`;
 const thousands = value => value.toLocaleString('en-US').replaceAll(',', '\u2009');
 
@@ -83,11 +86,12 @@ function drawTable() {
     make(row, 'td', bot.rank, 'num');
     nameCell(row, bot);
     make(row, 'td', bot.games ? signed(bot.rating) : '–');
-    make(row, 'td', bot.games && bot.bar !== null ? Math.round(bot.bar) : '–');
+    make(row, 'td', !bot.games ? '–' : bounded(bot) ? bound(bot.rating, bot.bound) : bot.bar !== null ? Math.round(bot.bar) : '–');
     const cell = make(row, 'td', null, 'bars');
     if (bot.games) {
       const svg = draw(paint(cell, bot), 'svg', { viewBox: '0 0 100 18', preserveAspectRatio: 'none', role: 'img',
-        'aria-label': signed(bot.rating) + plusMinus(bot.bar) });
+        'aria-label': signed(bot.rating) + plusMinus(bot.bar)
+          + (bounded(bot) ? `, surely ${bound(bot.rating, bot.bound)}` : '') });
       draw(svg, 'line', { x1: place(0), x2: place(0), y1: 0, y2: 18, 'vector-effect': 'non-scaling-stroke' });
       draw(svg, 'line', { class: 'anytime', x1: place(bot.rating - wide(bot)), x2: place(bot.rating + wide(bot)), y1: 9, y2: 9,
         'vector-effect': 'non-scaling-stroke' });
@@ -150,7 +154,8 @@ function drawCross() {
   const differences = league.differences ?? [];
   drawMatrix(element('better'), (i, j) => differences[i]?.[j]?.[3] ?? null,
     (bot, other, i, j) => `${bot.name} − ${other.name}: ${signed(differences[i][j][0])}`
-      + `${plusMinus(differences[i][j][1])} Elo, anytime${plusMinus(differences[i][j][2]) || ' –'}`, () => false);
+      + `${plusMinus(differences[i][j][1])}${typeof differences[i][j][4] === 'number'
+        ? `, surely ${bound(differences[i][j][0], differences[i][j][4])},` : ''} Elo, anytime${plusMinus(differences[i][j][2]) || ' –'}`, () => false);
 }
 
 /** Those that play on other machines. */

@@ -34,6 +34,7 @@ import steward.league.play.LeagueRun;
 import steward.league.play.RosterReader;
 import steward.league.rating.LeagueTable;
 import steward.league.rating.Ratings;
+import steward.league.rating.Results;
 import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
 import steward.league.store.MadeUpGames;
@@ -43,6 +44,10 @@ import steward.match.Protocol;
 final class LeagueSection implements Section {
 
     private static final int BOTS = 10;
+    /** Sizes of fields, each with so many games a bot. */
+    private static final List<Integer> FIELDS = List.of(10, 30, 100, 300, 1000);
+    private static final int GAMES_A_BOT = 200;
+    private static final int TABLES = 5;
     private static final int LEAST_GAMES = 1000;
     private static final int MOST_GAMES = 1_000_000;
     private static final int MOST_QUICK = 100_000;
@@ -70,12 +75,13 @@ final class LeagueSection implements Section {
     public String about() {
         return "Leagues, by the clock: storing made-up games, then opening the league and rating its " + BOTS
             + " bots, and finding out what is to be played next; and games between two bundled bots as a series and "
-            + "in a league, in turns, the best round of each.";
+            + "in a league, in turns, the best round of each. The table of a field is the median of " + TABLES
+            + ", from the sums of its games to the last rank; the first is that of a JVM that has made none.";
     }
 
     @Override
     public int steps(Effort effort) {
-        return 3 * sizes(effort).size() + 2 * effort.rounds();
+        return fields(effort).size() + 3 * sizes(effort).size() + 2 * effort.rounds();
     }
 
     private static List<Integer> sizes(Effort effort) {
@@ -90,10 +96,51 @@ final class LeagueSection implements Section {
     public void run(Effort effort, Consumer<String> about, Consumer<Row> rows) throws Exception {
         Path folder = Files.createTempDirectory("steward-bench");
         try {
+            for (int bots : fields(effort)) {
+                rate(bots, about, rows);
+            }
             for (int games : sizes(effort)) {
                 grow(new LeagueFolder(Files.createDirectory(folder.resolve("made-" + games))), games, about, rows);
             }
             compare(effort, folder, about, rows);
+        } finally {
+            delete(folder);
+        }
+    }
+
+    private static List<Integer> fields(Effort effort) {
+        return effort == Effort.QUICK ? FIELDS.subList(0, FIELDS.size() - 2) : FIELDS;
+    }
+
+    private void rate(int bots, Consumer<String> about, Consumer<Row> rows) throws IOException {
+        int games = GAMES_A_BOT * bots;
+        String field = String.format(Locale.ROOT, "table of %,d bots, %,d games", bots, games);
+        about.accept(field);
+        Path folder = Files.createTempDirectory("steward-bench");
+        try (GameStore store = GameStore.write(new LeagueFolder(folder))) {
+            Season season = Season.of(fixture.setup(), LeagueSettings.usual(fixture.setup().scene().name(), 1));
+            int number = store.open(season);
+            List<GameStore.Version> versions = new ArrayList<>();
+            for (int bot = 1; bot <= bots; bot++) {
+                versions.add(MadeUpGames.bot(store, bot));
+            }
+            new MadeUpGames(store, number, season, versions, new SplittableRandom(1)).add(games);
+            List<LeagueTable.Entry> entries = versions.stream().map(version ->
+                new LeagueTable.Entry(version.id(), version.display(), false, true)).toList();
+            Results results = new GameQueries(store, number, season).results();
+            double[] nanos = new double[TABLES];
+            for (int k = 0; k < TABLES; k++) {
+                long began = System.nanoTime();
+                if (LeagueTable.of(results, entries).rows().size() != bots) {
+                    throw new IllegalStateException("expected a row for each of " + bots + " bots");
+                }
+                nanos[k] = System.nanoTime() - began;
+            }
+            double first = nanos[0];
+            Arrays.sort(nanos);
+            rows.accept(new Row(name(), field, "bots", bots * NANOS / nanos[TABLES / 2], Double.NaN, Double.NaN,
+                String.format(Locale.ROOT, "%.0f ms; the first %.0f ms", nanos[TABLES / 2] / NANOS_PER_MS,
+                    first / NANOS_PER_MS)));
         } finally {
             delete(folder);
         }

@@ -87,18 +87,19 @@ public final class LeagueJson {
     }
 
     /**
-     * In Elo: the difference, its bar, the bar that holds at all looks; and the likelihood of superiority. A bar of
-     * which nothing is known is {@code null}.
+     * In Elo: the difference, its bar, the bar that holds at all looks; the likelihood of superiority; and the end of a
+     * bar that has only one, or {@code null}. A bar of which nothing is known is {@code null}.
      */
     private static void difference(JsonGenerator out, LeagueTable table, int row, int column) {
         if (row == column) {
             out.writeNull();
             return;
         }
-        Difference difference = table.difference(row, column);
+        Difference difference = table.bounded(row, column);
         out.writeStartArray();
         JsonNumbers.write(out, difference.elo());
-        for (double bar : new double[] {difference.bar(), difference.anytimeBar()}) {
+        for (double bar : new double[] {difference.isOneSided() ? Difference.MOST_BAR : difference.bar(),
+            difference.anytimeBar()}) {
             if (Difference.isKnown(bar)) {
                 JsonNumbers.write(out, bar);
             } else {
@@ -106,6 +107,11 @@ public final class LeagueJson {
             }
         }
         JsonNumbers.write(out, difference.superiority());
+        if (difference.isOneSided()) {
+            JsonNumbers.write(out, difference.boundElo());
+        } else {
+            out.writeNull();
+        }
         out.writeEndArray();
     }
 
@@ -132,7 +138,8 @@ public final class LeagueJson {
         out.writeBooleanProperty("active", row.entry().active());
         out.writeBooleanProperty("random", row.entry().random());
         JsonNumbers.writeOrNull(out, "rating", row.rating());
-        JsonNumbers.writeOrNull(out, "bar", known(row.bar()));
+        JsonNumbers.writeOrNull(out, "bar", row.hasBar() ? row.bar() : Double.NaN);
+        JsonNumbers.writeOrNull(out, "bound", row.bound());
         JsonNumbers.writeOrNull(out, "anytime", known(row.anytime()));
         out.writeNumberProperty("best", row.best());
         out.writeNumberProperty("worst", row.worst());

@@ -19,7 +19,6 @@ import org.knowm.xchart.XYSeries;
 import org.knowm.xchart.style.Styler;
 import org.knowm.xchart.style.XYStyler;
 import org.knowm.xchart.style.markers.SeriesMarkers;
-import steward.league.rating.Difference;
 import steward.league.rating.LeagueTable;
 import steward.league.rating.RatingPath;
 
@@ -76,7 +75,7 @@ public final class LeaguePlots {
                 continue;
             }
             XYSeries bar = chart.addSeries((number + 1) + "  " + row.entry().name(), new double[] {number + 1},
-                new double[] {row.rating()}, Difference.isKnown(row.bar()) ? new double[] {row.bar()} : null);
+                new double[] {row.rating()}, row.hasBar() ? new double[] {row.bar()} : null);
             Color colour = COLOURS[number % COLOURS.length];
             bar.setMarker(SeriesMarkers.CIRCLE).setMarkerColor(colour).setLineColor(colour);
             number++;

@@ -12,14 +12,30 @@ final class Cholesky {
         for (int i = 0; i < size; i++) {
             double[] row = lower[i];
             for (int j = 0; j <= i; j++) {
-                double sum = matrix[i][j];
                 double[] other = lower[j];
-                for (int k = 0; k < j; k++) {
-                    sum -= row[k] * other[k];
-                }
+                double sum = matrix[i][j] - product(row, other, j);
                 row[j] = i == j ? Math.sqrt(sum) : sum / other[j];
             }
         }
+    }
+
+    /** Sum of the products of the first numbers; four sums at once, which do not wait for one another. */
+    private static double product(double[] one, double[] other, int count) {
+        double first = 0;
+        double second = 0;
+        double third = 0;
+        double fourth = 0;
+        int k = 0;
+        for (; k + 3 < count; k += 4) {
+            first += one[k] * other[k];
+            second += one[k + 1] * other[k + 1];
+            third += one[k + 2] * other[k + 2];
+            fourth += one[k + 3] * other[k + 3];
+        }
+        for (; k < count; k++) {
+            first += one[k] * other[k];
+        }
+        return first + second + (third + fourth);
     }
 
     /** The solution for a right side. */
@@ -27,11 +43,7 @@ final class Cholesky {
         int size = right.length;
         double[] x = right.clone();
         for (int i = 0; i < size; i++) {
-            double sum = x[i];
-            for (int k = 0; k < i; k++) {
-                sum -= lower[i][k] * x[k];
-            }
-            x[i] = sum / lower[i][i];
+            x[i] = (x[i] - product(lower[i], x, i)) / lower[i][i];
         }
         for (int i = size - 1; i >= 0; i--) {
             double solved = x[i] / lower[i][i];

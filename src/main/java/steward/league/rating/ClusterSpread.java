@@ -4,19 +4,31 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * The B of the sandwich A^-1 B A^-1: by stratum the covariance of what its clusters push at the maximum of a fit.
+ * The B of the sandwich A^-1 B A^-1, the covariance of an estimate at which all that clusters push comes to nothing
+ * (P. J. Huber, "The behavior of maximum likelihood estimates under nonstandard conditions", Berkeley Symposium 5,
+ * 1967). It is derived in five steps.
  *
- * <p>A cluster counts by its distance to its own pairing's mean, which is right also where the model is wrong, with the
- * factor n/(n - 1); where the pairing has fewer than {@link RatingFit#WHOLE} clusters by its distance to the model with
- * the correction 1/(1 - h), h its leverage (CR2: R. M. Bell and D. F. McCaffrey, "Bias reduction in standard errors for
- * linear regression with multi-stage samples", Survey Methodology 28, 2002). Half a cluster of the model's variance is
- * mixed in, so that a few alike clusters do not seem certain.
+ * <ol>
+ * <li>A cluster pushes the ratings by u, for each of its pairs the weight times points - expected points, up for one
+ * bot and down for the other; likewise the weight of ties. Clusters are independent, so B is the sum of their
+ * covariances. Games within a cluster need not be: all that they have in common is in the square of their sum.</li>
+ * <li>The n clusters of a stratum are drawn alike. Their covariance is n/(n - 1) times the sum of (u - m)(u - m)', m
+ * their own mean: that is right where the model is wrong, too. It has n - 1 degrees of freedom.</li>
+ * <li>Of fewer than {@link RatingFit#WHOLE} clusters the own mean takes too much away. There m is the model's. The fit
+ * has drawn that towards them by their leverage h, which the factor 1/(1 - h) gives back (CR2: R. M. Bell and D. F.
+ * McCaffrey, "Bias reduction in standard errors for linear regression with multi-stage samples", Survey Methodology 28,
+ * 2002). It has n(1 - h) degrees of freedom.</li>
+ * <li>A few clusters that happen to be alike would seem certain. So the covariance that the model tells is taken as a
+ * second estimate, with half a degree of freedom, and both are averaged by their degrees of freedom.</li>
+ * <li>Of two bots of which one has fewer than two points the clusters show hardly any spread. Up to the model's
+ * variance of points what they lack is added.</li>
+ * </ol>
  */
 final class ClusterSpread {
 
-    /** In clusters: how much of the model's variance is mixed into that of a pairing. */
+    /** Degrees of freedom of the model's covariance in the average. */
     static final double MIXED = 0.5;
-    /** A pair of whom one has fewer points than this has at least the model's variance: there is too little to see. */
+    /** Points below which a pair has at least the model's variance. */
     static final double FEW_POINTS = 2;
     private static final double MOST_LEVERAGE = 0.9;
 
@@ -29,6 +41,9 @@ final class ClusterSpread {
     /** By stratum, over its bots' ratings and the weight of ties, in rows; {@code null} without clusters. */
     private final double[][] moments;
     private final double[] freedoms;
+    /** By stratum of two bots: both, and the three of its moments that differ. Looked up one after another. */
+    private final int[] pairs;
+    private final double[] threes;
     /** By stratum and pair, as the model tells them: variance of points, covariance, variance of ties, all weighted. */
     private final double[][] variances;
 
@@ -51,6 +66,8 @@ final class ClusterSpread {
         moments = new double[strata.size()][];
         freedoms = new double[strata.size()];
         variances = new double[strata.size()][];
+        pairs = new int[2 * strata.size()];
+        threes = new double[3 * strata.size()];
         TieModel model = new TieModel();
         for (int q = 0; q < moments.length; q++) {
             if (strata.get(q).clusters > 0) {
@@ -69,23 +86,41 @@ final class ClusterSpread {
         return freedoms[q];
     }
 
+    /** Adds all to a matrix over the ratings and, where there are ties, the logarithm of their weight. */
+    void addTo(double[]... sum) {
+        for (int q = 0; q < moments.length; q++) {
+            if (isAny(q)) {
+                int[] bots = strata.get(q).bots;
+                int size = bots.length + 1;
+                int used = tied ? size : bots.length;
+                for (int i = 0; i < used; i++) {
+                    double[] row = sum[i < bots.length ? bots[i] : sum.length - 1];
+                    for (int j = 0; j < used; j++) {
+                        row[j < bots.length ? bots[j] : sum.length - 1] += moments[q][i * size + j];
+                    }
+                }
+            }
+        }
+    }
+
     /** A stratum's part in the variance of a sum along a direction, which has been multiplied by the inverse. */
     double along(int q, double... along) {
-        int[] group = strata.get(q).bots;
-        int size = group.length + 1;
-        double[] moment = moments[q];
         double last = tied ? along[along.length - 1] : 0;
-        if (group.length == 2) {
-            // What one is pushed up the other is pushed down: of the 9 moments 3 differ.
-            double apart = along[group[0]] - along[group[1]];
-            return moment[0] * apart * apart + 2 * moment[2] * apart * last + moment[8] * last * last;
+        if (pairs[2 * q] != pairs[2 * q + 1]) {
+            // The one is pushed up by as much as the other is pushed down: of the 9 moments 3 differ.
+            double apart = along[pairs[2 * q]] - along[pairs[2 * q + 1]];
+            return threes[3 * q] * apart * apart + 2 * threes[3 * q + 1] * apart * last
+                + threes[3 * q + 2] * last * last;
         }
+        int[] bots = strata.get(q).bots;
+        int size = bots.length + 1;
+        double[] moment = moments[q];
         double sum = 0;
         for (int i = 0; i < size; i++) {
-            double own = i < group.length ? along[group[i]] : last;
+            double own = i < bots.length ? along[bots[i]] : last;
             double row = 0;
             for (int j = 0; j < size; j++) {
-                row += moment[i * size + j] * (j < group.length ? along[group[j]] : last);
+                row += moment[i * size + j] * (j < bots.length ? along[bots[j]] : last);
             }
             sum += own * row;
         }
@@ -93,50 +128,51 @@ final class ClusterSpread {
     }
 
     /**
-     * The same if games vary as the model tells and do not go together. It is told by all games: a pairing whose few
-     * clusters happen to be alike does not seem surer than others.
+     * A stratum's part if games vary as the model tells and do not go together. It is told by all games: a pairing
+     * whose few clusters happen to be alike does not seem surer than others.
      */
     double modelled(int q, double... along) {
-        int[] group = strata.get(q).bots;
-        double[] told = variances[q];
-        double last = tied ? along[along.length - 1] : 0;
         double sum = 0;
-        int k = 0;
-        for (int i = 0; i < group.length; i++) {
-            for (int j = i + 1; j < group.length; j++) {
-                double apart = along[group[i]] - along[group[j]];
-                sum += told[k] * apart * apart + 2 * told[k + 1] * apart * last + told[k + 2] * last * last;
-                k += 3;
-            }
+        for (int k = 0; isAny(q) && k < strata.get(q).pairs(); k++) {
+            sum += modelledPair(q, k, along);
         }
         return sum;
     }
 
+    /** That of one pair. */
+    double modelledPair(int q, int k, double... along) {
+        Stratum stratum = strata.get(q);
+        double[] told = variances[q];
+        double last = tied ? along[along.length - 1] : 0;
+        double apart = along[stratum.bots[stratum.low[k]]] - along[stratum.bots[stratum.high[k]]];
+        return told[3 * k] * apart * apart + 2 * told[3 * k + 1] * apart * last + told[3 * k + 2] * last * last;
+    }
+
     private void spread(int q, TieModel model, boolean own) {
         Stratum stratum = strata.get(q);
-        int pairs = stratum.pairs();
         int size = stratum.bots.length + 1;
-        double[] mean = new double[2 * pairs];
-        double[] told = new double[3 * pairs];
+        double[] mean = new double[2 * stratum.pairs()];
+        double[] told = new double[3 * stratum.pairs()];
         double leverage = model(q, model, mean, told, own);
-        double[] found = observed(q, mean);
+        double[] moment = observed(q, mean);
         double freedom = own ? stratum.clusters - 1 : stratum.clusters * (1 - leverage);
-        double factor = (own ? stratum.clusters / freedom : 1 / (1 - leverage)) * freedom / (freedom + MIXED);
-        double[] extra = extremes(stratum, weights[q], mean, told);
-        double[] moment = new double[size * size];
+        double mixed = MIXED / (freedom + MIXED);
+        double factor = (own ? stratum.clusters / freedom : 1 / (1 - leverage)) * (1 - mixed);
         for (int k = 0; k < moment.length; k++) {
-            moment[k] = factor * found[k];
+            moment[k] *= factor;
         }
-        int pair = 0;
-        for (int i = 0; i + 1 < size; i++) {
-            for (int j = i + 1; j + 1 < size; j++) {
-                double mixed = MIXED / (freedom + MIXED);
-                addPair(moment, size, i, j, (mixed + extra[pair]) * told[3 * pair],
-                    mixed * told[3 * pair + 1], mixed * told[3 * pair + 2]);
-                pair++;
-            }
+        double[] lacking = lacking(stratum, weights[q], mean, told);
+        for (int k = 0; k < lacking.length; k++) {
+            addPair(moment, size, stratum.low[k], stratum.high[k], (mixed + lacking[k]) * told[3 * k],
+                mixed * told[3 * k + 1], mixed * told[3 * k + 2]);
         }
         moments[q] = moment;
+        if (stratum.bots.length == 2) {
+            System.arraycopy(stratum.bots, 0, pairs, 2 * q, 2);
+            threes[3 * q] = moment[0];
+            threes[3 * q + 1] = moment[2];
+            threes[3 * q + 2] = moment[moment.length - 1];
+        }
         variances[q] = told;
         freedoms[q] = freedom + MIXED;
     }
@@ -165,30 +201,26 @@ final class ClusterSpread {
         Stratum stratum = strata.get(q);
         int last = inverse.length - 1;
         double leverage = 0;
-        int pair = 0;
-        for (int i = 0; i < stratum.bots.length; i++) {
-            for (int j = i + 1; j < stratum.bots.length; j++) {
-                int one = stratum.bots[i];
-                int other = stratum.bots[j];
-                model.compute(ratings[one] - ratings[other], ties);
-                double games = stratum.sums[3 * pair];
-                mean[2 * pair] = own && games > 0 ? stratum.sums[3 * pair + 1] / games : model.points;
-                mean[2 * pair + 1] = own && games > 0 ? stratum.sums[3 * pair + 2] / games : model.tie;
-                double weight = weights[q][pair];
-                double square = weight * weight * stratum.weight * games;
-                told[3 * pair] = square * model.pointsVariance;
-                told[3 * pair + 1] = tied ? square * model.covariance : 0;
-                told[3 * pair + 2] = tied ? square * model.tieVariance : 0;
-                if (!own) {
-                    double turn = inverse[one][one] + inverse[other][other] - 2 * inverse[one][other];
-                    double part = turn * model.pointsVariance;
-                    if (tied) {
-                        part += 2 * (inverse[one][last] - inverse[other][last]) * model.covariance
-                            + inverse[last][last] * model.tieVariance;
-                    }
-                    leverage += weight * games * part;
+        for (int k = 0; k < stratum.pairs(); k++) {
+            int one = stratum.bots[stratum.low[k]];
+            int other = stratum.bots[stratum.high[k]];
+            model.compute(ratings[one] - ratings[other], ties);
+            double games = stratum.sums[3 * k];
+            mean[2 * k] = own && games > 0 ? stratum.sums[3 * k + 1] / games : model.points;
+            mean[2 * k + 1] = own && games > 0 ? stratum.sums[3 * k + 2] / games : model.tie;
+            double weight = weights[q][k];
+            double square = weight * weight * stratum.weight * games;
+            told[3 * k] = square * model.pointsVariance;
+            told[3 * k + 1] = tied ? square * model.covariance : 0;
+            told[3 * k + 2] = tied ? square * model.tieVariance : 0;
+            if (!own) {
+                double turn = inverse[one][one] + inverse[other][other] - 2 * inverse[one][other];
+                double part = turn * model.pointsVariance;
+                if (tied) {
+                    part += 2 * (inverse[one][last] - inverse[other][last]) * model.covariance
+                        + inverse[last][last] * model.tieVariance;
                 }
-                pair++;
+                leverage += weight * games * part;
             }
         }
         return Math.min(MOST_LEVERAGE, leverage / stratum.clusters);
@@ -197,8 +229,8 @@ final class ClusterSpread {
     /** The sum over clusters of the squares of their distances to a mean. */
     private double[] observed(int q, double... mean) {
         Stratum stratum = strata.get(q);
-        int group = stratum.bots.length;
-        int size = group + 1;
+        int last = stratum.bots.length;
+        int size = last + 1;
         double[] moment = new double[size * size];
         double[] push = new double[size];
         for (int p = 0; p < stratum.size; p++) {
@@ -207,17 +239,12 @@ final class ClusterSpread {
             }
             Arrays.fill(push, 0);
             double[] numbers = stratum.patterns[p];
-            int pair = 0;
-            for (int i = 0; i < group; i++) {
-                for (int j = i + 1; j < group; j++) {
-                    double weight = weights[q][pair];
-                    double surplus = weight * (numbers[3 * pair + 1] - numbers[3 * pair] * mean[2 * pair]);
-                    push[i] += surplus;
-                    push[j] -= surplus;
-                    push[group] += tied
-                        ? weight * (numbers[3 * pair + 2] - numbers[3 * pair] * mean[2 * pair + 1]) : 0;
-                    pair++;
-                }
+            for (int k = 0; k < stratum.pairs(); k++) {
+                double weight = weights[q][k];
+                double surplus = weight * (numbers[3 * k + 1] - numbers[3 * k] * mean[2 * k]);
+                push[stratum.low[k]] += surplus;
+                push[stratum.high[k]] -= surplus;
+                push[last] += tied ? weight * (numbers[3 * k + 2] - numbers[3 * k] * mean[2 * k + 1]) : 0;
             }
             for (int i = 0; i < size; i++) {
                 double scaled = stratum.counts[p] * push[i];
@@ -229,23 +256,23 @@ final class ClusterSpread {
         return moment;
     }
 
-    /** By pair, which part of the model's variance is added: where one has hardly any points what is missing to it. */
-    private static double[] extremes(Stratum stratum, double[] weights, double[] mean, double... told) {
-        double[] extra = new double[stratum.pairs()];
-        for (int pair = 0; pair < extra.length; pair++) {
-            double games = stratum.sums[3 * pair];
-            double points = stratum.sums[3 * pair + 1];
+    /** By pair, which part of the model's variance of points is added; see the last step. */
+    private static double[] lacking(Stratum stratum, double[] weights, double[] mean, double... told) {
+        double[] lacking = new double[stratum.pairs()];
+        for (int k = 0; k < lacking.length; k++) {
+            double games = stratum.sums[3 * k];
+            double points = stratum.sums[3 * k + 1];
             if (!(games > 0) || Math.min(points, games - points) >= FEW_POINTS) {
                 continue;
             }
             double found = 0;
             for (int p = 0; p < stratum.size; p++) {
                 double[] numbers = stratum.patterns[p];
-                double surplus = weights[pair] * (numbers[3 * pair + 1] - numbers[3 * pair] * mean[2 * pair]);
+                double surplus = weights[k] * (numbers[3 * k + 1] - numbers[3 * k] * mean[2 * k]);
                 found += stratum.counts[p] * surplus * surplus;
             }
-            extra[pair] = Math.max(0, 1 - found / told[3 * pair]);
+            lacking[k] = Math.max(0, 1 - found / told[3 * k]);
         }
-        return extra;
+        return lacking;
     }
 }

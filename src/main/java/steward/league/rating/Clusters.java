@@ -7,21 +7,54 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /**
- * Games of two and more, put together by seed and group of bots. A cluster is open until every bot has been on every
- * seat; until then it counts as far as it has come. Nothing depends on the order in which games come.
+ * Games of two and more, put together by seed: those whose bots they connect are one cluster. It counts as far as it
+ * has come. Nothing depends on the order in which games come.
  */
 final class Clusters {
 
     private static final Comparator<int[]> ORDER = Arrays::compare;
+    private static final Comparator<int[][]> BY_GROUP = (one, other) -> Arrays.compare(one, other, ORDER);
 
-    /** By group, its versions ascending: how often a cluster went so. */
-    private final Map<int[], Map<int[], Long>> groups = new TreeMap<>(ORDER);
-    private final Map<Key, int[]> open = new HashMap<>();
+    /** By groups, each ascending: how often a cluster went so; three counts for each pair as of {@link #count}. */
+    private final Map<int[][], Map<int[], Long>> shapes = new TreeMap<>(BY_GROUP);
+    private final Map<Long, List<Cluster>> seeds = new HashMap<>();
     private final boolean alone;
 
-    private record Key(long seed, List<Integer> group) {
+    /**
+     * A cluster.
+     *
+     * @param groups bots that have played together, in {@link #ORDER}
+     * @param counts by group
+     */
+    private record Cluster(int[][] groups, int[]... counts) {
+
+        boolean meets(int... group) {
+            return Stream.of(groups).flatMapToInt(Arrays::stream)
+                .anyMatch(bot -> Arrays.binarySearch(group, bot) >= 0);
+        }
+
+        /** All games of some clusters. */
+        static Cluster of(List<Cluster> parts) {
+            Map<int[], int[]> all = new TreeMap<>(ORDER);
+            for (Cluster part : parts) {
+                for (int g = 0; g < part.groups.length; g++) {
+                    all.merge(part.groups[g], part.counts[g], Cluster::sum);
+                }
+            }
+            return new Cluster(all.keySet().toArray(int[][]::new), all.values().toArray(int[][]::new));
+        }
+
+        private static int[] sum(int[] one, int... other) {
+            int[] sum = one.clone();
+            for (int k = 0; k < sum.length; k++) {
+                sum[k] += other[k];
+            }
+            return sum;
+        }
     }
 
     /** @param alone whether each bot plays alone: then a map is one game of all who have played it */
@@ -29,43 +62,46 @@ final class Clusters {
         this.alone = alone;
     }
 
-    /** Adds clusters of one group that all went so: one array of ranks by ascending version for each game, in a row. */
-    void add(int[] group, int[] games, long count) {
-        Map<int[], Long> patterns = groups.computeIfAbsent(group, key -> new TreeMap<>(ORDER));
-        if (patterns.merge(sorted(games, group.length), count, Long::sum) == 0) {
-            patterns.remove(sorted(games, group.length));
-        }
-        if (patterns.isEmpty()) {
-            groups.remove(group);
-        }
-    }
-
-    /** The same games, in an order of their own. */
-    private static int[] sorted(int[] games, int players) {
-        List<int[]> each = new ArrayList<>();
-        for (int from = 0; from < games.length; from += players) {
-            each.add(Arrays.copyOfRange(games, from, from + players));
-        }
-        each.sort(ORDER);
-        return each.stream().flatMapToInt(Arrays::stream).toArray();
-    }
-
     /** Adds a game. */
     void add(long seed, int[] lineup, int... ranks) {
         int[] group = group(lineup);
-        Key key = new Key(seed, Arrays.stream(group).boxed().toList());
-        int[] before = open.getOrDefault(key, new int[0]);
-        if (before.length > 0) {
-            add(group, before, -1);
+        List<Cluster> before = seeds.computeIfAbsent(seed, key -> new ArrayList<>());
+        List<Cluster> joined = new ArrayList<>(before.stream().filter(cluster -> cluster.meets(group)).toList());
+        before.removeAll(joined);
+        joined.forEach(cluster -> add(cluster, -1));
+        joined.add(new Cluster(new int[][] {group}, count(byVersion(group, lineup, ranks))));
+        before.add(Cluster.of(joined));
+        add(before.get(before.size() - 1), 1);
+    }
+
+    /** Adds clusters of one group that all went so: ranks by ascending version, of each game. */
+    void add(int[] group, List<int[]> games, long count) {
+        add(Cluster.of(games.stream().map(ranks -> new Cluster(new int[][] {group}, count(ranks))).toList()), count);
+    }
+
+    private void add(Cluster cluster, long count) {
+        Map<int[], Long> patterns = shapes.computeIfAbsent(cluster.groups, key -> new TreeMap<>(ORDER));
+        int[] pattern = Stream.of(cluster.counts).flatMapToInt(Arrays::stream).toArray();
+        if (patterns.merge(pattern, count, Long::sum) == 0) {
+            patterns.remove(pattern);
         }
-        int[] games = Arrays.copyOf(before, before.length + ranks.length);
-        System.arraycopy(byVersion(group, lineup, ranks), 0, games, before.length, ranks.length);
-        add(group, games, 1);
-        if (games.length == group.length * group.length) {
-            open.remove(key);
-        } else {
-            open.put(key, games);
+        if (patterns.isEmpty()) {
+            shapes.remove(cluster.groups);
         }
+    }
+
+    /** By pair of one game: 1, twice the points of the first, 1 if it was a tie. */
+    private static int[] count(int... ranks) {
+        int[] counts = new int[3 * ranks.length * (ranks.length - 1) / 2];
+        int k = 0;
+        for (int i = 0; i < ranks.length; i++) {
+            for (int j = i + 1; j < ranks.length; j++) {
+                counts[k++] = 1;
+                counts[k++] = 1 + Integer.compare(ranks[j], ranks[i]);
+                counts[k++] = ranks[i] == ranks[j] ? 1 : 0;
+            }
+        }
+        return counts;
     }
 
     static int[] group(int... lineup) {
@@ -89,40 +125,42 @@ final class Clusters {
      * @param places of versions in the fit, ascending as the versions; groups with others are left out
      */
     List<Stratum> strata(Map<Integer, Integer> places) {
-        List<Stratum> strata = new ArrayList<>();
-        groups.forEach((group, patterns) -> {
-            if (group.length > 1 && Arrays.stream(group).allMatch(places::containsKey)) {
-                Stratum stratum = new Stratum(alone ? 1 : 2.0 / group.length,
-                    Arrays.stream(group).map(places::get).toArray());
-                patterns.forEach((games, count) -> stratum.add(stratum.pattern(numbers(games, group.length)), count));
-                strata.add(stratum);
+        Map<int[][], Stratum> strata = new TreeMap<>(BY_GROUP);
+        shapes.forEach((groups, patterns) -> {
+            boolean[] taken = new boolean[groups.length];
+            for (int g = 0; g < groups.length; g++) {
+                taken[g] = groups[g].length > 1 && Arrays.stream(groups[g]).allMatch(places::containsKey);
+            }
+            int[][] kept = IntStream.range(0, groups.length).filter(g -> taken[g])
+                .mapToObj(g -> Arrays.stream(groups[g]).map(places::get).toArray()).toArray(int[][]::new);
+            if (kept.length > 0) {
+                double weight = alone ? 1 : 2.0 / kept[0].length;
+                Stratum stratum = strata.computeIfAbsent(kept, key -> new Stratum(weight, key));
+                patterns.forEach((counts, count) ->
+                    stratum.add(stratum.pattern(numbers(groups, taken, weight, counts)), count));
             }
         });
-        return strata;
+        return List.copyOf(strata.values());
     }
 
-    private double[] numbers(int[] games, int players) {
-        double weight = alone ? 1 : 2.0 / players;
-        double[] numbers = new double[3 * players * (players - 1) / 2];
-        for (int from = 0; from < games.length; from += players) {
-            int k = 0;
-            for (int i = 0; i < players; i++) {
-                for (int j = i + 1; j < players; j++) {
-                    int one = games[from + i];
-                    int other = games[from + j];
-                    numbers[k] += weight;
-                    numbers[k + 1] += one < other ? weight : one == other ? weight / 2 : 0;
-                    numbers[k + 2] += one == other ? weight : 0;
-                    k += 3;
-                }
+    /** A pattern of the groups that are taken. */
+    private static double[] numbers(int[][] groups, boolean[] taken, double weight, int... counts) {
+        double[] numbers = new double[counts.length];
+        int from = 0;
+        int to = 0;
+        for (int g = 0; g < groups.length; g++) {
+            int length = 3 * groups[g].length * (groups[g].length - 1) / 2;
+            for (int k = 0; taken[g] && k < length; k++) {
+                numbers[to++] = weight * counts[from + k] / (k % 3 == 1 ? 2 : 1);
             }
+            from += length;
         }
-        return numbers;
+        return Arrays.copyOf(numbers, to);
     }
 
     /** How many clusters there are. */
     long count() {
-        return groups.values().stream().flatMap(patterns -> patterns.values().stream()).mapToLong(Long::longValue)
+        return shapes.values().stream().flatMap(patterns -> patterns.values().stream()).mapToLong(Long::longValue)
             .sum();
     }
 }

@@ -8,8 +8,10 @@ package steward.league.rating;
  * @param freedom  degrees of freedom of the variance
  * @param single   how much of a single pairing it is: the sum of the squares of the pairings' shares of the variance, 1
  *                 where one has all of it
+ * @param bound    where the bar is one-sided, since a bot has won or lost nearly everything: the end that is nearer to
+ *                 0, in natural units; otherwise NaN
  */
-public record Difference(double value, double variance, double freedom, double single) {
+public record Difference(double value, double variance, double freedom, double single, double bound) {
 
     /** The standard normal quantile of 0.975. */
     private static final double Z = 1.959963984540054;
@@ -17,6 +19,31 @@ public record Difference(double value, double variance, double freedom, double s
     private static final double LARGE = 29;
     /** Less than this is no difference to a single pairing but rounding. */
     private static final double ROUNDING = 1e-9;
+
+    /** A difference with a bar of two sides. */
+    public Difference(double value, double variance, double freedom, double single) {
+        this(value, variance, freedom, single, Double.NaN);
+    }
+
+    /** The same with a bar of one side. */
+    Difference oneSided(double end) {
+        return new Difference(value, variance, freedom, single, end);
+    }
+
+    /** True if nothing but a bound can be told: that the difference is more, or if it is below 0 less, than this. */
+    public boolean isOneSided() {
+        return !Double.isNaN(bound);
+    }
+
+    /** The bound in Elo; NaN where the bar has two sides. */
+    public double boundElo() {
+        return RatingFit.ELO * bound;
+    }
+
+    /** True if a difference in Elo is within the bar, or on the right side of the bound. */
+    public boolean holds(double elo) {
+        return isOneSided() ? value > 0 ? elo >= boundElo() : elo <= boundElo() : Math.abs(elo() - elo) <= bar();
+    }
 
     /** In Elo; a bar of so much says that nothing is known. */
     public static final double MOST_BAR = 9999;

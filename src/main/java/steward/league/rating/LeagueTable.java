@@ -35,6 +35,7 @@ public record LeagueTable(List<Row> rows, Results results, Ratings ratings) {
      * @param worst  the worst
      * @param rating in Elo, 0 is the mean by games
      * @param bar    half the width of its 95% bar at a number of games that was fixed before
+     * @param bound  where the bar has one side, since the bot has won or lost nearly everything: its end; otherwise NaN
      * @param anytime half the width of its 95% bar that holds at all looks at once
      * @param points share of the points, 0..1; NaN without games
      * @param wins   games won, in whole games of two
@@ -42,8 +43,13 @@ public record LeagueTable(List<Row> rows, Results results, Ratings ratings) {
      * @param losses games lost, likewise
      * @param sums   games, score, faults, answer times
      */
-    public record Row(int rank, int best, int worst, Entry entry, double rating, double bar, double anytime,
-                      double points, double wins, double draws, double losses, BotSums sums) {
+    public record Row(int rank, int best, int worst, Entry entry, double rating, double bar, double bound,
+                      double anytime, double points, double wins, double draws, double losses, BotSums sums) {
+
+        /** True if the bar has two sides and says anything. */
+        public boolean hasBar() {
+            return Double.isNaN(bound) && Difference.isKnown(bar);
+        }
     }
 
     /** Copies the list. */
@@ -57,36 +63,27 @@ public record LeagueTable(List<Row> rows, Results results, Ratings ratings) {
             .filter(entry -> entry.active() || results.of(entry.version()).games() > 0).toList();
         Ratings ratings = Ratings.of(results, shown.stream().map(Entry::version).toList());
         Map<Entry, Difference> found = new HashMap<>();
-        shown.forEach(entry -> found.put(entry, ratings.rating(entry.version())));
+        shown.forEach(entry -> found.put(entry, ratings.bounded(entry.version())));
         List<Entry> order = shown.stream().sorted(Comparator.comparingDouble((Entry entry) -> -found.get(entry).elo())
             .thenComparing(Entry::version)).toList();
+        List<RankRange> ranks = ratings.ranks();
+        Map<Integer, double[]> met = results.sumsOver(ratings.versions());
         List<Row> rows = new ArrayList<>();
         for (Entry entry : order) {
             Row above = rows.isEmpty() ? null : rows.get(rows.size() - 1);
             int rank = above != null && above.rating() == found.get(entry).elo() ? above.rank() : rows.size() + 1;
-            rows.add(row(rank, order, entry, ratings, found.get(entry), results));
+            int place = ratings.versions().indexOf(entry.version());
+            rows.add(row(rank, entry, ranks.get(place), found.get(entry), results, met.get(entry.version())));
         }
         return new LeagueTable(rows, results, ratings);
     }
 
-    private static Row row(int rank, List<Entry> shown, Entry entry, Ratings ratings, Difference rating,
-                           Results results) {
+    private static Row row(int rank, Entry entry, RankRange ranks, Difference rating, Results results,
+                           double... met) {
         int version = entry.version();
-        RankRange ranks = ratings.ranks(version);
-        double games = 0;
-        double points = 0;
-        double wins = 0;
-        double draws = 0;
-        for (Entry other : shown) {
-            if (other.version() != version) {
-                games += results.games(version, other.version());
-                points += results.points(version, other.version());
-                wins += results.wins(version, other.version());
-                draws += results.draws(version, other.version());
-            }
-        }
-        return new Row(rank, ranks.best(), ranks.worst(), entry, rating.elo(), rating.bar(), rating.anytimeBar(),
-            points / games, wins, draws, games - wins - draws, results.of(version));
+        return new Row(rank, ranks.best(), ranks.worst(), entry, rating.elo(), rating.bar(),
+            rating.boundElo(), rating.anytimeBar(),
+            met[0] / met[1], met[2], met[3], met[1] - met[2] - met[3], results.of(version));
     }
 
     /** Share of the points of the row's bot against the column's, by their places; NaN if they have not met. */
@@ -104,6 +101,11 @@ public record LeagueTable(List<Row> rows, Results results, Ratings ratings) {
     /** The difference of the ratings of two rows. */
     public Difference difference(int row, int column) {
         return ratings.difference(rows.get(row).entry().version(), rows.get(column).entry().version());
+    }
+
+    /** That with a bound in place of a bar where one has won or lost nearly everything, of up to 30 bots. */
+    public Difference bounded(int row, int column) {
+        return ratings.bounded(rows.get(row).entry().version(), rows.get(column).entry().version());
     }
 
     /** What the games of two rows say beside their ratings. */

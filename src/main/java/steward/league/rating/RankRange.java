@@ -10,21 +10,41 @@ public record RankRange(int best, int worst) {
 
     /** Half the probability that a rank is outside of its range. */
     private static final double TAIL = 0.025;
+    private static final double ROUNDING = 1e-9;
 
-    /** That of a bot of a fit, by its place there. */
-    public static RankRange of(RatingFit fit, int bot) {
+    /** Those of all bots of a fit, by their places there. */
+    public static RankRange[] all(RatingFit fit) {
         int bots = fit.bots();
-        int best = 1;
-        int worst = bots;
+        int[] above = new int[bots];
+        int[] below = new int[bots];
         double z = Normal.above(TAIL / Math.max(1, bots - 1));
-        for (int other = 0; other < bots; other++) {
-            if (other != bot) {
-                Difference difference = fit.difference(bot, other);
-                boolean sure = Math.abs(difference.elo()) > difference.bar(z);
-                best += sure && difference.elo() < 0 ? 1 : 0;
-                worst -= sure && difference.elo() > 0 ? 1 : 0;
+        for (int one = 0; one < bots; one++) {
+            for (int other = 0; other < one; other++) {
+                if (isSure(fit, one, other, z)) {
+                    boolean better = fit.value(one) > fit.value(other);
+                    above[better ? other : one]++;
+                    below[better ? one : other]++;
+                }
             }
         }
-        return new RankRange(best, worst);
+        RankRange[] ranges = new RankRange[bots];
+        for (int bot = 0; bot < bots; bot++) {
+            ranges[bot] = new RankRange(1 + above[bot], bots - below[bot]);
+        }
+        return ranges;
+    }
+
+    /** True if a difference is beyond its bar. The bar itself is computed only where its bounds do not tell. */
+    private static boolean isSure(RatingFit fit, int one, int other, double z) {
+        Covariance all = fit.covariance();
+        double deviations = Math.abs(fit.value(one) - fit.value(other)) / Math.sqrt(all.variance(one, other));
+        if (deviations < z * (1 - ROUNDING)) {
+            return false;
+        }
+        if (deviations > Normal.student(z, all.leastFreedom(one, other)) * (1 + ROUNDING)) {
+            return true;
+        }
+        Difference difference = fit.difference(one, other);
+        return Math.abs(difference.elo()) > difference.bar(z);
     }
 }

@@ -1,7 +1,10 @@
 package steward.league.rating;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 
 /**
  * Ratings from all clusters together: the maximum of the posterior of {@link TieModel} with a weak normal prior, each
@@ -33,10 +36,8 @@ public final class RatingFit {
     private static final double CLOSE = 1e-10;
     /** How much more than the games two ratings pull that are held together. */
     private static final double HELD = 10_000;
-    /** Scores beyond are those of which the variance at the top tells little: hardly anything went the other way. */
-    private static final double EXTREME = 0.05;
     /** Degrees of freedom of a variance that is known. */
-    private static final double CERTAIN = 1e9;
+    static final double CERTAIN = 1e9;
 
     private final int bots;
     private final List<Stratum> strata;
@@ -50,6 +51,12 @@ public final class RatingFit {
     private double logTies;
     private double[][] inverse;
     private ClusterSpread spread;
+    private Covariance covariance;
+    private Map<Integer, List<int[]>> met;
+    /** The weighted mean that was asked for last, and its direction, multiplied by the inverse. */
+    private double[] meanWeights;
+    private double[] meanAlong;
+    private double meanValue;
 
     private RatingFit(int bots, List<Stratum> strata, double[]... weights) {
         this.bots = bots;
@@ -73,8 +80,8 @@ public final class RatingFit {
 
     /** The same, begun at another fit of the same bots, which is quicker where that is close; or {@code null}. */
     public static RatingFit of(int bots, List<Stratum> strata, boolean pooled, RatingFit near) {
-        RatingFit fit = new RatingFit(bots, strata, PairingWeights.of(bots, strata, pooled));
-        fit.climb(near, (int[]) null);
+        RatingFit fit = new RatingFit(bots, strata, PairingWeights.of(strata, pooled));
+        fit.climb(near, null);
         fit.spread = new ClusterSpread(strata, fit.weights, fit.ratings, fit.tied, fit.ties(), false, fit.inverse);
         return fit;
     }
@@ -84,10 +91,10 @@ public final class RatingFit {
     /**
      * Newton's method: the logarithm of the posterior is concave.
      *
-     * @param held two bots whose ratings are held together, or {@code null}
-     * @return the step that would come next; with two that are held, if they were let go
+     * @param held what is held, or {@code null}
+     * @return the step that would come next; with something that is held, if it were let go
      */
-    private double[] climb(RatingFit near, int... held) {
+    private double[] climb(RatingFit near, Held held) {
         double[][] sums = new double[3][bots * bots];
         Stratum.each(strata, (q, k, low, high) -> {
             double[] own = strata.get(q).sums;
@@ -116,7 +123,7 @@ public final class RatingFit {
         for (int step = 0; step < MOST_STEPS; step++) {
             derivatives(sums, model, slope, curvature);
             if (held != null) {
-                hold(slope, curvature, held[0], held[1]);
+                hold(slope, curvature, held);
             }
             factor = new Cholesky(curvature);
             double[] change = factor.solve(slope);
@@ -141,15 +148,50 @@ public final class RatingFit {
         return factor.solve(slope);
     }
 
-    private void hold(double[] slope, double[][] curvature, int one, int other) {
-        double pull = HELD * (curvature[one][one] + curvature[other][other]);
-        double apart = pull * (ratings[one] - ratings[other]);
-        slope[one] -= apart;
-        slope[other] += apart;
-        curvature[one][one] += pull;
-        curvature[other][other] += pull;
-        curvature[one][other] -= pull;
-        curvature[other][one] -= pull;
+    /**
+     * A sum of ratings that is held at a value.
+     *
+     * @param contrast by bot, what the sum has of its rating; together 0
+     * @param value    in natural units
+     */
+    private record Held(double[] contrast, double value) {
+    }
+
+    /**
+     * The best fit in which a sum of ratings has a value.
+     *
+     * @param fit  its covariance is that of the step
+     * @param step that would come next if the sum was let go; in natural units
+     */
+    record HeldFit(RatingFit fit, double... step) {
+    }
+
+    /**
+     * Fits with a sum of ratings held.
+     *
+     * @param contrast by bot, what the sum has of its rating; together 0
+     */
+    HeldFit held(double[] contrast, double value) {
+        RatingFit fit = new RatingFit(bots, strata, weights);
+        double[] step = fit.climb(this, new Held(contrast, value));
+        fit.spread = new ClusterSpread(strata, weights, fit.ratings, fit.tied, fit.ties(), true, fit.inverse);
+        return new HeldFit(fit, step);
+    }
+
+    private void hold(double[] slope, double[][] curvature, Held held) {
+        double[] contrast = held.contrast();
+        double pull = 0;
+        double apart = -held.value();
+        for (int i = 0; i < bots; i++) {
+            pull += HELD * contrast[i] * contrast[i] * curvature[i][i];
+            apart += contrast[i] * ratings[i];
+        }
+        for (int i = 0; i < bots; i++) {
+            slope[i] -= pull * apart * contrast[i];
+            for (int j = 0; j < bots; j++) {
+                curvature[i][j] += pull * contrast[i] * contrast[j];
+            }
+        }
     }
 
     private void derivatives(double[][] sums, TieModel model, double[] slope, double[][] curvature) {
@@ -221,43 +263,54 @@ public final class RatingFit {
 
     /** What the games between two bots say beside their ratings. */
     public Residual residual(int one, int other) {
-        double[] sums = new double[2];
-        long[] clusters = new long[1];
-        Stratum.each(strata, (q, k, low, high) -> {
-            if (low == Math.min(one, other) && high == Math.max(one, other)) {
-                double[] own = strata.get(q).sums;
-                sums[0] += own[3 * k];
-                sums[1] += low == one ? own[3 * k + 1] : own[3 * k] - own[3 * k + 1];
-                clusters[0] += strata.get(q).clusters;
-            }
-        });
-        double share = sums[1] / sums[0];
-        double expected = expected(one, other);
-        if (clusters[0] < WHOLE) {
-            return new Residual(share, expected, clusters[0], 0);
+        List<int[]> own = met(Math.min(one, other), Math.max(one, other));
+        double games = 0;
+        double points = 0;
+        long clusters = 0;
+        for (int[] pair : own) {
+            Stratum stratum = strata.get(pair[0]);
+            double[] sums = stratum.sums;
+            int k = pair[1];
+            games += sums[3 * k];
+            points += one < other ? sums[3 * k + 1] : sums[3 * k] - sums[3 * k + 1];
+            clusters += stratum.clusters;
         }
-        double[] squares = new double[1];
-        Stratum.each(strata, (q, k, low, high) -> {
-            if (low == Math.min(one, other) && high == Math.max(one, other)) {
-                Stratum stratum = strata.get(q);
-                for (int p = 0; p < stratum.size; p++) {
-                    double games = stratum.patterns[p][3 * k];
-                    double points = stratum.patterns[p][3 * k + 1];
-                    double surplus = (low == one ? points : games - points) - games * share;
-                    squares[0] += stratum.counts[p] * surplus * surplus;
-                }
+        double share = points / games;
+        double expected = expected(one, other);
+        if (clusters < WHOLE) {
+            return new Residual(share, expected, clusters, 0);
+        }
+        double squares = 0;
+        for (int[] pair : own) {
+            Stratum stratum = strata.get(pair[0]);
+            int k = pair[1];
+            for (int p = 0; p < stratum.size; p++) {
+                double played = stratum.patterns[p][3 * k];
+                double won = stratum.patterns[p][3 * k + 1];
+                double surplus = (one < other ? won : played - won) - played * share;
+                squares += stratum.counts[p] * surplus * surplus;
             }
-        });
-        double freedom = clusters[0] - 1;
+        }
+        double freedom = clusters - 1;
         // As in the fit, a part of what the model says: clusters that are all alike are not certain.
         double alike = share * (1 - share) / 2 + expected * (1 - expected) / 2;
-        double variance = (squares[0] * clusters[0] / freedom + ClusterSpread.MIXED * sums[0] * alike / clusters[0])
-            / (sums[0] * sums[0]);
-        if (Math.min(sums[1], sums[0] - sums[1]) < ClusterSpread.FEW_POINTS) {
-            variance = Math.max(variance, expected * (1 - expected) / sums[0]);
+        double variance = (squares * clusters / freedom + ClusterSpread.MIXED * games * alike / clusters)
+            / (games * games);
+        if (Math.min(points, games - points) < ClusterSpread.FEW_POINTS) {
+            variance = Math.max(variance, expected * (1 - expected) / games);
         }
-        return new Residual(share, expected, clusters[0],
+        return new Residual(share, expected, clusters,
             Normal.ofStudent((share - expected) / Math.sqrt(variance), freedom));
+    }
+
+    /** Where two have met: numbers of a stratum and of a pair in it. */
+    private List<int[]> met(int low, int high) {
+        if (met == null) {
+            met = new HashMap<>();
+            Stratum.each(strata, (q, k, one, other) ->
+                met.computeIfAbsent(one * bots + other, key -> new ArrayList<>()).add(new int[] {q, k}));
+        }
+        return met.getOrDefault(low * bots + high, List.of());
     }
 
     /** The difference of two ratings. */
@@ -265,49 +318,108 @@ public final class RatingFit {
         return of(along(one, other), ratings[one] - ratings[other]);
     }
 
-    /** Whether one of two has won or lost nearly everything: then {@link #fromEqual} tells their order sooner. */
-    public boolean isExtreme(int one, int other) {
-        return isExtreme(one) || isExtreme(other);
+    /** Share of the weighted points of a bot; NaN without games. */
+    double share(int bot) {
+        return points[bot] / games[bot];
     }
 
-    private boolean isExtreme(int bot) {
-        return Math.min(points[bot], games[bot] - points[bot]) < EXTREME * games[bot];
+    /** Weighted games of a bot. */
+    double games(int bot) {
+        return games[bot];
+    }
+
+    /** In natural units. */
+    double value(int bot) {
+        return ratings[bot];
+    }
+
+    /** Variances of all differences, from where they are asked for the first time. */
+    Covariance covariance() {
+        if (covariance == null) {
+            covariance = new Covariance(this);
+        }
+        return covariance;
+    }
+
+    ClusterSpread spread() {
+        return spread;
+    }
+
+    /** By rating and, where there are ties, the logarithm of their weight: what the prior pushes by chance. */
+    double[] priors() {
+        double[] priors = new double[inverse.length];
+        Arrays.fill(priors, 0, bots, PRIOR);
+        Arrays.fill(priors, bots, priors.length, TIES_PRIOR);
+        return priors;
+    }
+
+    double[][] inverse() {
+        return inverse;
     }
 
     /**
-     * The difference of two ratings seen from where they are equal: the first step that the games ask for from the best
-     * fit in which they are, with its variance there. It tests whether they are equal (a score test, with the sandwich:
-     * D. D. Boos, "On generalized score tests", American Statistician 46, 1992), and is no estimate. Where one has won
-     * everything the top is far out and flat, and says nothing for hundreds of games; here n wins are some root of n
-     * standard deviations. The clusters' squares about what is tested grow with their distance, so that a few that are
-     * alike do not seem sure: degrees of freedom are not needed.
+     * How many standard deviations the games of a bot ask it to go, from a rating, the others being held.
+     *
+     * @param rating in natural units
      */
-    public Difference fromEqual(int one, int other) {
-        RatingFit fit = new RatingFit(bots, strata, weights);
-        double[] step = fit.climb(this, one, other);
-        fit.spread = new ClusterSpread(strata, weights, fit.ratings, fit.tied, fit.ties(), true, fit.inverse);
-        Difference found = fit.difference(one, other);
-        return new Difference(found.value() + step[one] - step[other], found.variance(), CERTAIN, 1);
+    double asked(int bot, double rating) {
+        double[] moved = ratings.clone();
+        moved[bot] = rating;
+        List<Stratum> own = new ArrayList<>();
+        List<double[]> weighted = new ArrayList<>();
+        double[] surplus = new double[1];
+        TieModel model = new TieModel();
+        Stratum.each(strata, (q, k, low, high) -> {
+            if (low == bot || high == bot) {
+                if (own.isEmpty() || own.get(own.size() - 1) != strata.get(q)) {
+                    own.add(strata.get(q));
+                    weighted.add(weights[q]);
+                }
+                model.compute(moved[low] - moved[high], ties());
+                double[] sums = strata.get(q).sums;
+                double pushed = weights[q][k] * (sums[3 * k + 1] - sums[3 * k] * model.points);
+                surplus[0] += low == bot ? pushed : -pushed;
+            }
+        });
+        ClusterSpread tested = new ClusterSpread(own, weighted.toArray(double[][]::new), moved, tied, ties(), true,
+            inverse);
+        double[] along = new double[inverse.length];
+        along[bot] = 1;
+        double seen = 0;
+        double told = 0;
+        for (int q = 0; q < own.size(); q++) {
+            seen += tested.isAny(q) ? tested.along(q, along) : 0;
+            told += tested.modelled(q, along);
+        }
+        return surplus[0] / Math.sqrt(Math.max(seen, told));
     }
 
     /**
-     * Adds by stratum: its number of clusters times its part in the variance of a difference, as a share of it. That is
-     * what one cluster more takes away, times the square of the number. Variances are those that the model tells.
+     * Adds by stratum and group: its number of clusters times its part in the variance of a difference, as a share of
+     * it. That is what one cluster more takes away, times the square of the number. Variances are those that the model
+     * tells.
      */
-    void addParts(int one, int other, double... parts) {
+    void addParts(int one, int other, double[]... parts) {
         double[] along = along(one, other);
         double variance = 0;
-        double[] own = new double[parts.length];
+        double[][] own = new double[parts.length][];
         for (int q = 0; q < parts.length; q++) {
-            own[q] = spread.isAny(q) ? spread.modelled(q, along) : 0;
-            variance += own[q];
+            own[q] = new double[parts[q].length];
+            for (int k = 0; spread.isAny(q) && k < strata.get(q).pairs(); k++) {
+                double part = spread.modelledPair(q, k, along);
+                own[q][strata.get(q).group[k]] += part;
+                variance += part;
+            }
         }
         for (int q = 0; q < parts.length; q++) {
-            parts[q] += variance > 0 ? own[q] * strata.get(q).clusters / variance : 0;
+            for (int group = 0; group < own[q].length; group++) {
+                parts[q][group] += variance > 0 ? own[q][group] * strata.get(q).clusters / variance : 0;
+            }
         }
     }
 
-    private double[] along(int one, int other) {
+    /** The direction of a difference, multiplied by the inverse. */
+    double[] along(int one, int other) {
         double[] along = new double[inverse.length];
         for (int k = 0; k < along.length; k++) {
             along[k] = inverse[one][k] - inverse[other][k];
@@ -317,19 +429,26 @@ public final class RatingFit {
 
     /** The difference of a rating to the weighted mean of all; the weights have the sum 1. */
     public Difference toMean(int bot, double... mean) {
-        double[] along = inverse[bot].clone();
-        double value = ratings[bot];
-        for (int i = 0; i < bots; i++) {
-            for (int k = 0; k < along.length; k++) {
-                along[k] -= mean[i] * inverse[i][k];
+        if (!Arrays.equals(mean, meanWeights)) {
+            meanWeights = mean.clone();
+            meanAlong = new double[inverse.length];
+            meanValue = 0;
+            for (int i = 0; i < bots; i++) {
+                for (int k = 0; k < meanAlong.length; k++) {
+                    meanAlong[k] += mean[i] * inverse[i][k];
+                }
+                meanValue += mean[i] * ratings[i];
             }
-            value -= mean[i] * ratings[i];
         }
-        return of(along, value);
+        double[] along = inverse[bot].clone();
+        for (int k = 0; k < along.length; k++) {
+            along[k] -= meanAlong[k];
+        }
+        return of(along, ratings[bot] - meanValue);
     }
 
     /** The variance of a sum along a direction, which has been multiplied by the inverse. */
-    private Difference of(double[] along, double value) {
+    Difference of(double[] along, double value) {
         double variance = 0;
         for (int i = 0; i < bots; i++) {
             variance += PRIOR * along[i] * along[i];

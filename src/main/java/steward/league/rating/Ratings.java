@@ -1,6 +1,7 @@
 package steward.league.rating;
 
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -33,14 +34,11 @@ public record Ratings(List<Integer> versions, RatingFit fit, double... weights) 
         double[] weights = new double[bots];
         double all = 0;
         for (Stratum stratum : strata) {
-            int pair = 0;
-            for (int i = 0; i < stratum.bots.length; i++) {
-                for (int j = i + 1; j < stratum.bots.length; j++) {
-                    double games = stratum.sums[3 * pair++];
-                    weights[stratum.bots[i]] += games;
-                    weights[stratum.bots[j]] += games;
-                    all += 2 * games;
-                }
+            for (int k = 0; k < stratum.pairs(); k++) {
+                double games = stratum.sums[3 * k];
+                weights[stratum.bots[stratum.low[k]]] += games;
+                weights[stratum.bots[stratum.high[k]]] += games;
+                all += 2 * games;
             }
         }
         for (int i = 0; i < bots; i++) {
@@ -52,6 +50,16 @@ public record Ratings(List<Integer> versions, RatingFit fit, double... weights) 
     /** The rating of a version: its difference to the mean. */
     public Difference rating(int version) {
         return fit.toMean(place(version), weights);
+    }
+
+    /** The same with a bound in place of a bar where the version has won or lost nearly everything. */
+    public Difference bounded(int version) {
+        return new ScoreTest(fit).boundedToMean(place(version), weights);
+    }
+
+    /** The difference of two versions, with a bound in place of a bar where one has won or lost nearly everything. */
+    public Difference bounded(int one, int other) {
+        return new ScoreTest(fit).bounded(place(one), place(other));
     }
 
     /** The difference of the ratings of two versions. */
@@ -66,17 +74,18 @@ public record Ratings(List<Integer> versions, RatingFit fit, double... weights) 
      * @param alpha the probability with which this may ever be said wrongly
      */
     public boolean isUnequal(int one, int other, double alpha) {
-        if (!fit.isExtreme(place(one), place(other))) {
+        ScoreTest test = new ScoreTest(fit);
+        if (!test.isExtreme(place(one)) && !test.isExtreme(place(other))) {
             return false;
         }
-        Difference tested = fit.fromEqual(place(one), place(other));
+        Difference tested = test.fromEqual(place(one), place(other));
         return Math.abs(tested.elo()) > tested.anytimeBar(alpha)
             && tested.value() * difference(one, other).value() > 0;
     }
 
-    /** The ranks that the games leave a version. */
-    public RankRange ranks(int version) {
-        return RankRange.of(fit, place(version));
+    /** The ranks that the games leave the versions, in their order. */
+    public List<RankRange> ranks() {
+        return List.of(RankRange.all(fit));
     }
 
     /** How much more the first wins against the second than their ratings tell. */
@@ -92,18 +101,21 @@ public record Ratings(List<Integer> versions, RatingFit fit, double... weights) 
      */
     public Map<List<Integer>, Double> parts(List<int[]> pairs) {
         List<Stratum> strata = fit.strata();
-        double[] sums = new double[strata.size()];
+        double[][] sums = strata.stream().map(stratum -> new double[stratum.groups.length]).toArray(double[][]::new);
         for (int[] pair : pairs) {
             fit.addParts(place(pair[0]), place(pair[1]), sums);
         }
         Map<List<Integer>, Double> parts = new LinkedHashMap<>();
         for (int q = 0; q < sums.length; q++) {
-            parts.merge(Arrays.stream(strata.get(q).bots).mapToObj(versions::get).toList(), sums[q], Double::sum);
+            for (int group = 0; group < sums[q].length; group++) {
+                parts.merge(Arrays.stream(strata.get(q).groups[group]).mapToObj(versions::get).toList(),
+                    sums[q][group], Double::sum);
+            }
         }
         return parts;
     }
 
     private int place(int version) {
-        return versions.indexOf(version);
+        return Collections.binarySearch(versions, version);
     }
 }

@@ -1,5 +1,6 @@
 package steward.league.rating;
 
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -105,10 +106,9 @@ public final class Results {
     /** Adds so many clusters of games that all went so; their sums are added apart. */
     public void addClusters(List<int[]> lineups, List<int[]> ranks, long count) {
         int[] group = Clusters.group(lineups.get(0));
-        int[] games = new int[group.length * lineups.size()];
+        List<int[]> games = new ArrayList<>();
         for (int k = 0; k < lineups.size(); k++) {
-            System.arraycopy(Clusters.byVersion(group, lineups.get(k), ranks.get(k)), 0, games, k * group.length,
-                group.length);
+            games.add(Clusters.byVersion(group, lineups.get(k), ranks.get(k)));
             addPairs(lineups.get(k), ranks.get(k), count);
         }
         clusters.add(group, games, count);
@@ -161,7 +161,7 @@ public final class Results {
                 ranks[k] += lowerIsBetter ? other < all[k] ? 1 : 0 : other > all[k] ? 1 : 0;
             }
         }
-        clusters.add(scores.keySet().stream().mapToInt(Integer::intValue).toArray(), ranks, count);
+        clusters.add(scores.keySet().stream().mapToInt(Integer::intValue).toArray(), List.of(ranks), count);
     }
 
     /** How many clusters there are: games of one seed between the same bots. */
@@ -215,6 +215,24 @@ public final class Results {
     /** How many have no result. */
     public long withoutResult() {
         return without;
+    }
+
+    /** By version: points, games, wins and draws against the others of these. */
+    Map<Integer, double[]> sumsOver(List<Integer> versions) {
+        Map<Integer, double[]> sums = new HashMap<>();
+        versions.forEach(version -> sums.put(version, new double[4]));
+        pairs.forEach((key, pair) -> {
+            double[] low = sums.get((int) (key >>> Integer.SIZE));
+            double[] high = sums.get((int) (long) key);
+            if (low != null && high != null) {
+                double[] turned = {pair[1] - pair[0], pair[1], pair[1] - pair[2] - pair[3], pair[3]};
+                for (int k = 0; k < pair.length; k++) {
+                    low[k] += pair[k];
+                    high[k] += turned[k];
+                }
+            }
+        });
+        return sums;
     }
 
     /** Games between two versions, in whole games of two. */

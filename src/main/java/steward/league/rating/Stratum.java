@@ -2,20 +2,30 @@ package steward.league.rating;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Stream;
 
 /**
- * The clusters of one group of bots. A cluster is all games of one seed: they share the seed and do not count as
- * independent. Clusters that went alike are kept once with their number, a pattern.
+ * The clusters in which the same groups of bots have played. A cluster is all games of one seed between bots that these
+ * games connect: they share the seed, and do not count as independent. Most are games of one group. Clusters that went
+ * alike are kept once with their number, a pattern.
  *
- * <p>A pattern has three numbers for each pair of the group, pairs in the order (0,1), (0,2), ..., (1,2), ...: games,
- * points of the first in them, ties among them, all in whole games of two.
+ * <p>A pattern has three numbers for each pair of bots of each group, pairs in the order (0,1), (0,2), ..., (1,2), ...:
+ * games, points of the first in them, ties among them, all in whole games of two.
  */
 public final class Stratum {
 
     private static final int FIRST = 8;
 
-    /** The group's bots, ascending; their places in the fit. */
+    /** All bots, ascending; their places in the fit. */
     final int[] bots;
+    /** Bots that play together, each ascending. */
+    final int[][] groups;
+    /** By pair: the number of its group. */
+    final int[] group;
+    /** By pair: the place of its first bot in {@link #bots}. */
+    final int[] low;
+    /** By pair: the place of its second bot. */
+    final int[] high;
     /** What one comparison weighs, in games of two. */
     final double weight;
     /** Patterns, each with its numbers. */
@@ -27,17 +37,44 @@ public final class Stratum {
     final double[] sums;
 
     /**
+     * Games of one group.
+     *
      * @param weight of one comparison of two bots in one game: 1, in games of n players 2/n
      * @param bots   of the group, ascending
      */
     public Stratum(double weight, int... bots) {
+        this(weight, new int[][] {bots});
+    }
+
+    /**
+     * Games of some groups that share their seeds.
+     *
+     * @param weight of one comparison of two bots in one game
+     * @param groups each ascending
+     */
+    public Stratum(double weight, int[][] groups) {
         this.weight = weight;
-        this.bots = bots.clone();
-        sums = new double[3 * pairs()];
+        this.groups = Stream.of(groups).map(int[]::clone).toArray(int[][]::new);
+        bots = Stream.of(groups).flatMapToInt(Arrays::stream).sorted().distinct().toArray();
+        int pairs = Stream.of(groups).mapToInt(each -> each.length * (each.length - 1) / 2).sum();
+        group = new int[pairs];
+        low = new int[pairs];
+        high = new int[pairs];
+        sums = new double[3 * pairs];
+        int k = 0;
+        for (int number = 0; number < groups.length; number++) {
+            for (int i = 0; i < groups[number].length; i++) {
+                for (int j = i + 1; j < groups[number].length; j++) {
+                    group[k] = number;
+                    low[k] = Arrays.binarySearch(bots, groups[number][i]);
+                    high[k++] = Arrays.binarySearch(bots, groups[number][j]);
+                }
+            }
+        }
     }
 
     int pairs() {
-        return bots.length * (bots.length - 1) / 2;
+        return low.length;
     }
 
     /**
@@ -93,12 +130,9 @@ public final class Stratum {
     /** Goes through all pairs of some strata. */
     static void each(List<Stratum> strata, PairVisitor visitor) {
         for (int q = 0; q < strata.size(); q++) {
-            int[] group = strata.get(q).bots;
-            int k = 0;
-            for (int i = 0; i < group.length; i++) {
-                for (int j = i + 1; j < group.length; j++) {
-                    visitor.pair(q, k++, group[i], group[j]);
-                }
+            Stratum stratum = strata.get(q);
+            for (int k = 0; k < stratum.pairs(); k++) {
+                visitor.pair(q, k, stratum.bots[stratum.low[k]], stratum.bots[stratum.high[k]]);
             }
         }
     }

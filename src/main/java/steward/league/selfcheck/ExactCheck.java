@@ -5,6 +5,7 @@ import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import steward.league.rating.Difference;
 import steward.league.rating.RatingFit;
+import steward.league.rating.ScoreTest;
 import steward.league.rating.Stratum;
 
 /**
@@ -20,7 +21,7 @@ record ExactCheck(int clusters) {
     static final double STEP = 5;
 
     /** A way in which the games can go: how many seeds one won, shared and lost; and what is found then. */
-    private record Way(int won, int shared, int lost, double elo, double bar) {
+    private record Way(int won, int shared, int lost, Difference found) {
     }
 
     /**
@@ -63,8 +64,8 @@ record ExactCheck(int clusters) {
                 stratum.add(0, lost);
                 stratum.add(1, shared);
                 stratum.add(2, won);
-                Difference found = RatingFit.of(2, List.of(stratum), false).difference(0, 1);
-                ways.add(new Way(won, shared, lost, found.elo(), found.bar()));
+                ways.add(new Way(won, shared, lost,
+                    new ScoreTest(RatingFit.of(2, List.of(stratum), false)).bounded(0, 1)));
             }
         }
         return ways;
@@ -82,7 +83,7 @@ record ExactCheck(int clusters) {
         }
         double share = 0;
         for (Way way : ways) {
-            if (Math.abs(way.elo() - truth) <= way.bar()) {
+            if (way.found().holds(truth)) {
                 share += StrictMath.exp(factorials[clusters] - factorials[way.won()] - factorials[way.shared()]
                     - factorials[way.lost()] + way.won() * logs[2] + way.shared() * logs[1] + way.lost() * logs[0]);
             }

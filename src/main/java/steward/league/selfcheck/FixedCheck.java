@@ -3,9 +3,9 @@ package steward.league.selfcheck;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
-import steward.league.rating.Difference;
 import steward.league.rating.RankRange;
 import steward.league.rating.RatingFit;
+import steward.league.rating.ScoreTest;
 import steward.league.rating.Stratum;
 import steward.numerics.SplitMix64;
 
@@ -75,16 +75,17 @@ record FixedCheck(MadeUpLeague league, int... clusters) {
             }
         }
         RatingFit fit = RatingFit.of(league.bots(), strata, league.pooled(), league.truth());
+        ScoreTest test = new ScoreTest(fit);
         int pair = 0;
         for (int i = 0; i < league.bots(); i++) {
             for (int j = i + 1; j < league.bots(); j++) {
-                Difference found = fit.difference(i, j);
                 double truth = league.truth().rating(i) - league.truth().rating(j);
-                counts[pair++] += Math.abs(found.elo() - truth) <= found.bar() ? 1 : 0;
+                counts[pair++] += test.bounded(i, j).holds(truth) ? 1 : 0;
             }
         }
+        RankRange[] all = RankRange.all(fit);
         for (RankRange truth : ranks) {
-            RankRange found = RankRange.of(fit, pair - counts.length + league.bots());
+            RankRange found = all[pair - counts.length + league.bots()];
             counts[pair++] += found.best() <= truth.best() && found.worst() >= truth.worst() ? 1 : 0;
         }
     }

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 import steward.league.rating.Stratum;
 import steward.numerics.SplitMix64;
 
@@ -18,6 +19,7 @@ final class MadeUpGroup {
 
     private final double weight;
     private final int[] bots;
+    private final int[][] groups;
     private final List<double[]> patterns = new ArrayList<>();
     private final double[] cumulative;
     private final double[] expected;
@@ -37,9 +39,15 @@ final class MadeUpGroup {
      * @param push  size of the push, in natural units
      */
     MadeUpGroup(double weight, Game game, int games, double push, int... bots) {
+        this(weight, game, games, push, new int[][] {bots});
+    }
+
+    /** @param groups that share their seeds */
+    private MadeUpGroup(double weight, Game game, int games, double push, int[]... groups) {
         this.weight = weight;
-        this.bots = bots;
-        int numbers = 3 * bots.length * (bots.length - 1) / 2;
+        this.groups = groups;
+        bots = Stream.of(groups).flatMapToInt(Arrays::stream).sorted().distinct().toArray();
+        int numbers = Stream.of(groups).mapToInt(group -> 3 * group.length * (group.length - 1) / 2).sum();
         Map<List<Double>, Double> chances = new TreeMap<>(MadeUpGroup::compare);
         int pushes = push == 0 ? 1 : 1 << bots.length - 1;
         for (int which = 0; which < pushes; which++) {
@@ -93,14 +101,14 @@ final class MadeUpGroup {
 
     /** An empty stratum with a pattern for each way. */
     Stratum stratum() {
-        Stratum stratum = new Stratum(weight, bots);
+        Stratum stratum = new Stratum(weight, groups);
         patterns.forEach(stratum::pattern);
         return stratum;
     }
 
     /** A stratum in which everything has gone as is to be expected, so many times. */
     Stratum truth(long clusters) {
-        Stratum stratum = new Stratum(weight, bots);
+        Stratum stratum = new Stratum(weight, groups);
         stratum.add(stratum.pattern(expected), clusters);
         return stratum;
     }
@@ -184,6 +192,36 @@ final class MadeUpGroup {
             return outcomes;
         };
         return new MadeUpGroup(1, game, 2, push, bots);
+    }
+
+    /**
+     * Pairs of bots that play all on one list of seeds, without ties; what a seed is worth to a bot it has in all of
+     * its games.
+     *
+     * @param strengths of bots 0, 1, ..., in natural units
+     */
+    static MadeUpGroup sharing(double[] strengths, double push, int[]... pairs) {
+        Game game = (seat, shifts) -> {
+            Map<List<Double>, Double> outcomes = Map.of(List.of(), 1.0);
+            for (int[] pair : pairs) {
+                double apart = strengths[pair[0]] + shifts[pair[0]] - strengths[pair[1]] - shifts[pair[1]];
+                double chance = 1 / (1 + StrictMath.exp(-apart));
+                Map<List<Double>, Double> longer = new TreeMap<>(MadeUpGroup::compare);
+                outcomes.forEach((before, all) -> {
+                    longer.put(followed(before, 1), all * chance);
+                    longer.put(followed(before, 0), all * (1 - chance));
+                });
+                outcomes = longer;
+            }
+            return outcomes;
+        };
+        return new MadeUpGroup(1, game, 2, push, pairs);
+    }
+
+    private static List<Double> followed(List<Double> numbers, double points) {
+        List<Double> longer = new ArrayList<>(numbers);
+        longer.addAll(List.of(1.0, points, 0.0));
+        return longer;
     }
 
     /**

@@ -76,6 +76,12 @@ record MadeUpLeague(String name, int bots, boolean pooled, List<MadeUpGroup> gro
         return of(name, elo.length, false, groups);
     }
 
+    /** Games of two of these pairs, all on one list of seeds. */
+    static MadeUpLeague sharing(String name, double push, double[] elo, int[]... pairs) {
+        return of(name, elo.length, false,
+            List.of(MadeUpGroup.sharing(natural(elo), push / RatingFit.ELO, pairs)));
+    }
+
     /** All alone on the same maps. */
     static MadeUpLeague alone(String name, double... elo) {
         int[] bots = new int[elo.length];

@@ -13,12 +13,16 @@ final class MadeUpLeagues {
     }
 
     static List<MadeUpLeague> small() {
-        return List.of(two(0), two(100), two(300), two(400), two(480), two(700),
+        return List.of(two(0), two(100), two(300), two(400), two(480), two(550), two(700), two(800), two(1200),
             MadeUpLeague.pairs("2 bots, ties", new double[] {60, 0}, 0.8, 0, 0, 0),
             MadeUpLeague.pairs("2 bots, ties, seeds of 150 Elo", new double[] {60, 0}, 0.5, 50, 150, 0),
             MadeUpLeague.pairs("2 bots, ties, sides of 300 Elo", new double[] {60, 0}, 0.5, 300, 0, 0),
             trio(), mixed(), MadeUpLeague.threes("5 bots, 3 players, seeds of 60 Elo", 60, MadeUpLeague.spaced(5, 60)),
-            MadeUpLeague.alone("4 bots, each alone", MadeUpLeague.spaced(4, 60)));
+            MadeUpLeague.alone("4 bots, each alone", MadeUpLeague.spaced(4, 60)),
+            MadeUpLeague.sharing("5 bots, one against all on one list of seeds, seeds of 150 Elo", 150,
+                MadeUpLeague.spaced(5, 60), new int[][] {{0, 1}, {0, 2}, {0, 3}, {0, 4}}),
+            MadeUpLeague.sharing("4 bots, all on one list of seeds, seeds of 150 Elo", 150,
+                MadeUpLeague.spaced(4, 60), new int[][] {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}));
     }
 
     static MadeUpLeague trio() {

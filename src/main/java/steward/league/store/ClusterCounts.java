@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import steward.league.rating.Results;
 
 /**
@@ -21,6 +22,7 @@ final class ClusterCounts {
     private final Map<Integer, int[]> lineups;
     /** By lineup: the number of its group. */
     private final Map<Integer, Integer> groups = new HashMap<>();
+    private final Set<Long> shared;
     private final boolean counting;
     private final Map<Cluster, long[]> open = new LinkedHashMap<>();
     private final Map<Pattern, long[]> counts = new LinkedHashMap<>();
@@ -44,10 +46,12 @@ final class ClusterCounts {
 
     /**
      * @param lineups  the versions by seat of each lineup, by its number
+     * @param shared   seeds that several groups may have: of these every game is given away by itself
      * @param counting whether to tell how many games each version has, too
      */
-    ClusterCounts(Map<Integer, int[]> lineups, boolean counting) {
+    ClusterCounts(Map<Integer, int[]> lineups, Set<Long> shared, boolean counting) {
         this.lineups = lineups;
+        this.shared = shared;
         this.counting = counting;
         Map<List<Integer>, Integer> numbers = new HashMap<>();
         lineups.forEach((number, versions) -> groups.put(number,
@@ -65,7 +69,7 @@ final class ClusterCounts {
         long[] before = open.get(cluster);
         long[] games = before == null ? new long[1] : Arrays.copyOf(before, before.length + 1);
         games[games.length - 1] = game;
-        if (games.length < lineups.get(lineup).length) {
+        if (games.length < lineups.get(lineup).length || shared.contains(seed)) {
             open.put(cluster, games);
             return;
         }
@@ -74,8 +78,8 @@ final class ClusterCounts {
         counts.computeIfAbsent(new Pattern(games), key -> new long[1])[0]++;
     }
 
-    /** Gives away the clusters that are whole, and forgets them. */
-    void giveWhole(Results results) {
+    /** Gives away all games, and forgets them. */
+    void give(Results results) {
         counts.forEach((pattern, count) -> {
             List<int[]> seats = new ArrayList<>();
             List<int[]> ranks = new ArrayList<>();
@@ -87,10 +91,6 @@ final class ClusterCounts {
             results.addClusters(seats, ranks, count[0]);
         });
         counts.clear();
-    }
-
-    /** Gives away the games of clusters to which some may be still to come. */
-    void giveOpen(Results results) {
         open.forEach((cluster, games) -> {
             for (long game : games) {
                 results.addGame(cluster.seed(), lineups.get((int) (game >>> Integer.SIZE)), ranks(game));

@@ -84,7 +84,7 @@ public final class GameQueries {
 
     private void addGroups(Results results) throws SQLException {
         Lineups lineups = lineups();
-        ClusterCounts clusters = new ClusterCounts(lineups.versions(), false);
+        ClusterCounts clusters = new ClusterCounts(lineups.versions(), chosenSeeds(), false);
         try (ResultSet row = database.query(CLUSTERED, season)) {
             while (row.next()) {
                 if (!lineups.isRepeat(results, row.getInt(5), row.getLong(4))) {
@@ -92,8 +92,19 @@ public final class GameQueries {
                 }
             }
         }
-        clusters.giveWhole(results);
-        clusters.giveOpen(results);
+        clusters.give(results);
+    }
+
+    /** Seeds of games outside of the schedule: somebody chose them, perhaps for several pairings. */
+    private Set<Long> chosenSeeds() throws SQLException {
+        Set<Long> seeds = new HashSet<>();
+        try (ResultSet row = database.query("SELECT seed FROM game NOT INDEXED WHERE season = ? AND decision IS NULL",
+            season)) {
+            while (row.next()) {
+                seeds.add(row.getLong(1));
+            }
+        }
+        return seeds;
     }
 
     /**
@@ -195,7 +206,7 @@ public final class GameQueries {
                 return null;
             }
             Lineups lineups = lineups();
-            ClusterCounts clusters = new ClusterCounts(lineups.versions(), false);
+            ClusterCounts clusters = new ClusterCounts(lineups.versions(), Set.of(), false);
             try (ResultSet row = database.query(CLUSTERED_BEFORE, season, decision)) {
                 while (row.next()) {
                     if (!lineups.isRepeat(results, row.getInt(5), row.getLong(4))) {
@@ -203,8 +214,7 @@ public final class GameQueries {
                 }
                 }
             }
-            clusters.giveWhole(results);
-            clusters.giveOpen(results);
+            clusters.give(results);
             return null;
         });
         return results;
@@ -312,16 +322,15 @@ public final class GameQueries {
         path.take(results);
     }
 
-    /** A cluster is in the path from its last game on. */
     private void pathOfClusters(RatingPath.Collector path, long first, long step) throws SQLException {
         Lineups lineups = lineups();
-        ClusterCounts clusters = new ClusterCounts(lineups.versions(), true);
+        ClusterCounts clusters = new ClusterCounts(lineups.versions(), chosenSeeds(), true);
         Results results = new Results(key);
         try (ResultSet row = database.query(CLUSTERED, season)) {
             long end = first + step;
             while (row.next()) {
                 if (row.getLong(3) >= end) {
-                    clusters.giveWhole(results);
+                    clusters.give(results);
                     path.take(results);
                     end += (row.getLong(3) - end) / step * step + step;
                 }
@@ -330,8 +339,7 @@ public final class GameQueries {
                 }
             }
         }
-        clusters.giveWhole(results);
-        clusters.giveOpen(results);
+        clusters.give(results);
         path.take(results);
     }
 

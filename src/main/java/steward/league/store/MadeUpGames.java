@@ -14,7 +14,9 @@ public final class MadeUpGames {
 
     /** Games in a transaction. */
     private static final int TOGETHER = 10_000;
-    private static final int STEP_ELO = 30;
+    /** Between neighbours in strength; less in a large field. */
+    private static final double STEP_ELO = 30;
+    private static final double MOST_ELO = 1200;
     private static final double DRAWS = 0.05;
     private static final int TURNS = 150;
     private static final int NANOS = 2_000_000;
@@ -65,7 +67,8 @@ public final class MadeUpGames {
             other = swapped;
         }
         int decision = number / 2;
-        double chance = 1 / (1 + StrictMath.exp((one - other) * STEP_ELO / RatingFit.ELO));
+        double step = Math.min(STEP_ELO, MOST_ELO / versions.size());
+        double chance = 1 / (1 + StrictMath.exp((one - other) * step / RatingFit.ELO));
         boolean draw = random.nextDouble() < DRAWS;
         boolean win = random.nextDouble() < chance;
         byte[] name = GameName.of(key, decision, List.of(versions.get(one).identity(),

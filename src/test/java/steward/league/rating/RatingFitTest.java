@@ -145,7 +145,7 @@ class RatingFitTest {
         int n = 1000;
         Stratum stratum = new Stratum(1, 0, 1);
         stratum.add(stratum.pattern(2, 2, 0), n);
-        Difference found = RatingFit.of(2, List.of(stratum), false).fromEqual(0, 1);
+        Difference found = new ScoreTest(RatingFit.of(2, List.of(stratum), false)).fromEqual(0, 1);
         assertEquals(2, found.value(), 1e-3);
         assertEquals(4.0 / n, found.variance(), 4.0 / n * 2e-3);
     }
@@ -161,7 +161,7 @@ class RatingFitTest {
             boolean said = false;
             for (int k = 0; k < 100; k++) {
                 stratum.add(patterns[random.nextInt(2) + random.nextInt(2)], 1);
-                Difference found = RatingFit.of(2, List.of(stratum), false).fromEqual(0, 1);
+                Difference found = new ScoreTest(RatingFit.of(2, List.of(stratum), false)).fromEqual(0, 1);
                 said |= Math.abs(found.elo()) > found.anytimeBar();
             }
             wrong += said ? 1 : 0;

@@ -165,6 +165,39 @@ class GameStoreTest {
         }
     }
 
+    /** Games by the seeds that somebody chose, read together and one by one, are the same clusters. */
+    @Test
+    void seedsThatSeveralPairingsShareAreFound() {
+        try (GameStore store = GameStore.write(folder)) {
+            int season = store.open(SEASON);
+            List<Version> versions = List.of(MadeUpGames.bot(store, 1), MadeUpGames.bot(store, 2),
+                MadeUpGames.bot(store, 3));
+            SplittableRandom random = new SplittableRandom(1);
+            List<StoredGame> games = new ArrayList<>();
+            for (int k = 0; k < 200; k++) {
+                int one = random.nextInt(3);
+                StoredGame game = game(versions.get(one), versions.get((one + 1 + random.nextInt(2)) % 3),
+                    random.nextInt(40), random.nextInt(3) - 1, k + 1, true);
+                games.add(new StoredGame(0, game.name(), -1, game.seed(), game.attempt(), true, game.turns(), null,
+                    game.played(), game.machine(), null, 0, game.seats()));
+            }
+            store.add(season, games);
+            new MadeUpGames(store, season, SEASON, versions, random).add(300);
+            GameQueries queries = new GameQueries(store, season, SEASON);
+            Results single = new Results(SEASON);
+            queries.games(single::add);
+            List<LeagueTable.Entry> entries = versions.stream().map(version ->
+                new LeagueTable.Entry(version.id(), version.display(), false, true)).toList();
+            LeagueTable table = LeagueTable.of(queries.results(), entries);
+            assertEquals(LeagueTable.of(single, entries).rows().stream().map(LeagueTable.Row::bar).toList(),
+                table.rows().stream().map(LeagueTable.Row::bar).toList());
+            assertTrue(single.clusters() < 40 + 150 + 10, () -> "found " + single.clusters() + " clusters");
+            RatingPath path = queries.path(entries);
+            assertEquals(table.rows().get(0).bar(), path.points().get(path.points().size() - 1).bars()[
+                table.rows().get(0).entry().version() - 1], 1e-9);
+        }
+    }
+
     private Path path() {
         return path;
     }

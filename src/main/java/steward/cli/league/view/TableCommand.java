@@ -133,12 +133,13 @@ public final class TableCommand implements Callable<Integer> {
     /** A line for each bot, below the heads of the columns. */
     public static String csv(LeagueTable table) {
         StringBuilder lines = new StringBuilder(new CsvRow().words("rank", "bot", "version", "active", "random",
-            "rating", "bar", "anytime", "best", "worst", "games", "points", "wins", "draws", "losses", "faults",
-            "allFailed", "score", "meanMs", "worstMs").line());
+            "rating", "bar", "bound", "anytime", "best", "worst", "games", "points", "wins", "draws", "losses",
+            "faults", "allFailed", "score", "meanMs", "worstMs").line());
         for (LeagueTable.Row row : table.rows()) {
             lines.append(new CsvRow().words(Integer.toString(row.rank()), row.entry().name(),
                 Integer.toString(row.entry().version()), Boolean.toString(row.entry().active()),
-                Boolean.toString(row.entry().random()), number(row.rating()), bar(row.bar()), bar(row.anytime()),
+                Boolean.toString(row.entry().random()), number(row.rating()),
+                row.hasBar() ? number(row.bar()) : "", number(row.bound()), bar(row.anytime()),
                 Integer.toString(row.best()), Integer.toString(row.worst()),
                 Long.toString(row.sums().games()), number(row.points()), number(row.wins()), number(row.draws()),
                 number(row.losses()), Long.toString(row.sums().faults()), Long.toString(row.sums().allFailed()),

@@ -51,6 +51,9 @@ public final class TableText {
         lines.add("Rating: Elo by a joint fit of all games; 0 is the mean by games. bar: 95%, for a number of games");
         lines.add("that was fixed before. anytime: 95%, however often one looks and whenever one stops. ranks: what");
         lines.add("the games leave open, with 95%.");
+        if (table.rows().stream().anyMatch(row -> !Double.isNaN(row.bound()))) {
+            lines.add("> and <: who has won or lost nearly everything is more than that ahead or behind.");
+        }
         if (season.players() == 1) {
             lines.add("Each bot plays alone; its score on a map is compared with the others' on the same map.");
         }
@@ -81,13 +84,13 @@ public final class TableText {
         int width = table.rows().stream().mapToInt(row -> name(row).length()).max().orElse(3);
         List<String> lines = new ArrayList<>();
         lines.add("  # " + TextFormat.left("bot", width)
-            + "  rating    bar anytime  ranks   games  points  faults  all failed  mean ms  worst ms  mean score");
+            + "  rating     bar anytime  ranks   games  points  faults  all failed  mean ms  worst ms  mean score");
         for (Row row : table.rows()) {
             boolean played = row.sums().games() > 0;
             String faults = TextFormat.right(Long.toString(row.sums().faults()), 8);
             lines.add(TextFormat.right(Integer.toString(row.rank()), 3) + " " + TextFormat.left(name(row), width)
                 + colour.strong(TextFormat.right(played ? signed(row.rating()) : "-", 8))
-                + TextFormat.right(played ? bar(row.bar()) : "-", 7)
+                + TextFormat.right(!played ? "-" : Double.isNaN(row.bound()) ? bar(row.bar()) : bound(row), 8)
                 + TextFormat.right(played ? bar(row.anytime()) : "-", 8)
                 + TextFormat.right(!played ? "-" : row.best() == row.worst() ? Integer.toString(row.best())
                     : row.best() + "-" + row.worst(), 7)
@@ -115,6 +118,11 @@ public final class TableText {
 
     private static String bar(double bar) {
         return Difference.isKnown(bar) ? "± " + Math.round(bar) : "-";
+    }
+
+    /** One end of a bar that has no other. */
+    private static String bound(Row row) {
+        return (row.rating() > 0 ? "> " : "< ") + Math.round(row.bound());
     }
 
     private static String signed(double rating) {

@@ -1,0 +1,125 @@
+package steward.league.rating;
+
+/**
+ * Tests of a difference of ratings by what the games ask for at the best fit in which it has a value (score tests, with
+ * the sandwich: D. D. Boos, "On generalized score tests", American Statistician 46, 1992). Where a bot has won or lost
+ * nearly everything the top is far out and flat, and its curvature says nothing for hundreds of games; here n wins are
+ * some root of n standard deviations. The clusters' squares about what is tested grow with their distance, so that a
+ * few that are alike do not seem sure: degrees of freedom are not needed.
+ */
+public final class ScoreTest {
+
+    /** Shares of the points beyond which hardly anything went the other way, so that its variance is not known. */
+    private static final double EXTREME = 0.05;
+    /** Those beyond which that is so where {@link #FEW} points went the other way at most. */
+    private static final double RARE = 0.1;
+    private static final double FEW = 3;
+    /** The standard normal quantile of 0.975: a bound is as sure as either end of a bar. */
+    private static final double Z = 1.959963984540054;
+    /** In natural units: a fifth of a point of Elo. */
+    private static final double CLOSE = 1e-3;
+    private static final double ROUNDING = 1e-9;
+    /** Bots up to which all are fitted anew for each value that is tested. */
+    private static final int MOST_FITTED = 30;
+
+    private final RatingFit fit;
+
+    /** @param fit whose ratings are tested */
+    public ScoreTest(RatingFit fit) {
+        this.fit = fit;
+    }
+
+    /** True if a bot has lost or won nearly everything: all but 5% of the points, or but 10% and at most 3 points. */
+    boolean isExtreme(int bot) {
+        double share = Math.min(fit.share(bot), 1 - fit.share(bot));
+        return share <= EXTREME + ROUNDING || share <= RARE + ROUNDING && share * fit.games(bot) <= FEW + ROUNDING;
+    }
+
+    /** The difference of two ratings seen from where they are equal. It tests whether they are, and is no estimate. */
+    public Difference fromEqual(int one, int other) {
+        RatingFit.HeldFit held = fit.held(contrast(one, other), 0);
+        Difference found = held.fit().difference(one, other);
+        return new Difference(found.value() + held.step()[one] - held.step()[other], found.variance(),
+            RatingFit.CERTAIN, 1);
+    }
+
+    /** The difference of two ratings; one-sided if one of them is extreme and there are not too many to be fitted. */
+    public Difference bounded(int one, int other) {
+        Difference found = fit.difference(one, other);
+        return fit.bots() <= MOST_FITTED && (isExtreme(one) || isExtreme(other))
+            ? bounded(found, value -> asked(contrast(one, other), value)) : found;
+    }
+
+    /** The difference of a rating to a weighted mean of all; one-sided if the bot is extreme. */
+    public Difference boundedToMean(int bot, double... mean) {
+        Difference found = fit.toMean(bot, mean);
+        if (!isExtreme(bot)) {
+            return found;
+        }
+        if (fit.bots() > MOST_FITTED) {
+            double others = fit.value(bot) - found.value() / (1 - mean[bot]);
+            return bounded(found, value -> fit.asked(bot, others + value / (1 - mean[bot])));
+        }
+        double[] contrast = new double[fit.bots()];
+        for (int i = 0; i < contrast.length; i++) {
+            contrast[i] = (i == bot ? 1 : 0) - mean[i];
+        }
+        return bounded(found, value -> asked(contrast, value));
+    }
+
+    private double[] contrast(int one, int other) {
+        double[] contrast = new double[fit.bots()];
+        contrast[one] = 1;
+        contrast[other] = -1;
+        return contrast;
+    }
+
+    /** Tells how many standard deviations the games ask for away from a value. */
+    private interface Asked {
+        double deviations(double value);
+    }
+
+    /**
+     * Finds the value nearest to 0 from which the games do not ask {@link #Z} standard deviations away. It is 0 if they
+     * leave even the other sign.
+     */
+    private static Difference bounded(Difference found, Asked asked) {
+        double sign = Math.signum(found.value());
+        double inner = 0;
+        double outer = found.value();
+        if (asked.deviations(inner) * sign < Z) {
+            return found.oneSided(0);
+        }
+        while (Math.abs(outer - inner) > CLOSE) {
+            double middle = (inner + outer) / 2;
+            if (asked.deviations(middle) * sign >= Z) {
+                inner = middle;
+            } else {
+                outer = middle;
+            }
+        }
+        return found.oneSided(inner);
+    }
+
+    /**
+     * How many standard deviations the games ask for. The variance is at least the model's: few games that went the
+     * other way vary as a Poisson number does whose mean is the one that is tested, and not the one that was seen.
+     */
+    private double asked(double[] contrast, double value) {
+        RatingFit.HeldFit held = fit.held(contrast, value);
+        RatingFit at = held.fit();
+        double[] along = new double[at.inverse().length];
+        double asked = 0;
+        for (int i = 0; i < contrast.length; i++) {
+            asked += contrast[i] * held.step()[i];
+            for (int k = 0; k < along.length; k++) {
+                along[k] += contrast[i] * at.inverse()[i][k];
+            }
+        }
+        double told = 0;
+        for (int q = 0; q < at.strata().size(); q++) {
+            told += at.spread().modelled(q, along);
+        }
+        return asked / Math.sqrt(Math.max(at.of(along, 0).variance(), told));
+    }
+}
