@@ -1,6 +1,7 @@
 package steward.bot.isolation;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -14,6 +15,11 @@ import steward.bot.command.ProgramFinder;
  * @param others    the commands of the bots it plays against, whose files it is not to see
  */
 public record Launch(List<String> command, Isolation isolation, List<List<String>> others) {
+
+    /** Shared memory, and files in memory that any user may leave there for another. */
+    static final Path SHARED = Path.of("/dev/shm");
+    /** How much a bot may keep there, in bytes. */
+    static final long SHARED_BYTES = 64L << 20;
 
     private static final String END = "--";
 
@@ -75,13 +81,16 @@ public record Launch(List<String> command, Isolation isolation, List<List<String
             case OFF -> words.addAll(ShellLauncher.off(join));
             case LIGHT -> {
                 if (program == null) {
-                    words.addAll(ShellLauncher.light(isolation, join));
+                    words.addAll(ShellLauncher.light(isolation, join, emptied(command)));
                     break;
                 }
                 words.addAll(List.of(program.toString(), "light", "-u", "" + UserNumbers.userInside(), "-g",
                     "" + UserNumbers.groupInside()));
                 if (isolation.network()) {
                     words.add("-l");
+                }
+                if (emptied(command)) {
+                    words.addAll(List.of("-e", SHARED.toString()));
                 }
                 ControlGroup.mountPoints().forEach(point -> words.addAll(List.of("-r", point)));
                 words.addAll(List.of("-e", JVM_FILES + UserNumbers.nameInside()));
@@ -116,6 +125,14 @@ public record Launch(List<String> command, Isolation isolation, List<List<String
         }
         words.addAll(command);
         return words;
+    }
+
+    /** True if the bot gets a folder of shared memory of its own; not where its program or the referee is in that. */
+    private static boolean emptied(List<String> command) {
+        Path program = ProgramFinder.find(command.get(0));
+        return Files.isDirectory(SHARED) && !Path.of("").toAbsolutePath().startsWith(SHARED)
+            && (program == null || !program.startsWith(SHARED))
+            && command.stream().noneMatch(word -> word.startsWith(SHARED + "/"));
     }
 
     private static List<String> socket(Path path) {

@@ -50,11 +50,13 @@ final class ShellLauncher {
         return words;
     }
 
-    static List<String> light(Isolation isolation, Path controlGroup) {
+    static List<String> light(Isolation isolation, Path controlGroup, boolean emptied) {
         List<String> words = new ArrayList<>(List.of(program("setsid"), program("unshare"), "--user",
             "--map-user=" + UserNumbers.userInside(), "--map-group=" + UserNumbers.groupInside(), "--keep-caps",
             "--pid", "--net", "--ipc", "--uts"));
-        String last = program("unshare") + " --mount --mount-proc " + program("setpriv")
+        String shared = emptied ? program("sh") + " -c '" + program("mount") + " -t tmpfs -o nosuid,nodev,mode=1777,size="
+            + Launch.SHARED_BYTES + " tmpfs " + Launch.SHARED + " && exec \"$@\"' sh " : "";
+        String last = program("unshare") + " --mount --mount-proc " + shared + program("setpriv")
             + " --no-new-privs --ambient-caps=-all --inh-caps=-all --bounding-set=-all "
             + program("env") + " --default-signal=INT,QUIT --block-signal=QUIT";
         String loopback = isolation.network() ? program("ip") + " link set lo up\n" : "";

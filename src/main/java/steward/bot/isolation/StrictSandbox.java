@@ -19,7 +19,6 @@ final class StrictSandbox {
     private static final long TEMPORARY_BYTES = 64L << 20;
 
     private static final long PATIENCE_MS = 10_000;
-    private static final long SHARED_BYTES = 64L << 20;
 
     private StrictSandbox() {
     }
@@ -54,7 +53,7 @@ final class StrictSandbox {
             "--unshare-pid", "--unshare-net", "--unshare-ipc", "--unshare-uts", "--cap-drop", "ALL",
             "--die-with-parent", "--new-session",
             "--proc", "/proc", "--dev", "/dev",
-            "--size", "" + SHARED_BYTES, "--tmpfs", "/dev/shm", "--remount-ro", "/dev",
+            "--size", "" + Launch.SHARED_BYTES, "--tmpfs", Launch.SHARED.toString(), "--remount-ro", "/dev",
             "--size", "" + TEMPORARY_BYTES, "--tmpfs", TEMPORARY));
         if (launcher != null) {
             words.add("--as-pid-1");

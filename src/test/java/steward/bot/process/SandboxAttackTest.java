@@ -101,6 +101,7 @@ class SandboxAttackTest {
         ATTACKS.put("leaves processes behind that have left its session", SandboxAttackTest::leavesProcesses);
         ATTACKS.put("gets rights by a setuid program", field -> field.says("grep 'NoNewPrivs:.0' /proc/self/status"));
         ATTACKS.put("reaches servers on this machine and elsewhere", SandboxAttackTest::connects);
+        ATTACKS.put("sees what others keep in `/dev/shm`", SandboxAttackTest::seesSharedMemory);
         ATTACKS.put("reads your files", SandboxAttackTest::readsHome);
         ATTACKS.put("changes your files", field -> {
             Path file = field.folder.resolve("written-" + field.level.word());
@@ -161,6 +162,15 @@ class SandboxAttackTest {
     private static boolean connects(Field field) throws IOException {
         try (ServerSocket server = new ServerSocket(0, 1, InetAddress.getByName("127.0.0.1"))) {
             return field.says("bash -c 'exec 3<>/dev/tcp/127.0.0.1/" + server.getLocalPort() + "'");
+        }
+    }
+
+    private static boolean seesSharedMemory(Field field) throws IOException {
+        Path kept = Files.createTempFile(Path.of("/dev/shm"), "steward-test-", ".txt");
+        try {
+            return field.says("[ -e '" + kept + "' ] || ! echo x >/dev/shm/own");
+        } finally {
+            Files.delete(kept);
         }
     }
 
