@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Set;
+import java.util.function.Supplier;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.scene.json.JsonLimits;
@@ -96,6 +97,18 @@ public record LeagueFolder(Path path) {
             throw new InputException(file + ": cannot be read: no permission");
         } catch (IOException problem) {
             throw new InputException(file + ": cannot be read: " + OutputFiles.reason(file, problem));
+        }
+    }
+
+    /** Opens what the settings name; where that is refused, the error says that it is they who name it. */
+    public <T> T named(Supplier<T> opening) {
+        try {
+            return opening.get();
+        } catch (InputException | SceneException problem) {
+            if (problem.getMessage().startsWith(path.toString())) {
+                throw problem;
+            }
+            throw new InputException(settings() + ": " + problem.getMessage());
         }
     }
 

@@ -42,6 +42,27 @@ import steward.scene.SceneReader;
  */
 final class BrokenInputs {
 
+    /** Everything that can stand in it; its bots are not there, so that no game is played. */
+    private static final String LEAGUE = """
+        {
+          "league": 1,
+          "scene": "duel",
+          "seed": "7",
+          "pairing": "gauntlet b-1",
+          "lag": 3,
+          "hiccups": "count",
+          "time": { "factor": 1.5, "basis": "wall" },
+          "sandbox": { "level": "light", "memory": "512M", "processes": 64, "fileSize": "1G", "openFiles": 256,
+            "network": true, "cleanEnvironment": true, "hold": "never", "environment": ["LANG"], "visible": ["/opt"] },
+          "replays": { "keep": "lost", "of": ["b-1"] },
+          "bots": [
+            { "name": "b-1", "command": "codingame:./no-such-program --level 3", "files": ["a", "b"], "resumed": 2 },
+            { "name": "c", "command": "./no-such-program", "retired": true, "random": true },
+            { "name": "d", "command": "builtin:racer" }
+          ]
+        }
+        """;
+
     private static final Pattern QUOTED = Pattern.compile("\".*\"", Pattern.DOTALL);
 
     private final Path folder;
@@ -150,6 +171,7 @@ final class BrokenInputs {
             9000 5000 BOOST
             9000 5000 0
             """.getBytes(StandardCharsets.UTF_8), "simulate"));
+        kinds.add(league("list"));
         kinds.add(Kind.file("public key", "-----BEGIN PUBLIC KEY-----\n"
             + "MCowBQYDK2VwAyEAGhmrpVI9+WCl01n7z0to2Ve4DEzAEmZOUov8TpJKT98=\n-----END PUBLIC KEY-----\n", "my.key",
             "key show FILE"));
@@ -159,8 +181,17 @@ final class BrokenInputs {
         return kinds;
     }
 
+    /** A league.json that a command reads; to be played it lacks the programs. */
+    static Kind league(String command) {
+        return Kind.file("league.json, league " + command, LEAGUE, "./night/league.json", "league " + command
+            + " ./night" + (command.equals("run") ? " --games 1" : ""));
+    }
+
     /** Writes what stands beside the inputs of a kind. */
     void prepare(Kind kind) throws IOException {
+        if (kind.file() != null) {
+            Files.createDirectories(folder.resolve(kind.file()).getParent());
+        }
         if (kind.beside().size() == 2) {
             Files.writeString(folder.resolve(kind.beside().get(0)), kind.beside().get(1));
         }
@@ -237,7 +268,7 @@ final class BrokenInputs {
             String place = kind.call().startsWith("simulate") ? "input line "
                 : kind.file() == null ? "standard input" : "TMP/" + kind.file();
             assertTrue(said.contains(place) || said.contains("TMP/s.json:") || kind.name().equals("feed")
-                || said.contains("found 3, expected 1 to") || said.contains("no-such-program"), said);
+                || said.contains("found 3, expected 1 to") || isFedToNobody(kind, said), said);
         } else {
             assertEquals(status == ExitStatus.FAILED && frames ? 1 : 0, messages, said);
         }

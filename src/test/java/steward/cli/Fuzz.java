@@ -78,7 +78,9 @@ public final class Fuzz {
     private List<Named> targets() throws IOException, InterruptedException {
         List<Named> targets = new ArrayList<>();
         BrokenInputs inputs = new BrokenInputs(folder, seed);
-        for (Kind kind : BrokenInputs.kinds()) {
+        List<Kind> kinds = new ArrayList<>(BrokenInputs.kinds());
+        kinds.add(BrokenInputs.league("run"));
+        for (Kind kind : kinds) {
             inputs.prepare(kind);
             targets.add(new Named(kind.name(), number -> inputs.check(kind, inputs.broken(kind, number))));
         }

@@ -71,7 +71,7 @@ final class MergeCommand implements Callable<Integer> {
             int number = SeasonOpening.open(folder, settings, store, season, false);
             RosterReader reader = new RosterReader(store, contest, LeagueOpening.environment(settings), false,
                 what -> streams.err().println("steward: " + TextFormat.plain(what)), System::currentTimeMillis);
-            Roster roster = reader.read(settings);
+            Roster roster = folder.named(() -> reader.read(settings));
             PartMerge merge = new PartMerge(folder, store, season, number, roster, contest, Games.types(),
                 (double) again / PERCENT);
             for (String file : files) {

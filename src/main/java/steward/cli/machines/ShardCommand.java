@@ -97,7 +97,7 @@ final class ShardCommand implements Callable<Integer> {
             PartPlay.prepare(folder, store);
             RosterReader reader = new RosterReader(store.games(), contest, LeagueOpening.environment(settings), false,
                 what -> streams.err().println("steward: " + TextFormat.plain(what)), System::currentTimeMillis);
-            Roster roster = reader.read(settings);
+            Roster roster = folder.named(() -> reader.read(settings));
             return play(folder, store, file, roster, reader, contest, nanos);
         }
     }

@@ -118,7 +118,7 @@ public final class LeagueRun {
     }
 
     private void use(Roster next) {
-        next.check(play.season().players());
+        folder.named(() -> next.checked(play.season().players()));
         roster = next;
         members = next.byVersion();
         LeagueSettings settings = next.settings();

@@ -54,12 +54,12 @@ public record Roster(LeagueSettings settings, List<Member> members) {
     }
 
     /**
-     * Refuses bots that no game can be played with.
+     * Returns this, unless no game can be played with these bots.
      *
      * @param players of a game
      * @throws InputException if they are too few, or the one of the gauntlet is not among them
      */
-    void check(int players) {
+    public Roster checked(int players) {
         if (members.size() < players) {
             throw new InputException("found " + TextFormat.count(members.size(), "bot") + " that "
                 + (members.size() == 1 ? "plays" : "play") + ", expected at least " + players
@@ -69,5 +69,6 @@ public record Roster(LeagueSettings settings, List<Member> members) {
             throw new InputException("pairing: the bot '" + settings.gauntlet() + "' of the gauntlet is retired, "
                 + "expected one that plays");
         }
+        return this;
     }
 }

@@ -95,7 +95,7 @@ final class RosterWatch {
                 throw new InputException(folder.settings() + ": " + fixed
                     + " has changed, which is read when a run begins");
             }
-            Roster next = reader.read(read);
+            Roster next = folder.named(() -> reader.read(read));
             user.accept(next);
             paused = false;
             tell(edited ? "read " + folder.settings() + " anew: " + TextFormat.count(next.members().size(), "bot")

@@ -101,7 +101,8 @@ final class RowCheck {
             Rule.small("turns"), Rule.text("problem"), new Rule("problem", "counts AND problem IS NOT NULL",
             "nothing, as the game counts"), Rule.whole("played"), Rule.refers("machine", "machine"),
             Rule.text("replay"), Rule.whole("transcript", -Long.MAX_VALUE, Long.MAX_VALUE, "a whole number")));
-        check.table("seat", SEAT, List.of(Rule.whole("seat", 0, MOST_PLAYERS - 1, "a seat of the game"),
+        check.table("seat", SEAT, List.of(Rule.small("season"), Rule.small("version"), Rule.whole("game"),
+            Rule.whole("seat", 0, MOST_PLAYERS - 1, "a seat of the game"),
             Rule.whole("rank", 0, MOST_PLAYERS - 1, "a rank of the game"), new Rule("score", "score NOT BETWEEN "
             + "-1.7976931348623157e308 AND 1.7976931348623157e308", "a finite number"), Rule.text("fault"),
             Rule.small("answers"), Rule.whole("mean_nanos"), Rule.whole("worst_nanos"), Rule.whole("first_nanos"),

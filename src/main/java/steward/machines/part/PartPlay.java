@@ -79,6 +79,7 @@ public final class PartPlay {
         play = new GamePlay(part.season(), contest, new Kept(), machine, System::currentTimeMillis);
         LeagueSettings settings = roster.settings();
         int players = part.season().players();
+        folder.named(() -> roster.checked(players));
         try (GameStore league = GameStore.unused(folder)) {
             Optional<Integer> season = league == null ? Optional.empty() : league.season(part.season());
             schedule = new Schedule(settings.seed(), players, settings.lag(), season.isEmpty() ? new EarlierGames()
@@ -86,13 +87,7 @@ public final class PartPlay {
         }
         schedule.play(roster.versions(), versions -> settings.gauntlet() == null
             ? Pairing.roundRobin(versions, players)
-            : Pairing.gauntlet(versions, players, roster.versionOf(settings.gauntlet()).orElseThrow(() ->
-                new InputException("pairing: the bot '" + settings.gauntlet() + "' of the gauntlet is retired, "
-                    + "expected one that plays"))));
-        if (roster.members().size() < players) {
-            throw new InputException("found " + roster.members().size() + " bots that play, expected at least "
-                + players);
-        }
+            : Pairing.gauntlet(versions, players, roster.versionOf(settings.gauntlet()).orElseThrow()));
         end = nanos == Long.MAX_VALUE ? Long.MAX_VALUE : System.nanoTime() + nanos;
     }
 

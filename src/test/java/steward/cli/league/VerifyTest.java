@@ -33,6 +33,7 @@ class VerifyTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
+        UPDATE seat SET season = '1 99' WHERE game = 2 AND seat = 0 | column season: found '1 99', expected a whole
         UPDATE seat SET score = 'abc' WHERE game = 2 | column score: found 'abc', expected a finite number
         UPDATE seat SET score = 9e999 WHERE game = 2 | column score: found 9.0e+999, expected a finite
         DELETE FROM version WHERE id = 2 | table identity, row hash = '0000

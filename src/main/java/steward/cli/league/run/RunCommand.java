@@ -180,7 +180,7 @@ public final class RunCommand implements Callable<Integer> {
         CompletableFuture<Results> past = CompletableFuture.supplyAsync(viewed::results);
         RosterReader reader = new RosterReader(store, contest, LeagueOpening.environment(settings), same,
             what -> say(screen.get(), what), System::currentTimeMillis);
-        Roster roster = reader.read(settings);
+        Roster roster = folder.named(() -> reader.read(settings));
         LeagueProgress progress = new LeagueProgress(store, limits);
         LeagueRun run = new LeagueRun(folder, store, number, season, contest, reader, roster, limits,
             machine(contest), what -> say(screen.get(), what), game -> {

@@ -38,7 +38,7 @@ public final class LeagueOpening {
 
     /** The scene. */
     public static GameSetup setup(LeagueFolder folder, LeagueSettings settings) {
-        return Games.open(folder.scene(settings.scene()));
+        return folder.named(() -> Games.open(folder.scene(settings.scene())));
     }
 
     /** What is played, without bots. */
