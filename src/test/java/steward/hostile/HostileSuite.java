@@ -3,6 +3,7 @@ package steward.hostile;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.LocalDate;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
@@ -15,7 +16,7 @@ import steward.text.TextFormat;
 /**
  * Plays every hostile bot at every level of isolation that works here, and prints what became of it: {@code held},
  * {@code escapes} or {@code succeeds}, and after how many milliseconds the match was over. With {@code --markdown FILE}
- * the table of {@code docs/security.md} is written. Exit status 1 if anything is not as expected.
+ * the tables of {@code docs/security.md} and the day are written. Exit status 1 if anything is not as expected.
  *
  * <p>{@code --short} plays the attacks of the usual tests, {@code --only WORD} those of this word.
  */
@@ -52,13 +53,30 @@ public final class HostileSuite {
             }
             rows.add(row(trial, attack, next, problems));
         }
+        int attacks = rows.size();
+        if (!options.contains("--only")) {
+            guards(new Guards(Files.createDirectory(work.resolve("guards"))).run(), rows, problems);
+        }
+        String day = "Printed on " + LocalDate.now() + ".";
+        System.out.println(day);
         int markdown = options.indexOf("--markdown");
         if (markdown >= 0) {
+            rows.add(day);
             Files.write(Path.of(options.get(markdown + 1)), rows);
         }
         problems.forEach(problem -> System.out.println("PROBLEM: " + problem));
-        System.out.println(rows.size() + " attacks at " + next.size() + " levels, " + problems.size() + " problems");
+        System.out.println(attacks + " attacks at " + next.size() + " levels, " + problems.size() + " problems");
         System.exit(problems.isEmpty() ? 0 : 1);
+    }
+
+    private static void guards(Map<String, String> found, List<String> rows, List<String> problems) {
+        found.forEach((what, became) -> {
+            System.out.printf("%-70s %s%n", what, became);
+            rows.add("| " + what + " | " + became + " |");
+            if (!became.startsWith("held")) {
+                problems.add(what + ": " + became);
+            }
+        });
     }
 
     private static List<Attack> chosen(List<String> options) {

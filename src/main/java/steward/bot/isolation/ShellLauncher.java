@@ -55,7 +55,8 @@ final class ShellLauncher {
             "--map-user=" + UserNumbers.userInside(), "--map-group=" + UserNumbers.groupInside(), "--keep-caps",
             "--pid", "--net", "--ipc", "--uts"));
         String shared = emptied ? program("sh") + " -c '" + program("mount")
-            + " -t tmpfs -o nosuid,nodev,mode=1777,size=" + Launch.SHARED_BYTES + " tmpfs " + Launch.SHARED + " && exec \"$@\"' sh " : "";
+            + " -t tmpfs -o nosuid,nodev,mode=1777,size=" + Launch.SHARED_BYTES + " tmpfs " + Launch.SHARED
+            + " && exec \"$@\"' sh " : "";
         String last = program("unshare") + " --mount --mount-proc " + shared + program("setpriv")
             + " --no-new-privs --ambient-caps=-all --inh-caps=-all --bounding-set=-all "
             + program("env") + " --default-signal=INT,QUIT --block-signal=QUIT";

@@ -118,6 +118,60 @@ class LeaguePageTest {
         }
     }
 
+    /** Ends elements, runs when an image fails, turns the direction of writing, rings. */
+    private static final String HOSTILE = "</script><script>window.owned = 1</script>"
+        + "<img src=x onerror='window.owned=1'><!--\u202Eevil\u0007";
+
+    @Test
+    void hostileTextsOfALivePageNeverRun() throws IOException {
+        String text = HOSTILE.replace("\u0007", "\\u0007");
+        String state = """
+            {"scene":"TEXT","games":9,"again":0,"without":0,"rate":2.5,"bots":[{"rank":1,"version":1,"name":"TEXT",\
+            "active":true,"random":false,"rating":12.5,"bar":30,"games":9,"points":0.6,"faults":0,"score":1,\
+            "meanMs":1,"worstMs":2}],"cross":[[null]],"path":{"versions":[1],"points":[]},\
+            "list":[{"id":1,"counts":false,"turns":3,"seed":"7","problem":"TEXT","replay":"TEXT",\
+            "seats":[{"version":1,"rank":0,"fault":"TEXT"}]}],\
+            "workers":[{"name":"TEXT","state":"TEXT","games":1,"aside":0,"rate":1,"faults":0,"repeated":0,\
+            "program":"TEXT","silentMs":1,"doubts":["TEXT"]}]}""".replace("TEXT", text);
+        byte[] page = LeaguePage.live(HOSTILE, StatusServer.FEED);
+        try (StatusServer server = StatusServer.start(null, 0, 1, page, path -> null);
+             PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+            server.show(state);
+            browser.go(server.address().toString());
+            for (String shown : List.of("#table td.name", "#games td.left", "#workers td.name", "#doubts li", "h1")) {
+                assertTrue(browser.text(shown).contains("<img src=x"), shown + ": " + browser.text(shown));
+            }
+            assertTrue(browser.is("!window.owned && document.images.length === 0"));
+            assertEquals(List.of(), browser.complaints());
+        }
+    }
+
+    /** The bot writes the same to its standard error, and answers it. */
+    @Test
+    void whatAHostileBotWritesNeverRuns() throws IOException {
+        assumeTrue(ShellBots.runnable(), "skipped: there is no /bin/sh");
+        Path bot = Files.writeString(folder.resolve("evil.sh"), "printf '%s\\n' \"" + HOSTILE + "\" >&2\nread -r line\n"
+            + "printf '%s\\n' \"" + HOSTILE + "\"\n");
+        TextShellBots bots = new TextShellBots(folder);
+        done("init", folder + "/a", "--scene", "duel", "--seed", "5", "--keep", "all", "--time-factor", "100");
+        done("add", folder + "/a", "drives=codingame:" + bots.driver());
+        done("add", folder + "/a", "evil=codingame:sh " + bot);
+        done("run", folder + "/a", "--games", "2");
+        done("page", folder + "/a", "--out", folder + "/page.html");
+        try (PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+            browser.open(folder.resolve("page.html"), "");
+            assertEquals(2, rows(browser, "#games"));
+            assertTrue(browser.is("document.querySelector('#games .faulty').title.includes('script')"));
+            assertTrue(browser.is("!window.owned && document.images.length === 0"));
+            browser.click("#games button.link");
+            browser.lastWindow();
+            browser.run("steward.seek(steward.lastTurn())");
+            assertTrue(browser.text("body").contains("<img src=x"), browser.text("body"));
+            assertTrue(browser.is("!window.owned && document.images.length === 0"));
+            assertEquals(List.of(), browser.complaints());
+        }
+    }
+
     /** As {@link steward.league.page.WorkerRow} has them: one that plays, one that is caught, one that is doubtful. */
     @Test
     void workersAreShown() throws IOException {

@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.cli.Cli;
+import steward.replay.Forge;
 
 /** That bots were kept apart can be demanded of a replay, and is believed only if its signer says so. */
 @Tag("process")
@@ -103,6 +104,20 @@ class RequiredIsolationTest {
     private String otherKey() {
         Cli.run("key", "new", folder.resolve("other").toString()).done();
         return folder.resolve("other.pub").toString();
+    }
+
+    /** Neither without its last line, nor without the name of the signer as well. */
+    @Test
+    void aStrippedSignatureFails() throws IOException {
+        List<String> lines = Files.readAllLines(replay);
+        String header = Forge.rehash(lines.get(0).replaceFirst(",\"signer\":\"[^\"]*\"", ""));
+        lines = new ArrayList<>(lines.subList(1, lines.size() - 1));
+        lines.add(0, header);
+        Path stripped = Files.write(folder.resolve("stripped.jsonl"), lines);
+        Cli.run("replay", stripped.toString(), "--verify").done();
+        assertFails("not verified: the replay is unsigned, expected a signature by", verify(stripped));
+        assertFails("not verified: the replay is unsigned, expected a signature by", verify(stripped, "--require",
+            "off"));
     }
 
     @Test

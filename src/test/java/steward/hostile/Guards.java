@@ -1,0 +1,122 @@
+package steward.hostile;
+
+import java.io.IOException;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import steward.cli.Cli;
+import steward.cli.league.BrokenRows;
+import steward.live.LiveRecording;
+import steward.live.LiveServer;
+
+/** Attacks that need no bot: on what is stored, and on what is served. Each is tried, and says what became of it. */
+final class Guards {
+
+    private static final int VIEWERS = LiveServer.USUAL_VIEWERS;
+    private static final int MEGABYTE = 1 << 20;
+    private static final int MOST_MEGABYTES = 50;
+    private static final long PATIENCE_MS = 60_000;
+
+    private final Path folder;
+
+    /** @param folder for files, empty */
+    Guards(Path folder) {
+        this.folder = folder;
+    }
+
+    private interface Attack {
+        String found() throws IOException, InterruptedException;
+    }
+
+    /** Tries all; what was found by what was tried: it begins with "held" where nothing came of it. */
+    Map<String, String> run() throws IOException, InterruptedException {
+        Map<String, Attack> attacks = new LinkedHashMap<>();
+        attacks.put("takes all " + VIEWERS + " places of a live page and reads nothing", this::viewers);
+        attacks.put("says in a signed replay that it was played at `strict`", this::level);
+        attacks.put("damages 20 values and rows of a league's database", this::rows);
+        attacks.put("writes bytes that are not UTF-8 into a scene", this::bytes);
+        Map<String, String> found = new LinkedHashMap<>();
+        for (Map.Entry<String, Attack> each : attacks.entrySet()) {
+            found.put(each.getKey(), each.getValue().found());
+        }
+        return found;
+    }
+
+    private static String held(boolean held, String otherwise) {
+        return held ? "held" : "succeeds: " + otherwise;
+    }
+
+    /** The memory of this process is that of the server: clients are sockets whose buffers the system has. */
+    private String viewers() throws IOException, InterruptedException {
+        LiveRecording recording = new LiveRecording();
+        byte[] line = ("x".repeat(MEGABYTE) + "\n").getBytes(StandardCharsets.US_ASCII);
+        List<Socket> clients = new ArrayList<>();
+        try (LiveServer server = LiveServer.start(null, 0, VIEWERS, "b", recording)) {
+            for (int k = 0; k < 8; k++) {
+                recording.write(line, 0, line.length);
+            }
+            long before = kilobytes();
+            for (int k = 0; k < VIEWERS; k++) {
+                clients.add(feed(server));
+            }
+            clients.get(VIEWERS - 1).getInputStream().read();
+            long used = (kilobytes() - before) / 1024;
+            server.awaitDelivery(PATIENCE_MS, 0);
+            clients.add(feed(server));
+            byte[] answer = clients.get(VIEWERS).getInputStream().readNBytes(2000);
+            boolean served = new String(answer, StandardCharsets.US_ASCII).contains("data: xxx");
+            return held(served && used < MOST_MEGABYTES, "served " + served) + ", " + Math.max(1, used) + " MB";
+        } finally {
+            for (Socket client : clients) {
+                client.close();
+            }
+        }
+    }
+
+    private static Socket feed(LiveServer server) throws IOException {
+        Socket socket = new Socket(server.address().getHost(), server.address().getPort());
+        socket.getOutputStream().write(("GET /feed HTTP/1.1\r\nHost: localhost:" + server.address().getPort()
+            + "\r\n\r\n").getBytes(StandardCharsets.US_ASCII));
+        return socket;
+    }
+
+    /** What is resident of this process. */
+    private static long kilobytes() throws IOException {
+        return Files.readAllLines(Path.of("/proc/self/status")).stream().filter(line -> line.startsWith("VmRSS:"))
+            .mapToLong(line -> Long.parseLong(line.replaceAll("\\D", ""))).findFirst().orElseThrow();
+    }
+
+    private String level() throws IOException {
+        Path replay = folder.resolve("m.jsonl");
+        Cli.run("key", "new", folder.resolve("k").toString()).done();
+        Cli.run("match", "--scene", "duel", "--sandbox", "off", "--bot", "sh -c 'exit 0'", "--bot", "sh -c 'exit 0'",
+            "--sign", folder.resolve("k").toString(), "--out", replay.toString());
+        Files.writeString(replay, Files.readString(replay).replace("\"isolation\":\"off", "\"isolation\":\"strict"));
+        Cli said = Cli.run("replay", replay.toString(), "--verify", "--signed-by", folder.resolve("k.pub").toString(),
+            "--require", "strict");
+        return held(said.status() == 1, said.out());
+    }
+
+    private String rows() throws IOException {
+        BrokenRows rows = new BrokenRows(Files.createDirectory(folder.resolve("rows")), 1);
+        for (int k = 0; k < 20; k++) {
+            try {
+                rows.check(k);
+            } catch (AssertionError problem) {
+                return held(false, problem.getMessage());
+            }
+        }
+        return held(true, "");
+    }
+
+    private String bytes() throws IOException {
+        Path scene = Files.write(folder.resolve("s.json"), new byte[] {'{', '\n', '"', (byte) 0xE9});
+        Cli said = Cli.run("explain", scene.toString());
+        return held(said.status() == 2 && said.err().contains(scene + ":2:2: "), said.err());
+    }
+}
