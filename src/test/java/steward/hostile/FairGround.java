@@ -10,6 +10,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.StreamSupport;
+import steward.bot.hold.HoldPolicy;
 import steward.bot.isolation.Isolation;
 import steward.bot.isolation.SandboxLevel;
 import steward.bot.isolation.SandboxSupport;
@@ -103,7 +104,9 @@ public final class FairGround {
                 System.out.println("level " + level + " does not work here: " + SandboxSupport.problem(sandbox));
                 continue;
             }
-            System.out.println("at " + level + ", burners are " + HoldMeans.of(Isolation.at(sandbox)).text());
+            HoldPolicy policy = HoldPolicy.of(option("hold", "burners")).orElseThrow();
+            System.out.println("at " + level + ", bots that burn are "
+                + HoldMeans.of(Isolation.at(sandbox).holding(policy)).text());
             for (String time : option("time", "wall").split(",")) {
                 fair &= isFair(scene, level, time);
             }
