@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import steward.game.GameSetup;
 import steward.game.GameTypes;
+import steward.game.podrace.RulesEdition;
 import steward.scene.SceneFiles;
 import steward.scene.SceneText;
 import tools.jackson.databind.json.JsonMapper;
@@ -32,19 +33,26 @@ public final class GameRecordingImport implements RecordingImport {
      * @param json   the text of CodinGame's JSON
      * @param source its name, for errors
      * @param types  must know the pod race
+     * @param rules  edition of the rules by which it was played
      * @throws IllegalArgumentException     if it is no recording of a pod race; says in which frame and line
      * @throws steward.scene.json.SceneException if no race is possible on its map
      */
-    public static GameRecordingImport of(String json, String source, GameTypes types) {
+    static GameRecordingImport of(String json, String source, GameTypes types, RulesEdition rules) {
         GameRecording recording = GameRecordingReader.read(json, source);
-        return new GameRecordingImport(recording, types.open(scene(recording), source + " (scene)"));
+        return new GameRecordingImport(recording, types.open(scene(recording, rules), source + " (scene)"));
+    }
+
+    /** Reads a recording of a race by today's rules, as above. */
+    public static GameRecordingImport of(String json, String source, GameTypes types) {
+        return of(json, source, types, RulesEdition.LIVE);
     }
 
     /** The official scene on the recorded map. */
-    private static String scene(GameRecording recording) {
+    private static String scene(GameRecording recording, RulesEdition rules) {
         SceneText official = SceneFiles.load(SCENE);
         ObjectNode scene = (ObjectNode) JsonMapper.shared().readTree(official.text());
         ObjectNode race = (ObjectNode) scene.get("race");
+        race.put("rules", rules.word());
         race.put("shift", false);
         race.put("jitter", 0);
         ArrayNode checkpoints = race.putArray("maps").addObject().putArray("checkpoints");

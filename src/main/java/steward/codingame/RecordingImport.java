@@ -2,6 +2,7 @@ package steward.codingame;
 
 import java.io.OutputStream;
 import steward.game.GameTypes;
+import steward.game.podrace.RulesEdition;
 import tools.jackson.core.JacksonException;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -39,16 +40,29 @@ public interface RecordingImport {
      * @throws steward.scene.json.SceneException if its map is none that can be played on
      */
     static RecordingImport of(String json, String source, GameTypes types) {
+        return of(json, source, types, null);
+    }
+
+    /**
+     * As above.
+     *
+     * @param rules edition of the rules by which a pod race was played; {@code null} for those of today
+     */
+    static RecordingImport of(String json, String source, GameTypes types, RulesEdition rules) {
         JsonNode read = null;
         try {
             read = JsonMapper.shared().readTree(json);
         } catch (JacksonException problem) {
             // said below, with its place
         }
-        if (read != null && read.has("stdin") && read.has("stdout")) {
-            return LineRecordingImport.of(read, source, types);
+        RecordingImport other = read != null && read.has("stdin") && read.has("stdout")
+            ? LineRecordingImport.of(read, source, types)
+            : ServerGameImport.of(GameRecordingFile.gameResult(json, source), source, types);
+        if (other != null && rules != null) {
+            throw new IllegalArgumentException(source + ": found another game, expected a pod race where rules are "
+                + "named");
         }
-        RecordingImport known = ServerGameImport.of(GameRecordingFile.gameResult(json, source), source, types);
-        return known != null ? known : GameRecordingImport.of(json, source, types);
+        return other != null ? other
+            : GameRecordingImport.of(json, source, types, rules == null ? RulesEdition.LIVE : rules);
     }
 }

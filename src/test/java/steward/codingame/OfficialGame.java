@@ -4,6 +4,7 @@ import java.io.StringWriter;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import steward.bot.Bot;
 import steward.bot.InProcessPlayer;
 import steward.game.FrameCodec;
 import steward.game.Game;
@@ -45,10 +46,13 @@ public final class OfficialGame implements MatchListener {
 
     /** A whole game between bots drawn by lot that ram each other now and then. */
     public static OfficialGame play(long seed) {
-        GameSetup setup = TestScenes.open("mad-pod-racing");
+        return play(TestScenes.open("mad-pod-racing"), seed, new SeededBot(seed, 0.2), new SeededBot(seed + 1, 0.2));
+    }
+
+    /** A whole game between two bots. */
+    static OfficialGame play(GameSetup setup, long seed, Bot one, Bot two) {
         OfficialGame game = new OfficialGame();
-        List<InProcessPlayer> players = List.of(new InProcessPlayer("a", new SeededBot(seed, 0.2)),
-            new InProcessPlayer("b", new SeededBot(seed + 1, 0.2)));
+        List<InProcessPlayer> players = List.of(new InProcessPlayer("a", one), new InProcessPlayer("b", two));
         try {
             MatchResult end = new Referee(setup, seed, players, TimeControl.UNLIMITED, game).play();
             ArrayNode ranks = game.result.putArray("ranks");

@@ -6,15 +6,18 @@ import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.zip.GZIPInputStream;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import picocli.CommandLine.TypeConversionException;
 import steward.bot.command.CommandLine;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
@@ -26,6 +29,7 @@ import steward.codingame.DifferentGameException;
 import steward.codingame.RecordingImport;
 import steward.files.InputException;
 import steward.files.OutputFiles;
+import steward.game.podrace.RulesEdition;
 import steward.replay.page.UnclosedOutputStream;
 import steward.text.TextFormat;
 import steward.text.Utf8Text;
@@ -63,6 +67,11 @@ public final class ImportCommand implements Callable<Integer> {
     @Option(names = "--out", paramLabel = "REPLAY", required = true,
         description = "Where the replay goes; - is the standard output.")
     private String out;
+
+    @Option(names = "--rules", paramLabel = "live|contest", converter = Edition.class,
+        description = "The rules by which a pod race was played: those of the live server (default), or those of the "
+            + "contest of 2016.")
+    private RulesEdition rules;
 
     @Option(names = "--overwrite", description = "Replaces a replay that exists.")
     private boolean overwrite;
@@ -107,6 +116,16 @@ public final class ImportCommand implements Callable<Integer> {
         return ExitStatus.DONE;
     }
 
+    /** Reads the word of an edition. */
+    static final class Edition implements ITypeConverter<RulesEdition> {
+
+        @Override
+        public RulesEdition convert(String word) {
+            return Arrays.stream(RulesEdition.values()).filter(edition -> edition.word().equals(word)).findFirst()
+                .orElseThrow(() -> new TypeConversionException("found '" + word + "', expected live or contest"));
+        }
+    }
+
     private RecordingImport read(Path replay) {
         boolean piped = StandardFiles.is(file);
         String source = piped ? StandardFiles.INPUT : file;
@@ -115,7 +134,7 @@ public final class ImportCommand implements Callable<Integer> {
         try {
             String text = Utf8Text.decode(bytes, source, "CodinGame's JSON of a game");
             return RecordingImport.of(text.startsWith(BYTE_ORDER_MARK) ? text.substring(1) : text, source,
-                Games.types());
+                Games.types(), rules);
         } catch (NotUtf8Exception problem) {
             throw new InputException(problem.getMessage());
         } catch (IllegalArgumentException problem) {
