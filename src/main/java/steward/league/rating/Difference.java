@@ -8,8 +8,8 @@ package steward.league.rating;
  * @param freedom  degrees of freedom of the variance
  * @param single   how much of a single pairing it is: the sum of the squares of the pairings' shares of the variance, 1
  *                 where one has all of it
- * @param bound    where the bar is one-sided, since a bot has won or lost nearly everything: the end that is nearer to
- *                 0, in natural units; otherwise NaN
+ * @param bound    where the bar is one-sided, since a bot has won or lost nearly everything: its end, below a positive
+ *                 value and above a negative one, in natural units; otherwise NaN
  */
 public record Difference(double value, double variance, double freedom, double single, double bound) {
 
@@ -28,6 +28,11 @@ public record Difference(double value, double variance, double freedom, double s
     /** The same with a bar of one side. */
     Difference oneSided(double end) {
         return new Difference(value, variance, freedom, single, end);
+    }
+
+    /** The estimate without any bar. */
+    Difference unknown() {
+        return new Difference(value, Double.POSITIVE_INFINITY, freedom, single);
     }
 
     /** True if nothing but a bound can be told: that the difference is more, or if it is below 0 less, than this. */

@@ -18,6 +18,8 @@ public final class ScoreTest {
     private static final double Z = 1.959963984540054;
     /** In natural units: a fifth of a point of Elo. */
     private static final double CLOSE = 1e-3;
+    /** In natural units: where a bound is looked for at most. */
+    private static final double FARTHEST = 20;
     private static final double ROUNDING = 1e-9;
     /** Bots up to which all are fitted anew for each value that is tested. */
     private static final int MOST_FITTED = 30;
@@ -80,15 +82,19 @@ public final class ScoreTest {
     }
 
     /**
-     * Finds the value nearest to 0 from which the games do not ask {@link #Z} standard deviations away. It is 0 if they
-     * leave even the other sign.
+     * Finds the value below the estimate, or above if that is negative, from which the games just ask {@link #Z}
+     * standard deviations away. It may be of the other sign: then even the order is open.
      */
     private static Difference bounded(Difference found, Asked asked) {
         double sign = Math.signum(found.value());
-        double inner = 0;
         double outer = found.value();
-        if (asked.deviations(inner) * sign < Z) {
-            return found.oneSided(0);
+        double inner = 0;
+        while (asked.deviations(inner) * sign < Z) {
+            if (sign == 0 || Math.abs(inner) > FARTHEST) {
+                return found.unknown();
+            }
+            outer = inner;
+            inner -= sign;
         }
         while (Math.abs(outer - inner) > CLOSE) {
             double middle = (inner + outer) / 2;

@@ -34,7 +34,32 @@ class ScoreTestTest {
             assertEquals(-found.boundElo(), new ScoreTest(two(games, 0)).bounded(1, 0).boundElo(), 0.5);
         }
         assertFalse(new ScoreTest(two(50, 50)).bounded(0, 1).isOneSided());
-        assertEquals(0, new ScoreTest(two(3, 0)).bounded(0, 1).boundElo(), "three games leave the other sign");
+    }
+
+    @Test
+    void ofAFewWinsABoundLeavesTheOtherSignAndClaimsNoMoreThanTheExactOne() {
+        for (int games = 1; games <= 20; games++) {
+            double chance = Math.pow(0.025, 1.0 / games);
+            double exact = 400 * Math.log10(chance / (1 - chance));
+            Difference found = new ScoreTest(two(games, 0)).bounded(0, 1);
+            assertTrue(found.isOneSided() ? found.boundElo() < exact + 50 : !Difference.isKnown(found.bar()),
+                games + " games: " + found.boundElo() + " of " + exact);
+            assertTrue(games > 4 || !found.isOneSided() || found.boundElo() < 0, games + " games");
+        }
+    }
+
+    /** Two that lost every game against a third are not told apart: neither is surely the better one. */
+    @Test
+    void twoThatLostAllToAThirdAreNotToldApart() {
+        for (int games = 1; games <= 40; games += 3) {
+            Stratum one = new Stratum(1, 0, 1);
+            one.add(one.pattern(1, 1, 0), games);
+            Stratum other = new Stratum(1, 0, 2);
+            other.add(other.pattern(1, 1, 0), 2 * games);
+            Difference found = new ScoreTest(RatingFit.of(3, List.of(one, other), false)).bounded(1, 2);
+            assertTrue(!found.isOneSided() && !Difference.isKnown(found.bar())
+                || found.boundElo() * found.value() < 0, games + " games: " + found);
+        }
     }
 
     /** In a table of 40 the others are held; its bound holds for at least 95% of leagues, too. */
