@@ -131,6 +131,7 @@ public final class SprtRun {
             withoutInARow = 0;
         } else if (seed.allFailed()) {
             allFailed++;
+            withoutInARow++;
         } else {
             without++;
             withoutInARow++;
@@ -149,7 +150,8 @@ public final class SprtRun {
     private synchronized int end() {
         if (withoutInARow >= MOST_WITHOUT) {
             tell();
-            streams.err().println("steward: the test ends: " + MOST_WITHOUT + " seeds in a row have no result");
+            streams.err().println("steward: the test ends: " + MOST_WITHOUT + " seeds in a row tell nothing: their "
+                + "games have no result, or all bots failed at once");
             return ExitStatus.FAILED;
         }
         tell();

@@ -52,6 +52,30 @@ class FailuresToldTest {
     }
 
     @Test
+    void aTestOfBotsThatAlwaysFailTogetherEndsAlsoIfItIsToKeepGoing() {
+        Cli cli = Cli.run("sprt", "--scene", scene, "--bot", bad, "--bot", bad.replace("bad=sh ", "worse=sh -e "),
+            "--seed", "1", "--keep-going");
+        assertEquals(1, cli.status(), cli.err());
+        assertTrue(cli.err().contains("20 seeds in a row tell nothing"), cli.err());
+    }
+
+    /** Three bots are three pairs of two games. */
+    @Test
+    void aTableSaysThatARoundIsNotComplete() {
+        Path league = folder.resolve("league");
+        Cli.run("league", "init", league.toString(), "--scene", scene).done();
+        for (String other : new String[] {"good=sh ", "other=sh -e ", "third=sh -f "}) {
+            Cli.run("league", "add", league.toString(), good.replaceFirst("^good=sh ", other)).done();
+        }
+        Cli.run("league", "run", league.toString(), "--games", "2").done();
+        String said = Cli.run("league", "table", league.toString()).done().out();
+        assertTrue(said.contains("Round 1 is not complete: 1 of 3 pairs have met in it."), said);
+        Cli.run("league", "run", league.toString(), "--games", "6").done();
+        said = Cli.run("league", "table", league.toString()).done().out();
+        assertTrue(!said.contains("not complete"), said);
+    }
+
+    @Test
     void aReplaySaysOfAFailureWhatTheMatchSaid() {
         String replay = folder.resolve("match.jsonl").toString();
         String match = Cli.run("match", "--scene", scene, "--bot", bad, "--bot", good, "--seed", "1", "--out", replay)
@@ -74,6 +98,8 @@ class FailuresToldTest {
         assertEquals(4, table.get("games").intValue(), table.toString());
         table.get("bots").forEach(bot -> assertEquals(bot.get("name").stringValue().equals("good") ? 0 : 2,
             bot.get("allFailed").intValue(), bot.toString()));
+        JsonNode part = Cli.run("league", "table", league.toString(), "--last", "6", "--json").json();
+        assertEquals(table.get("bots"), part.get("bots"), "a part that is the whole");
         JsonNode games = Cli.run("league", "games", league.toString(), "--failed", "--json").json();
         assertEquals(6, games.get("games").intValue());
         assertTrue(games.toString().contains("SyntaxError: a dog"), games.toString());

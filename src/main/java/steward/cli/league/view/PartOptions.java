@@ -69,7 +69,7 @@ final class PartOptions {
         long[] range = seeds();
         List<StoredGame> found = new ArrayList<>();
         opened.games().games(game -> {
-            boolean fits = game.isRated() && game.played() >= from && game.seed() >= range[0] && game.seed() <= range[1]
+            boolean fits = game.counts() && game.played() >= from && game.seed() >= range[0] && game.seed() <= range[1]
                 && Arrays.stream(game.lineup()).allMatch(version -> (bots.isEmpty() || among.contains(version))
                 && !not.contains(version));
             if (fits) {

@@ -91,6 +91,10 @@ public final class TableCommand implements Callable<Integer> {
             } else {
                 TableText.whole(table, opened.season(), opened.workers(), streams.outColour())
                     .forEach(streams.out()::println);
+                if (!part.isAny()) {
+                    RoundText.unfinished(table, opened.settings(), opened.season().players())
+                        .ifPresent(streams.out()::println);
+                }
                 if (values) {
                     streams.out().println();
                     own.lines(table).forEach(streams.out()::println);
