@@ -30,6 +30,7 @@ public final class SelfCheck {
     private static final double FAR = 300;
     /** The last strength with a score of 95% is 5 Elo below. */
     private static final double FARTHEST = 515;
+    private static final double BEYOND = 1305;
     private static final int MOST_DECISIONS = 5_000_000;
 
     private final long leagues;
@@ -107,23 +108,23 @@ public final class SelfCheck {
     private void exact() {
         head("Bars of 2 bots without ties, computed for all strengths in steps of 5 Elo: how often they hold, in "
             + "percent. A cluster is two games.", "clusters", "bars", "0 to 300 Elo apart: least", "mean", "most",
-            "300 to 510 Elo apart: least", "mean", "most");
+            "300 to 510 Elo apart: least", "mean", "most", "510 to 1300: least");
         for (int clusters : new int[] {30, 40, 60, 100, 200, 300}) {
             ExactCheck check = new ExactCheck(clusters);
-            exact(clusters, "these", check.run(0, FAR), check.run(FAR, FARTHEST));
+            exact(clusters, "these", check.run(0, FAR), check.run(FAR, FARTHEST), check.run(FARTHEST, BEYOND).least());
         }
         for (int clusters : new int[] {30, 40, 60}) {
             OtherBars bars = new OtherBars(2 * clusters);
-            exact(clusters, "Wilson's", bars.wilson(0, FAR), bars.wilson(FAR, FARTHEST));
-            exact(clusters, "mid-P", bars.midP(0, FAR), bars.midP(FAR, FARTHEST));
-            exact(clusters, "nearest of all", bars.best(0, FAR), bars.best(FAR, FARTHEST));
+            exact(clusters, "Wilson's", bars.wilson(0, FAR), bars.wilson(FAR, FARTHEST), Double.NaN);
+            exact(clusters, "mid-P", bars.midP(0, FAR), bars.midP(FAR, FARTHEST), Double.NaN);
+            exact(clusters, "nearest of all", bars.best(0, FAR), bars.best(FAR, FARTHEST), Double.NaN);
         }
     }
 
-    private void exact(int clusters, String bars, ExactCheck.Outcome near, ExactCheck.Outcome far) {
+    private void exact(int clusters, String bars, ExactCheck.Outcome near, ExactCheck.Outcome far, double beyond) {
         row(clusters, bars, Coverage.percent(near.least()), Coverage.percent(near.mean()),
             Coverage.percent(near.most()), Coverage.percent(far.least()), Coverage.percent(far.mean()),
-            Coverage.percent(far.most()));
+            Coverage.percent(far.most()), Coverage.percent(beyond));
     }
 
     private static int[] unequal(int groups) {

@@ -33,11 +33,12 @@ public final class GameQueries {
         + "s.worst_nanos, s.first_nanos, s.own, coalesce(g.transcript, 0) "
         + "FROM game g JOIN machine m ON m.id = g.machine JOIN seat s ON s.game = g.id ";
 
-    /** In the order in which the games were stored; a lineup and the ranks as one number, which is fetched at once. */
+    /** A lineup and the ranks are one number, which is fetched at once. */
     private static final String CLUSTER = "SELECT seed, lineup << 32 | CAST(replace(ranks, ' ', '') AS INTEGER), "
         + "id, coalesce(transcript, 0), lineup FROM game NOT INDEXED WHERE season = ? AND counts = 1";
-    private static final String CLUSTERED = CLUSTER + " ORDER BY id";
-    private static final String CLUSTERED_BEFORE = CLUSTER + " AND decision < ? ORDER BY id";
+    private static final String AS_STORED = CLUSTER + " ORDER BY id";
+    /** Of equal games that of the earliest decision counts, in whatever order threads and workers brought them. */
+    private static final String AS_DECIDED = " ORDER BY decision, seed, id";
 
     private final Database database;
     private final int season;
@@ -85,7 +86,7 @@ public final class GameQueries {
     private void addGroups(Results results) throws SQLException {
         Lineups lineups = lineups();
         ClusterCounts clusters = new ClusterCounts(lineups.versions(), chosenSeeds(), false);
-        try (ResultSet row = database.query(CLUSTERED, season)) {
+        try (ResultSet row = database.query(CLUSTER + AS_DECIDED, season)) {
             while (row.next()) {
                 if (!lineups.isRepeat(results, row.getInt(5), row.getLong(4))) {
                     clusters.add(row.getLong(1), row.getLong(2));
@@ -151,7 +152,7 @@ public final class GameQueries {
         long count = 0;
         try (ResultSet row = database.query("SELECT g.seed, s.version, s.score, g.lineup, "
             + "coalesce(g.transcript, 0) FROM game g JOIN seat s ON s.game = g.id WHERE g.season = ? AND g.counts = 1 "
-            + "AND " + which + " ORDER BY g.id", season, upTo)) {
+            + "AND " + which + " ORDER BY g.decision, g.seed, g.id", season, upTo)) {
             while (row.next()) {
                 if (lineups.isRepeat(results, row.getInt(4), row.getLong(5))) {
                     continue;
@@ -207,7 +208,8 @@ public final class GameQueries {
             }
             Lineups lineups = lineups();
             ClusterCounts clusters = new ClusterCounts(lineups.versions(), Set.of(), false);
-            try (ResultSet row = database.query(CLUSTERED_BEFORE, season, decision)) {
+            try (ResultSet row = database.query(CLUSTER + " AND decision < ?" + AS_DECIDED,
+                season, decision)) {
                 while (row.next()) {
                     if (!lineups.isRepeat(results, row.getInt(5), row.getLong(4))) {
                     clusters.add(row.getLong(1), row.getLong(2));
@@ -326,7 +328,7 @@ public final class GameQueries {
         Lineups lineups = lineups();
         ClusterCounts clusters = new ClusterCounts(lineups.versions(), chosenSeeds(), true);
         Results results = new Results(key);
-        try (ResultSet row = database.query(CLUSTERED, season)) {
+        try (ResultSet row = database.query(AS_STORED, season)) {
             long end = first + step;
             while (row.next()) {
                 if (row.getLong(3) >= end) {

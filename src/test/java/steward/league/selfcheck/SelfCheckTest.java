@@ -117,7 +117,10 @@ class SelfCheckTest {
         // Of 60 games one more or less has a chance of up to 3% where the bar ends: no bar can do better than about so.
         ExactCheck.Outcome near = new ExactCheck(30).run(0, 300);
         ExactCheck.Outcome far = new ExactCheck(30).run(300, 515);
-        assertTrue(near.least() > 0.942 && far.least() > 0.942, near + " " + far);
+        assertTrue(near.least() > 0.942 && far.least() > 0.936, near + " " + far);
+        // Where bars of two sides and bounds meet, both miss at once: computed, and told in docs/rating.md.
+        assertTrue(new ExactCheck(30).run(515, 800).least() > 0.929);
+        assertTrue(new ExactCheck(30).run(800, 1300).least() > 0.99);
         assertEquals(0.95, near.mean(), 0.002);
         assertTrue(far.most() < 0.975, far::toString);
         ExactCheck.Outcome many = new ExactCheck(200).run(0, 515);

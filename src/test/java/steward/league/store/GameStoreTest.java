@@ -40,7 +40,7 @@ import steward.league.store.GameStore.Version;
 /** Games go into a database and come out again; databases that cannot be used are refused with a reason. */
 class GameStoreTest {
 
-    private static final Season SEASON = Season.of("duel", "key", "limits", "rules", 2, false);
+    static final Season SEASON = Season.of("duel", "key", "limits", "rules", 2, false);
 
     @TempDir
     private Path path;
@@ -51,7 +51,7 @@ class GameStoreTest {
         folder = new LeagueFolder(path);
     }
 
-    private static StoredGame game(Version one, Version other, long seed, int ranks, int attempt, boolean counts) {
+    static StoredGame game(Version one, Version other, long seed, int ranks, int attempt, boolean counts) {
         return new StoredGame(0, GameName.of(SEASON, seed, List.of(one.identity(), other.identity()), attempt),
             (int) seed, seed, attempt, counts, 50, null, 1000 + seed, "here", counts ? null : "aa/x.jsonl",
             List.of(new StoredSeat(one.id(), ranks == 1 ? 1 : 0, 3, null, 50, 100, 900, 5000),
@@ -162,39 +162,6 @@ class GameStoreTest {
             Path copy = path().resolve("copy.db");
             store.backup(copy);
             assertTrue(Files.exists(copy));
-        }
-    }
-
-    /** Games by the seeds that somebody chose, read together and one by one, are the same clusters. */
-    @Test
-    void seedsThatSeveralPairingsShareAreFound() {
-        try (GameStore store = GameStore.write(folder)) {
-            int season = store.open(SEASON);
-            List<Version> versions = List.of(MadeUpGames.bot(store, 1), MadeUpGames.bot(store, 2),
-                MadeUpGames.bot(store, 3));
-            SplittableRandom random = new SplittableRandom(1);
-            List<StoredGame> games = new ArrayList<>();
-            for (int k = 0; k < 200; k++) {
-                int one = random.nextInt(3);
-                StoredGame game = game(versions.get(one), versions.get((one + 1 + random.nextInt(2)) % 3),
-                    random.nextInt(40), random.nextInt(3) - 1, k + 1, true);
-                games.add(new StoredGame(0, game.name(), -1, game.seed(), game.attempt(), true, game.turns(), null,
-                    game.played(), game.machine(), null, 0, game.seats()));
-            }
-            store.add(season, games);
-            new MadeUpGames(store, season, SEASON, versions, random).add(300);
-            GameQueries queries = new GameQueries(store, season, SEASON);
-            Results single = new Results(SEASON);
-            queries.games(single::add);
-            List<LeagueTable.Entry> entries = versions.stream().map(version ->
-                new LeagueTable.Entry(version.id(), version.display(), false, true)).toList();
-            LeagueTable table = LeagueTable.of(queries.results(), entries);
-            assertEquals(LeagueTable.of(single, entries).rows().stream().map(LeagueTable.Row::bar).toList(),
-                table.rows().stream().map(LeagueTable.Row::bar).toList());
-            assertTrue(single.clusters() < 40 + 150 + 10, () -> "found " + single.clusters() + " clusters");
-            RatingPath path = queries.path(entries);
-            assertEquals(table.rows().get(0).bar(), path.points().get(path.points().size() - 1).bars()[
-                table.rows().get(0).entry().version() - 1], 1e-9);
         }
     }
 

@@ -1,0 +1,100 @@
+package steward.league.store;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Random;
+import java.util.Set;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import steward.league.GameName;
+import steward.league.LeagueFolder;
+import steward.league.Season;
+import steward.league.StoredGame;
+import steward.league.rating.LeagueTable;
+import steward.league.rating.RatingPath;
+import steward.league.rating.Results;
+import steward.league.store.GameStore.Version;
+
+/** Clusters of stored games: which games belong together, and which of equal ones counts. */
+class StoredClustersTest {
+
+    private static final Season SEASON = GameStoreTest.SEASON;
+
+    @TempDir
+    private Path path;
+
+    /** Workers bring games in any order; which of the equal ones counts does not depend on it. */
+    @Test
+    void theTableOfEqualGamesDoesNotDependOnTheOrderInWhichTheyWereStored() throws IOException {
+        Set<List<Double>> tables = new HashSet<>();
+        for (int turn = 0; turn < 6; turn++) {
+            try (GameStore store = GameStore.write(new LeagueFolder(Files.createDirectory(path.resolve("" + turn))))) {
+                int season = store.open(SEASON);
+                List<Version> bots = List.of(MadeUpGames.bot(store, 1), MadeUpGames.bot(store, 2),
+                    MadeUpGames.bot(store, 3));
+                List<StoredGame> games = new ArrayList<>();
+                for (int decision = 0; decision < 12; decision++) {
+                    for (int seat = 0; seat < 2; seat++) {
+                        Version one = bots.get((decision + seat) % 3);
+                        Version other = bots.get((decision + 1 - seat) % 3);
+                        StoredGame game = GameStoreTest.game(one, other, decision, one.id() < other.id() ? -1 : 1, 1,
+                            true);
+                        games.add(new StoredGame(0, GameName.of(SEASON, decision, List.of(one.identity(),
+                            other.identity()), 1), decision, decision, 1, true, 50, null, 1, "here", null,
+                            10 * one.id() + other.id(), game.seats()));
+                    }
+                }
+                Collections.shuffle(games, new Random(turn));
+                store.add(season, games);
+                LeagueTable table = LeagueTable.of(new GameQueries(store, season, SEASON).results(), bots.stream()
+                    .map(bot -> new LeagueTable.Entry(bot.id(), bot.display(), false, true)).toList());
+                assertEquals(6, table.results().games());
+                assertEquals(18, table.results().repeats());
+                tables.add(table.rows().stream().map(LeagueTable.Row::rating).toList());
+            }
+        }
+        assertEquals(1, tables.size(), tables::toString);
+    }
+
+    /** Games by the seeds that somebody chose, read together and one by one, are the same clusters. */
+    @Test
+    void seedsThatSeveralPairingsShareAreFound() {
+        try (GameStore store = GameStore.write(new LeagueFolder(path))) {
+            int season = store.open(SEASON);
+            List<Version> versions = List.of(MadeUpGames.bot(store, 1), MadeUpGames.bot(store, 2),
+                MadeUpGames.bot(store, 3));
+            SplittableRandom random = new SplittableRandom(1);
+            List<StoredGame> games = new ArrayList<>();
+            for (int k = 0; k < 200; k++) {
+                int one = random.nextInt(3);
+                StoredGame game = GameStoreTest.game(versions.get(one), versions.get((one + 1 + random.nextInt(2)) % 3),
+                    random.nextInt(40), random.nextInt(3) - 1, k + 1, true);
+                games.add(new StoredGame(0, game.name(), -1, game.seed(), game.attempt(), true, game.turns(), null,
+                    game.played(), game.machine(), null, 0, game.seats()));
+            }
+            store.add(season, games);
+            new MadeUpGames(store, season, SEASON, versions, random).add(300);
+            GameQueries queries = new GameQueries(store, season, SEASON);
+            Results single = new Results(SEASON);
+            queries.games(single::add);
+            List<LeagueTable.Entry> entries = versions.stream().map(version ->
+                new LeagueTable.Entry(version.id(), version.display(), false, true)).toList();
+            LeagueTable table = LeagueTable.of(queries.results(), entries);
+            assertEquals(LeagueTable.of(single, entries).rows().stream().map(LeagueTable.Row::bar).toList(),
+                table.rows().stream().map(LeagueTable.Row::bar).toList());
+            assertTrue(single.clusters() < 40 + 150 + 10, () -> "found " + single.clusters() + " clusters");
+            RatingPath path = queries.path(entries);
+            assertEquals(table.rows().get(0).bar(), path.points().get(path.points().size() - 1).bars()[
+                table.rows().get(0).entry().version() - 1], 1e-9);
+        }
+    }
+}
