@@ -139,7 +139,7 @@ final class ClusterSpread {
         return sum;
     }
 
-    /** That of one pair. */
+    /** Part of one pair, likewise. */
     double modelledPair(int q, int k, double... along) {
         Stratum stratum = strata.get(q);
         double[] told = variances[q];

@@ -13,8 +13,8 @@ package steward.league.rating;
  */
 public record Difference(double value, double variance, double freedom, double single, double bound) {
 
-    /** The standard normal quantile of 0.975. */
-    private static final double Z = 1.959963984540054;
+    /** The standard normal quantile of 0.975: a bound is as sure as either end of a bar. */
+    static final double Z = 1.959963984540054;
     /** Degrees of freedom that 30 clusters have; see {@link #ofBar}. */
     private static final double LARGE = 29;
     /** Less than this is no difference to a single pairing but rounding. */
@@ -25,7 +25,7 @@ public record Difference(double value, double variance, double freedom, double s
         this(value, variance, freedom, single, Double.NaN);
     }
 
-    /** The same with a bar of one side. */
+    /** A copy with a bar of one side. */
     Difference oneSided(double end) {
         return new Difference(value, variance, freedom, single, end);
     }

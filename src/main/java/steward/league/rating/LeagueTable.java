@@ -103,7 +103,7 @@ public record LeagueTable(List<Row> rows, Results results, Ratings ratings) {
         return ratings.difference(rows.get(row).entry().version(), rows.get(column).entry().version());
     }
 
-    /** That with a bound in place of a bar where one has won or lost nearly everything, of up to 30 bots. */
+    /** Difference with a bound in place of a bar where one has won or lost nearly everything, of up to 30 bots. */
     public Difference bounded(int row, int column) {
         return ratings.bounded(rows.get(row).entry().version(), rows.get(column).entry().version());
     }

@@ -12,7 +12,7 @@ public record RankRange(int best, int worst) {
     private static final double TAIL = 0.025;
     private static final double ROUNDING = 1e-9;
 
-    /** Those of all bots of a fit, by their places there. */
+    /** Ranges of all bots of a fit, by their places there. */
     public static RankRange[] all(RatingFit fit) {
         int bots = fit.bots();
         int[] above = new int[bots];

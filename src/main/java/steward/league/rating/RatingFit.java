@@ -2,9 +2,7 @@ package steward.league.rating;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 
 /**
  * Ratings from all clusters together: the maximum of the posterior of {@link TieModel} with a weak normal prior, each
@@ -52,7 +50,7 @@ public final class RatingFit {
     private double[][] inverse;
     private ClusterSpread spread;
     private Covariance covariance;
-    private Map<Integer, List<int[]>> met;
+    private Residuals residuals;
     /** The weighted mean that was asked for last, and its direction, multiplied by the inverse. */
     private double[] meanWeights;
     private double[] meanAlong;
@@ -261,56 +259,12 @@ public final class RatingFit {
         return model.points;
     }
 
-    /** What the games between two bots say beside their ratings. */
-    public Residual residual(int one, int other) {
-        List<int[]> own = met(Math.min(one, other), Math.max(one, other));
-        double games = 0;
-        double points = 0;
-        long clusters = 0;
-        for (int[] pair : own) {
-            Stratum stratum = strata.get(pair[0]);
-            double[] sums = stratum.sums;
-            int k = pair[1];
-            games += sums[3 * k];
-            points += one < other ? sums[3 * k + 1] : sums[3 * k] - sums[3 * k + 1];
-            clusters += stratum.clusters;
+    /** Residuals of all pairs, from where they are asked for the first time. */
+    Residuals residuals() {
+        if (residuals == null) {
+            residuals = new Residuals(this);
         }
-        double share = points / games;
-        double expected = expected(one, other);
-        if (clusters < WHOLE) {
-            return new Residual(share, expected, clusters, 0);
-        }
-        double squares = 0;
-        for (int[] pair : own) {
-            Stratum stratum = strata.get(pair[0]);
-            int k = pair[1];
-            for (int p = 0; p < stratum.size; p++) {
-                double played = stratum.patterns[p][3 * k];
-                double won = stratum.patterns[p][3 * k + 1];
-                double surplus = (one < other ? won : played - won) - played * share;
-                squares += stratum.counts[p] * surplus * surplus;
-            }
-        }
-        double freedom = clusters - 1;
-        // As in the fit, a part of what the model says: clusters that are all alike are not certain.
-        double alike = share * (1 - share) / 2 + expected * (1 - expected) / 2;
-        double variance = (squares * clusters / freedom + ClusterSpread.MIXED * games * alike / clusters)
-            / (games * games);
-        if (Math.min(points, games - points) < ClusterSpread.FEW_POINTS) {
-            variance = Math.max(variance, expected * (1 - expected) / games);
-        }
-        return new Residual(share, expected, clusters,
-            Normal.ofStudent((share - expected) / Math.sqrt(variance), freedom));
-    }
-
-    /** Where two have met: numbers of a stratum and of a pair in it. */
-    private List<int[]> met(int low, int high) {
-        if (met == null) {
-            met = new HashMap<>();
-            Stratum.each(strata, (q, k, one, other) ->
-                met.computeIfAbsent(one * bots + other, key -> new ArrayList<>()).add(new int[] {q, k}));
-        }
-        return met.getOrDefault(low * bots + high, List.of());
+        return residuals;
     }
 
     /** The difference of two ratings. */
@@ -358,7 +312,7 @@ public final class RatingFit {
     }
 
     /**
-     * How many standard deviations the games of a bot ask it to go, from a rating, the others being held.
+     * Number of standard deviations that the games of a bot ask it to go from a rating, the others being held.
      *
      * @param rating in natural units
      */

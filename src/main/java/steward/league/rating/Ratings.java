@@ -52,7 +52,7 @@ public record Ratings(List<Integer> versions, RatingFit fit, double... weights) 
         return fit.toMean(place(version), weights);
     }
 
-    /** The same with a bound in place of a bar where the version has won or lost nearly everything. */
+    /** Rating with a bound in place of a bar where the version has won or lost nearly everything. */
     public Difference bounded(int version) {
         return new ScoreTest(fit).boundedToMean(place(version), weights);
     }
@@ -90,7 +90,7 @@ public record Ratings(List<Integer> versions, RatingFit fit, double... weights) 
 
     /** How much more the first wins against the second than their ratings tell. */
     public Residual residual(int one, int other) {
-        return fit.residual(place(one), place(other));
+        return fit.residuals().of(place(one), place(other));
     }
 
     /**

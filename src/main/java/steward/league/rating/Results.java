@@ -81,7 +81,7 @@ public final class Results {
         return hash.value();
     }
 
-    /** How many games were equal to earlier ones, and count for nothing but sums. */
+    /** Number of games that were equal to earlier ones, and count for nothing but sums. */
     public long repeats() {
         return repeats.count();
     }

@@ -11,11 +11,9 @@ public final class ScoreTest {
 
     /** Shares of the points beyond which hardly anything went the other way, so that its variance is not known. */
     private static final double EXTREME = 0.05;
-    /** Those beyond which that is so where {@link #FEW} points went the other way at most. */
+    /** Shares beyond which that is so where {@link #FEW} points went the other way at most. */
     private static final double RARE = 0.1;
     private static final double FEW = 3;
-    /** The standard normal quantile of 0.975: a bound is as sure as either end of a bar. */
-    private static final double Z = 1.959963984540054;
     /** In natural units: a fifth of a point of Elo. */
     private static final double CLOSE = 1e-3;
     /** In natural units: where a bound is looked for at most. */
@@ -82,14 +80,14 @@ public final class ScoreTest {
     }
 
     /**
-     * Finds the value below the estimate, or above if that is negative, from which the games just ask {@link #Z}
-     * standard deviations away. It may be of the other sign: then even the order is open.
+     * Finds the value below the estimate, or above if that is negative, from which the games just ask
+     * {@link Difference#Z} standard deviations away. It may be of the other sign: then even the order is open.
      */
     private static Difference bounded(Difference found, Asked asked) {
         double sign = Math.signum(found.value());
         double outer = found.value();
         double inner = 0;
-        while (asked.deviations(inner) * sign < Z) {
+        while (asked.deviations(inner) * sign < Difference.Z) {
             if (sign == 0 || Math.abs(inner) > FARTHEST) {
                 return found.unknown();
             }
@@ -98,7 +96,7 @@ public final class ScoreTest {
         }
         while (Math.abs(outer - inner) > CLOSE) {
             double middle = (inner + outer) / 2;
-            if (asked.deviations(middle) * sign >= Z) {
+            if (asked.deviations(middle) * sign >= Difference.Z) {
                 inner = middle;
             } else {
                 outer = middle;
@@ -108,8 +106,8 @@ public final class ScoreTest {
     }
 
     /**
-     * How many standard deviations the games ask for. The variance is at least the model's: few games that went the
-     * other way vary as a Poisson number does whose mean is the one that is tested, and not the one that was seen.
+     * Number of standard deviations that the games ask for. The variance is at least the model's: few games that went
+     * the other way vary as a Poisson number does whose mean is the one that is tested, and not the one that was seen.
      */
     private double asked(double[] contrast, double value) {
         RatingFit.HeldFit held = fit.held(contrast, value);

@@ -86,11 +86,11 @@ class RatingFitTest {
         for (int bot = 1; bot < 4; bot++) {
             assertEquals(fit.rating(0), fit.rating(bot), 1e-6);
         }
-        Residual residual = fit.residual(0, 2);
+        Residual residual = fit.residuals().of(0, 2);
         assertEquals(0.8, residual.share(), 1e-9);
         assertEquals(0.5, residual.expected(), 1e-9);
-        assertTrue(residual.isSurprise(6) && residual.z() > 0 && fit.residual(2, 0).z() < 0, residual::toString);
-        assertTrue(!fit.residual(0, 3).isSurprise(6));
+        assertTrue(residual.isSurprise(6) && residual.z() > 0 && fit.residuals().of(2, 0).z() < 0, residual::toString);
+        assertTrue(!fit.residuals().of(0, 3).isSurprise(6));
     }
 
     /**
@@ -103,7 +103,7 @@ class RatingFitTest {
     void aResidualIsMeasuredByTheSpreadOfItsClustersAndHalfAClusterOfTheModels() {
         RatingFit fit = RatingFit.of(3, List.of(games(0, 1, 6, 0, 4), games(0, 2, 500, 0, 500),
             games(1, 2, 500, 0, 500)), false);
-        Residual residual = fit.residual(0, 1);
+        Residual residual = fit.residuals().of(0, 1);
         double expected = residual.expected();
         double variance = (2.4 * 10 / 9 + 0.5 * (0.6 * 0.4 / 2 + expected * (1 - expected) / 2)) / 100;
         assertEquals(Normal.ofStudent((0.6 - expected) / Math.sqrt(variance), 9), residual.z(), 1e-9);
@@ -111,13 +111,13 @@ class RatingFitTest {
         // 11 of 11 won: fewer than two points on one side, so that at least the model's variance counts.
         RatingFit won = RatingFit.of(3, List.of(games(0, 1, 11, 0, 0), games(0, 2, 500, 0, 500),
             games(1, 2, 500, 0, 500)), false);
-        Residual all = won.residual(0, 1);
+        Residual all = won.residuals().of(0, 1);
         assertEquals(Normal.ofStudent((1 - all.expected()) / Math.sqrt(all.expected() * (1 - all.expected()) / 11), 10),
             all.z(), 1e-9);
         // Two points on that side are enough.
         RatingFit most = RatingFit.of(3, List.of(games(0, 1, 9, 0, 2), games(0, 2, 500, 0, 500),
             games(1, 2, 500, 0, 500)), false);
-        Residual two = most.residual(0, 1);
+        Residual two = most.residuals().of(0, 1);
         double share = 9.0 / 11;
         double own = (11 * share * (1 - share) * 11 / 10
             + 0.5 * (share * (1 - share) / 2 + two.expected() * (1 - two.expected()) / 2)) / 121;
