@@ -69,7 +69,7 @@ public final class Answer {
         return extraLines;
     }
 
-    /** Whether the player is stopped while others are asked, from this answer on or before. */
+    /** True if the player is stopped while others are asked, from this answer on or before. */
     public boolean held() {
         return held;
     }

@@ -88,7 +88,7 @@ public interface Player extends AutoCloseable {
     }
 
     /**
-     * What the player used while another was asked who was late.
+     * Processor time of the player while another was asked who was late.
      *
      * @param sinceNanos how long ago that question began
      * @return its place in the game left open; {@code null} if it did not burn, or was held by then, or it is not known

@@ -9,7 +9,7 @@ import java.util.regex.Pattern;
 import tools.jackson.databind.JsonNode;
 
 /**
- * What the site's JSON says of a game beside its frames.
+ * Facts of a game beside its frames in the site's JSON.
  *
  * @param names   per player who it was: {@code agents[].codingamer.pseudo}, of a boss its nickname; {@code player N}
  *                where that is not recorded

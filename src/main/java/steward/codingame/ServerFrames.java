@@ -63,7 +63,7 @@ final class ServerFrames {
         return ShownFrame.of(frame(0));
     }
 
-    /** What is told of the game beside its frames. */
+    /** Facts of the game beside its frames. */
     GameFacts facts(int players) {
         return GameFacts.of(result, players);
     }

@@ -34,12 +34,12 @@ public final class Attempts {
         this.rotation = rotation;
     }
 
-    /** What is played in the next attempt: the contest, with bots held that have burned. */
+    /** Contest of the next attempt, with bots held that have burned. */
     public Contest contest() {
         return held.isEmpty() ? contest : contest.holding(held);
     }
 
-    /** How many there have been. */
+    /** Number of attempts so far. */
     public int played() {
         return played;
     }

@@ -78,7 +78,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         return new Contest(setup, entrants, time, timeFactor, key, isolation, other);
     }
 
-    /** The same with some of the bots held from their first answer on. */
+    /** A copy with some of the bots held from their first answer on. */
     @Internal
     public Contest holding(Collection<Entrant> held) {
         return startedBy((entrant, usual, others) -> starter.player(entrant,
@@ -91,7 +91,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
     }
 
     /**
-     * What is done with bots that compute while others are asked, such as {@code burners are held, by control groups};
+     * Treatment of bots that compute while others are asked, such as {@code burners are held, by control groups};
      * empty if nothing is.
      */
     @Internal

@@ -110,7 +110,7 @@ final class FailureHints {
             && stderr.stream().noneMatch(line -> OF_SANDBOX.matcher(line).find());
     }
 
-    /** Who computed meanwhile. */
+    /** Bot that computed meanwhile. */
     static String beside(String name, Burner burner) {
         return String.format(Locale.ROOT, "meanwhile %s computed on %.2f processors%s; a series (--games) plays such a"
             + " game again", name, burner.processors(), burner.holdable() ? "" : " and cannot be held here");

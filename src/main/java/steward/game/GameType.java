@@ -49,7 +49,7 @@ public interface GameType {
         return Optional.empty();
     }
 
-    /** What the site's server would show of a game of this type; without, its views are not compared. */
+    /** View of the site's server of a game of this type; without, views are not compared. */
     @Internal
     default Optional<ViewWriter> viewWriter() {
         return Optional.empty();

@@ -31,7 +31,7 @@ public interface ViewWriter {
     record Frame(List<String> view, List<String> summary) {
     }
 
-    /** What stands where {@link #ANY} and {@link #REST} do, in words for people; each a plural. */
+    /** Words for people where {@link #ANY} and {@link #REST} stand; each a plural. */
     List<String> notCompared();
 
     /** The scene with an observer, where a view shows more of a turn than the game keeps. */

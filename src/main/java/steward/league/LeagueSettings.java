@@ -105,7 +105,7 @@ public record LeagueSettings(String scene, long seed, String gauntlet, boolean a
         return option < 0 ? HoldPolicy.BURNERS : HoldPolicy.of(sandbox.get(option + 1)).orElse(HoldPolicy.BURNERS);
     }
 
-    /** The same with other bots stopped. */
+    /** A copy with another policy of holding. */
     public LeagueSettings holding(HoldPolicy policy) {
         List<String> words = new ArrayList<>(sandbox);
         int option = words.indexOf(HOLD);

@@ -21,7 +21,7 @@ public final class PausedBots {
     /** How a bot stands at a decision. */
     enum State {
         PLAYS, PAUSED,
-        /** That depends on games that are not over. */
+        /** An answer that depends on games that are not over. */
         OPEN
     }
 

@@ -32,7 +32,7 @@ final class Connection {
     private long position;
     private long viewer;
     private byte[] page;
-    /** How much of the first piece has been sent. */
+    /** Bytes of the first piece that have been sent. */
     private int offset;
     private int ready;
     private boolean blocked;

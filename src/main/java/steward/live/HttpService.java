@@ -26,7 +26,7 @@ import java.util.concurrent.ThreadLocalRandom;
  */
 final class HttpService implements AutoCloseable {
 
-    /** How many connections besides those of viewers are kept at a time; further ones are closed at once. */
+    /** Connections besides those of viewers that are kept at a time; further ones are closed at once. */
     private static final int MOST_OTHERS = 1000;
     /** Distinct pages that are in memory at a time because somebody is being sent them. */
     private static final int MOST_PAGES = 8;
@@ -260,7 +260,7 @@ final class HttpService implements AutoCloseable {
         return URI.create("http://" + host + ":" + listening.socket().getLocalPort() + "/");
     }
 
-    /** Whether only this machine can reach it. */
+    /** True if only this machine can reach it. */
     boolean isLoopback() {
         return listening.socket().getInetAddress().isLoopbackAddress();
     }

@@ -17,9 +17,9 @@ import steward.replay.page.ReplayPage;
  */
 public final class LiveServer implements AutoCloseable {
 
-    /** How many can follow a page at the same time where nothing else is said. */
+    /** Viewers that can follow a page at the same time where nothing else is said. */
     public static final int USUAL_VIEWERS = 200;
-    /** How many {@code --viewers} may ask for. */
+    /** Viewers that {@code --viewers} may ask for. */
     public static final int MOST_VIEWERS = 10_000;
     /** How long a viewer may read nothing, in nanoseconds. */
     static final long SILENT_NANOS = TimeUnit.SECONDS.toNanos(10);
@@ -123,7 +123,7 @@ public final class LiveServer implements AutoCloseable {
         return service.address();
     }
 
-    /** Whether only this machine can reach it. */
+    /** True if only this machine can reach it. */
     public boolean isLoopback() {
         return service.isLoopback();
     }

@@ -102,7 +102,7 @@ public final class StatusServer implements AutoCloseable {
         return service.address();
     }
 
-    /** Whether only this machine can reach it. */
+    /** True if only this machine can reach it. */
     public boolean isLoopback() {
         return service.isLoopback();
     }

@@ -144,7 +144,7 @@ class EveryWordIsComparedTest {
         }
     }
 
-    /** What is refused or found; {@code null} for nothing. */
+    /** Text that is refused or found; {@code null} for nothing. */
     private static String difference(ObjectNode game) {
         try {
             ByteArrayOutputStream replay = new ByteArrayOutputStream();

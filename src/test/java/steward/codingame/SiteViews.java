@@ -56,7 +56,7 @@ final class SiteViews {
         return String.join("\n", lines) + "\n";
     }
 
-    /** That of the view last written. */
+    /** Summary that goes with the view last written. */
     String summary() {
         return String.join("\n", summary) + "\n";
     }

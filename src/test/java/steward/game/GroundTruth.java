@@ -65,7 +65,7 @@ public enum GroundTruth {
         }
     }
 
-    /** What was compared file by file, told as it comes. */
+    /** Report of what was compared, file by file, told as it comes. */
     public static final class Report {
 
         private final TestReporter to;
@@ -89,7 +89,7 @@ public enum GroundTruth {
                 + (notCompared.isEmpty() ? "" : "; not compared: " + String.join("; ", notCompared)));
         }
 
-        /** How many of all files. */
+        /** Number of values of all files. */
         public long values() {
             return values;
         }

@@ -85,7 +85,7 @@ final class Guards {
         return socket;
     }
 
-    /** What is resident of this process. */
+    /** Resident memory of this process. */
     private static long kilobytes() throws IOException {
         return Files.readAllLines(Path.of("/proc/self/status")).stream().filter(line -> line.startsWith("VmRSS:"))
             .mapToLong(line -> Long.parseLong(line.replaceAll("\\D", ""))).findFirst().orElseThrow();

@@ -32,7 +32,7 @@ public final class HeldLanguages {
     private HeldLanguages() {
     }
 
-    /** What one bot answered, and the times. */
+    /** Answers of one bot, and the times. */
     private record Answers(List<String> said, List<Long> nanos) {
     }
 

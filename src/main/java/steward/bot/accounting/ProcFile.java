@@ -40,7 +40,7 @@ final class ProcFile {
         }
     }
 
-    /** Whether the whole file, without the end of its line, is what the pattern says. */
+    /** True if the whole file, without the end of its line, is as the pattern says. */
     boolean isMatch(Pattern pattern) {
         return pattern.matcher(new String(bytes, 0, length, StandardCharsets.ISO_8859_1).strip()).matches();
     }

@@ -11,13 +11,13 @@ import steward.bot.accounting.TreeSample;
  */
 public final class WaitingMeter {
 
-    /** How much time of waiting is judged, in nanoseconds: the last. */
+    /** Length of the last time of waiting that is judged, in nanoseconds. */
     public static final long WINDOW = 100_000_000;
 
-    /** How many processors a bot may use on average meanwhile: collectors and timers of an honest one take less. */
+    /** Processors that a bot may use on average meanwhile: collectors and timers of an honest one take less. */
     static final double MOST_PROCESSORS = 0.25;
 
-    /** What is enough to name a bot beside which another was late, in nanoseconds. */
+    /** Time seen that is enough to name a bot beside which another was late, in nanoseconds. */
     static final long LEAST_SEEN = 15_000_000;
 
     private record Interval(long passed, long used) {
@@ -55,7 +55,7 @@ public final class WaitingMeter {
         }
     }
 
-    /** How many processors were used on average; 0 without samples. */
+    /** Processors that were used on average; 0 without samples. */
     public double processors() {
         return passed == 0 ? 0 : (double) used / passed;
     }

@@ -9,7 +9,7 @@ public enum HoldMeans {
     INIT("held, by the first process of their namespace"),
     /** The bot has a control group, which the kernel freezes. */
     CONTROL_GROUP("held, by control groups"),
-    /** What a bot uses is measured all the same. */
+    /** A meter alone: nothing can stop the bot. */
     MEASURED("measured and not held: that needs a C compiler or a delegated control group"),
     /** Bots may think on. */
     NONE("not held");
@@ -20,12 +20,12 @@ public enum HoldMeans {
         this.text = text;
     }
 
-    /** What is done with bots that compute while others are asked, such as {@code held, by control groups}. */
+    /** Treatment of bots that compute while others are asked, such as {@code held, by control groups}. */
     public String text() {
         return text;
     }
 
-    /** What is done with which bots, such as {@code burners are held, by control groups}; empty if nothing is. */
+    /** Treatment of which bots, such as {@code burners are held, by control groups}; empty if there is none. */
     public static String text(Isolation isolation) {
         HoldMeans means = of(isolation);
         return means == NONE ? "" : (isolation.holds() == HoldPolicy.ALWAYS ? "waiting bots are " : "burners are ")

@@ -68,7 +68,7 @@ public record Isolation(SandboxLevel level, boolean network, ResourceLimits limi
             .filter(path -> !SystemFiles.isCommon(path)).toList());
     }
 
-    /** The same with another policy of holding. */
+    /** A copy with another policy of holding. */
     public Isolation holding(HoldPolicy other) {
         return new Isolation(level, network, limits, environment, visible, hidden, other);
     }

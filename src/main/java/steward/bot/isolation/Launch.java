@@ -18,7 +18,7 @@ public record Launch(List<String> command, Isolation isolation, List<List<String
 
     /** Shared memory, and files in memory that any user may leave there for another. */
     static final Path SHARED = Path.of("/dev/shm");
-    /** How much a bot may keep there, in bytes. */
+    /** Bytes that a bot may keep there. */
     static final long SHARED_BYTES = 64L << 20;
 
     private static final String END = "--";
@@ -54,7 +54,7 @@ public record Launch(List<String> command, Isolation isolation, List<List<String
         return Setsid.WORDS;
     }
 
-    /** Whether the first process of the bot's namespace is to be told when to stop the bot. */
+    /** True if the first process of the bot's namespace is to be told when to stop the bot. */
     public boolean holdsByInit() {
         return HoldMeans.of(isolation) == HoldMeans.INIT;
     }

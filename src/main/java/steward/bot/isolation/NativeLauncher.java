@@ -169,7 +169,7 @@ final class NativeLauncher {
         }
     }
 
-    /** Whether the program is there then, and runs. */
+    /** True if the program is there then, and runs. */
     private static boolean write(byte[] built, Path program) throws IOException, InterruptedException {
         if (built == null) {
             return false;

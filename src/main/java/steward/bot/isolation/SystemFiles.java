@@ -44,7 +44,7 @@ final class SystemFiles {
         return names == null ? Stream.of() : Stream.of(names).sorted().map("/etc/"::concat);
     }
 
-    /** Those that are on this machine. */
+    /** Folders among them that are on this machine. */
     static List<Path> shown() {
         return Found.PATHS;
     }

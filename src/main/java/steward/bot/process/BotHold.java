@@ -69,7 +69,7 @@ final class BotHold implements WaitingSampler.WaitingBot {
         }
     }
 
-    /** Whether it is held while others are asked. */
+    /** True if it is held while others are asked. */
     boolean held() {
         return held;
     }
@@ -105,7 +105,7 @@ final class BotHold implements WaitingSampler.WaitingBot {
     }
 
     /**
-     * What the bot used while others were asked.
+     * Processor time of the bot while others were asked.
      *
      * @param since when the question began in which another was late
      * @return {@code null} if it did not burn, or was held by then

@@ -85,7 +85,7 @@ final class ProcessGroup {
         }
     }
 
-    /** Whether all of the bot can be stopped: by the first process of its namespace, or its control group. */
+    /** True if all of the bot can be stopped: by the first process of its namespace, or its control group. */
     boolean canPause() {
         return holdSocket != null && !holdSocket.isBroken() || controlGroup != null;
     }

@@ -26,7 +26,7 @@ public final class Advice {
     private Advice() {
     }
 
-    /** What went wrong and what to do, in a few sentences. */
+    /** Explanation of a failure and of what to do, in a few sentences. */
     static String of(Failure failure, Contest contest) {
         List<String> words = contest.entrants().get(0).words();
         return failure.reason() + ". " + uncompiled(words).or(() -> windowsScript(words))
@@ -81,7 +81,7 @@ public final class Advice {
         return Optional.empty();
     }
 
-    /** What to do about a program that is not there, where its source is; empty for anything else. */
+    /** Advice about a program that is not there, where its source is; empty for anything else. */
     public static Optional<String> missing(List<String> words) {
         for (String word : words) {
             for (Map.Entry<String, String> each : COMPILE.entrySet()) {

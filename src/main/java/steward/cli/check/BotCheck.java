@@ -102,7 +102,7 @@ public record BotCheck(Contest contest, List<Tried> games) {
         return games.stream().map(Tried::failure).filter(each -> each != null).findFirst().orElse(null);
     }
 
-    /** What is wrong, each with what to do. */
+    /** Faults that were found, each with what to do. */
     public List<String> problems() {
         List<String> problems = new ArrayList<>();
         Failure failure = failure();

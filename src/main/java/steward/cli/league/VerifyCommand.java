@@ -28,7 +28,7 @@ import steward.text.TextFormat;
         "", "Example:", "  steward league verify night --drop"})
 final class VerifyCommand implements Callable<Integer> {
 
-    /** How many rows are listed. */
+    /** Rows that are listed at most. */
     private static final int LISTED = 100;
 
     private final Streams streams;
@@ -63,7 +63,7 @@ final class VerifyCommand implements Callable<Integer> {
         }
     }
 
-    /** Whether there is none. */
+    /** True if there is none. */
     private boolean list(GameStore store) {
         List<BadRow> rows = store.badRows(LISTED + 1);
         rows.stream().limit(LISTED).forEach(row -> streams.out().println(row));

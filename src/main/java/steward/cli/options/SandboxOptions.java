@@ -111,7 +111,7 @@ public final class SandboxOptions {
             || fileSize != null || openFiles != null || !variables.isEmpty() || !visible.isEmpty();
     }
 
-    /** Whether it is said which bots are held. */
+    /** True if it is said which bots are held. */
     public boolean isHold() {
         return hold != null || pauseWaiting;
     }

@@ -17,7 +17,7 @@ import tools.jackson.core.JsonGenerator;
 /** Why bots failed in many games, for people and for programs. */
 public final class FailureReport {
 
-    /** How many games are named in a line. */
+    /** Games that are named in a line at most. */
     static final int GAMES_SHOWN = 8;
     private static final int KINDS_SHOWN = 10;
 

@@ -237,7 +237,7 @@ public final class TournamentCommand implements Callable<Integer> {
         return all;
     }
 
-    /** How many games the league has when every group has met so often. */
+    /** Number of games that the league has when every group has met so often. */
     private long total(LeagueFolder league, List<LeagueBot> bots, int players) {
         Map<List<String>, Integer> met = new HashMap<>();
         long[] played = {0};

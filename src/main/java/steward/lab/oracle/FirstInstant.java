@@ -84,17 +84,17 @@ public final class FirstInstant {
         react();
     }
 
-    /** How many contacts begin at the first instant. */
+    /** Number of contacts that begin at the first instant. */
     public int contacts() {
         return tied.size();
     }
 
-    /** Those that have an impact, as {@code "a b"} or {@code "a ~wall"}. */
+    /** Pairs that have an impact, as {@code "a b"} or {@code "a ~wall"}. */
     public List<String> impacts() {
         return List.copyOf(impacts);
     }
 
-    /** Whether no decision is close: all times that differ do so by 1e-9, and nothing separates by less than that. */
+    /** True if no decision is close: all times that differ do so by 1e-9, and nothing separates by less than that. */
     public boolean isClear() {
         return clear;
     }

@@ -382,7 +382,7 @@ public final class LeagueRun {
         return null;
     }
 
-    /** The same of a game that was stored before it was decided on; by seat, whether the bot failed. */
+    /** Knows a game that was stored before it was decided on; by seat, whether the bot failed. */
     private boolean[] knowStored(Schedule.Task task) {
         List<Member> seats = members(task);
         boolean[][] failed = {new boolean[0]};

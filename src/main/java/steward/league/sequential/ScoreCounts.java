@@ -84,7 +84,7 @@ public final class ScoreCounts {
         return shares;
     }
 
-    /** How many there are. */
+    /** Number of observations. */
     public long observations() {
         return observations;
     }

@@ -51,7 +51,7 @@ public final class GameStore implements AutoCloseable {
         return checked(Database.open(folder, false, false));
     }
 
-    /** The same with rows that may be bad: to look for them, or because they have just been looked for. */
+    /** Opens with rows that may be bad: to look for them, or because they have just been looked for. */
     public static GameStore unchecked(LeagueFolder folder, boolean write) {
         return new GameStore(Database.open(folder, write, write));
     }
@@ -410,7 +410,7 @@ public final class GameStore implements AutoCloseable {
         });
     }
 
-    /** How many games there are, of all seasons. */
+    /** Number of games of all seasons. */
     public long games() {
         return database.with(() -> ((Number) database.value("SELECT count(*) FROM game")).longValue());
     }

@@ -159,7 +159,7 @@ final class RowCheck {
         all[1] += sum;
     }
 
-    /** What the seats of a game say, in their order; empty where it has none. */
+    /** Rows of the seats of a game, in their order; empty where it has none. */
     private static String seats(String column) {
         return "coalesce((SELECT group_concat(s." + column + ", ' ') FROM (SELECT * FROM seat WHERE game = t.id "
             + "ORDER BY seat) s), '')";

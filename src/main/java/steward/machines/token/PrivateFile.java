@@ -73,7 +73,7 @@ public final class PrivateFile {
         write(file, text.getBytes(StandardCharsets.UTF_8), replace);
     }
 
-    /** The same of bytes. */
+    /** Writes bytes, readable by the owner alone. */
     static void write(Path file, byte[] bytes, boolean replace) {
         Path part = file.resolveSibling(file.getFileName() + ".part");
         try {

@@ -173,7 +173,7 @@ sealed class FlightSearch permits PreciseFlightSearch {
         return null;
     }
 
-    /** Whether the partners of an impact approach; both have been moved to it. */
+    /** True if the partners of an impact approach; both have been moved to it. */
     boolean areApproaching(Bodies bodies, int a, int b) {
         return true;
     }

@@ -30,7 +30,7 @@ final class PreciseFlightSearch extends FlightSearch {
     /** Of each row, and of the row in work: whether another impact of it is near its best in time. */
     private boolean[] doubtful = new boolean[0];
     private boolean bestDoubtful;
-    /** Whether another impact is near the earliest. */
+    /** True if another impact is near the earliest. */
     private boolean earliestDoubtful;
     /** The row whose impacts are collected, or -1 while the earliest are searched for. */
     private int collected = -1;

@@ -35,7 +35,7 @@ final class ExactQueueSearch extends QueueSearch {
     private double bestLow;
     /** Of each body: whether another impact of it is near its prediction in time. */
     private boolean[] doubtful = new boolean[0];
-    /** Whether impacts near a time are collected in place of the earliest. */
+    /** True if impacts near a time are collected in place of the earliest. */
     private boolean collects;
 
     ExactQueueSearch(Crowd crowd, EventBuckets events, Wall[] walls, QueuePairs pairs, ExactPairs exactPairs,

@@ -121,7 +121,7 @@ sealed class QueueSearch permits ExactQueueSearch {
     }
 
     /**
-     * Whether another impact may be at the same time as that of a body and its partner, by other means than the order
+     * True if another impact may be at the same time as that of a body and its partner, by other means than the order
      * of times; then {@link #collect} has to decide.
      */
     boolean mayBeSimultaneous(int body, double now) {
@@ -133,7 +133,7 @@ sealed class QueueSearch permits ExactQueueSearch {
         throw new IllegalStateException("times of doubles are in their order");
     }
 
-    /** Whether the partners of an impact approach; both have been moved to it. */
+    /** True if the partners of an impact approach; both have been moved to it. */
     boolean areApproaching(int a, int b) {
         return true;
     }

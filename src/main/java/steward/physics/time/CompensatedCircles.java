@@ -70,7 +70,7 @@ public final class CompensatedCircles extends CircleTime {
         return haveMet(r1, r2) ? Math.min(until, end) : NEVER;
     }
 
-    /** Whether circles at e with velocity v touch or have passed each other. */
+    /** True if circles at e with velocity v touch or have passed each other. */
     private boolean haveMet(double r1, double r2) {
         double touch = r1 + r2;
         double xx = ex.high() * ex.high();

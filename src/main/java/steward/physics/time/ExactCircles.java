@@ -176,7 +176,7 @@ final class ExactCircles {
         return b.high() < 0;
     }
 
-    /** Whether the two move apart: b > 0. */
+    /** True if the two move apart: b > 0. */
     boolean areSeparating() {
         return b.high() > 0;
     }

@@ -58,7 +58,7 @@ public final class ExactPairs extends PairTime {
             bodies.vy[i], bodies.vy[j], bodies.radius[i], bodies.radius[j]);
     }
 
-    /** The same for two circles. */
+    /** Lower bound of the time of two circles. */
     public double lowerBound(double x1, double x2, double y1, double y2, double vx1, double vx2, double vy1,
                              double vy2, double r1, double r2) {
         double dx = x1 - x2;
@@ -132,7 +132,7 @@ public final class ExactPairs extends PairTime {
             bodies.vy[i], bodies.vy[j], bodies.radius[i], bodies.radius[j], FastCircles.FINE, until);
     }
 
-    /** The same for two circles. */
+    /** Lower bound of the time of two circles. */
     public boolean exactTime(double x1, double x2, double y1, double y2, double vx1, double vx2, double vy1, double vy2,
                              double r1, double r2, DoubleDouble until) {
         return exactTime(x1, x2, y1, y2, vx1, vx2, vy1, vy2, r1, r2, FastCircles.FINE, until);
@@ -161,7 +161,7 @@ public final class ExactPairs extends PairTime {
         return Math.abs(b) > bError ? b < 0 : circles.load(bodies, i, j).areApproaching();
     }
 
-    /** The same for two circles. */
+    /** Lower bound of the time of two circles. */
     public boolean areApproaching(double x1, double x2, double y1, double y2, double vx1, double vx2, double vy1,
                                   double vy2) {
         return circles.load(x1, x2, y1, y2, vx1, vx2, vy1, vy2, 0, 0).areApproaching();

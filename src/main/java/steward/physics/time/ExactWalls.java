@@ -45,7 +45,7 @@ public final class ExactWalls extends WallTime {
         return approaches(w, bodies.x[i], bodies.y[i], bodies.vx[i], bodies.vy[i], bodies.radius[i]);
     }
 
-    /** The same of a circle that is not in {@link Bodies}. */
+    /** True if a circle that is not in {@link Bodies} approaches a wall. */
     public boolean approaches(int w, double x, double y, double vx, double vy, double radius) {
         return walls[w].approaches(x, y, vx, vy, radius);
     }

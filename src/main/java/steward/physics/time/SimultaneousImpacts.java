@@ -72,7 +72,7 @@ public final class SimultaneousImpacts {
         }
     }
 
-    /** How many there are. */
+    /** Number of impacts. */
     public int size() {
         return impacts.size();
     }

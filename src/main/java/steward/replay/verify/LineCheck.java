@@ -25,7 +25,7 @@ interface LineCheck {
         return ImpactCounts.NONE;
     }
 
-    /** What a server has shown, compared; none where the match is not imported. */
+    /** Comparison with what a server has shown; none where the match is not imported. */
     default ViewCounts views() {
         return ViewCounts.NONE;
     }

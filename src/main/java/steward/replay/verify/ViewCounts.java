@@ -3,7 +3,7 @@ package steward.replay.verify;
 import java.util.List;
 
 /**
- * What a server has shown of an imported match, compared word by word with what it would have shown of ours.
+ * Comparison of an imported match, word by word, with what the server would have shown of ours.
  *
  * @param values      how many numbers and words agree
  * @param notCompared what the server shows and this program does not compute, in words; empty where nothing is shown

@@ -83,7 +83,7 @@ class StrictViewTest {
                 HoldPolicy.NEVER));
     }
 
-    /** What is made below the folder of the test, by path. */
+    /** Files that are made below the folder of the test, by path. */
     private Map<Path, StrictView.Treatment> made(StrictView view) {
         Map<Path, StrictView.Treatment> made = new LinkedHashMap<>();
         view.entries().forEach((path, entry) -> {

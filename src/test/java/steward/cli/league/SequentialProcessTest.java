@@ -30,7 +30,7 @@ class SequentialProcessTest {
     private Path folder;
     /** Draws its maps from the seed. */
     private String scene;
-    /** The same game under every seed. */
+    /** One game under every seed. */
     private String alike;
     private String drives;
     private String drivesToo;

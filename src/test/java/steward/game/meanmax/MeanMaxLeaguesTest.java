@@ -134,7 +134,7 @@ class MeanMaxLeaguesTest {
         assertNotEquals(0, game.turn());
     }
 
-    /** Who of the emptied wrecks is followed first is part of the state: hashes tell owners apart. */
+    /** Order of the emptied wrecks is part of the state: hashes tell owners apart. */
     @Test
     void forWhomAWreckStandsIsPartOfTheStateWhereAnotherFollowsIt() {
         for (int version : new int[] {0, 3}) {

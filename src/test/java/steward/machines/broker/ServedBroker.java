@@ -71,7 +71,7 @@ final class ServedBroker implements AutoCloseable {
         return socket;
     }
 
-    /** What a worker says next, as text. */
+    /** Next message of a worker, as text. */
     List<String> report() throws InterruptedException {
         LeagueBroker.Report report = null;
         while (report == null) {

@@ -13,7 +13,7 @@ import steward.game.podrace.PodRaceSettings;
 import steward.physics.Impact;
 
 /**
- * What the server shows of a race of two players with two pods each; the form of its lines is told in the import's
+ * View of the server of a race of two players with two pods each; the form of its lines is told in the import's
  * {@code FrameView}. Sources: games of 2025 and 2026, among them ten that ended by a fault, a finish or an
  * elimination; where they are silent the published referee: a pod that was told to aim at its own place shows the
  * thrust that it was given.

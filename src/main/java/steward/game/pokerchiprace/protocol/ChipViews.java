@@ -23,7 +23,7 @@ import steward.scene.Scene;
 import tools.jackson.core.io.NumberOutput;
 
 /**
- * What the server shows of the Poker Chip Race, in the form that {@link ShownTable} tells: every frame shows all chips;
+ * View of the server of the Poker Chip Race, in the form that {@link ShownTable} tells: every frame shows all chips;
  * those eaten in a turn come last in the frame that ends it, in the order in which they were eaten.
  */
 final class ChipViews implements ViewWriter {
@@ -202,7 +202,7 @@ final class ChipViews implements ViewWriter {
         return -1;
     }
 
-    /** What stands behind the points of a chip's line. */
+    /** Rest of a chip's line behind its points. */
     private static String message(String line) {
         String[] words = line.strip().split("\\s+", CHIP_WORDS + 1);
         if (words.length <= CHIP_WORDS || !words[CHIP_WORDS - 1].matches("[0-9]{1,4}")) {

@@ -93,7 +93,7 @@ public final class RandomCradlesCase implements StabilityCase {
         return bodies;
     }
 
-    /** Whether the last has the velocity of the first, but for rounding, and the others rest but for as much. */
+    /** True if the last has the velocity of the first, but for rounding, and the others rest but for as much. */
     private static boolean isPassedOn(Bodies before, Bodies after) {
         int last = before.size() - 1;
         for (int k = 0; k <= last; k++) {

@@ -50,7 +50,7 @@ public final class SimultaneousCase implements StabilityCase {
             "%d worlds: %d in the order of the rule one by one, %d as a crowd", worlds, alone, crowd));
     }
 
-    /** Whether the first impacts of a turn are those that the rule says. */
+    /** True if the first impacts of a turn are those that the rule says. */
     static boolean isByTheRule(Advance advance, TiedWorlds.World world) {
         Bodies bodies = world.bodies().copy();
         TurnLog log = new TurnLog();

@@ -155,7 +155,7 @@ class PodRaceTextTest {
             + lines.message(0);
     }
 
-    /** What the pattern of the published referee takes; BOOST and a message behind a thrust are the live server's. */
+    /** Lines that the published pattern takes; BOOST and a message behind a thrust are the live server's. */
     @ParameterizedTest
     @CsvSource(ignoreLeadingAndTrailingWhitespace = false, value = {"1 2 200,1.0 2.0 200 null",
         "1 2 BOOST,1.0 2.0 -3 null", "1 2 BOOST go,1.0 2.0 -3 go", "-1 -0 SHIELD,-1.0 0.0 -2 null",
