@@ -114,6 +114,17 @@ public final class OutputFiles {
         }
     }
 
+    /** Warning that others than its owner can use a folder, with what to type; empty where they cannot. */
+    public static String privacyWarning(Path folder) {
+        try {
+            Set<PosixFilePermission> mine = PosixFilePermissions.fromString("rwx------");
+            return mine.containsAll(Files.getPosixFilePermissions(folder)) ? ""
+                : folder + " is open to other users of this machine, with its keys and replays: chmod 700 " + folder;
+        } catch (IOException | UnsupportedOperationException unknown) {
+            return "";
+        }
+    }
+
     /**
      * Replaces a file by a whole new one: a reader sees the old or the new one, never a part.
      *

@@ -9,12 +9,16 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import steward.bot.command.ProgramFinder;
+import steward.bot.isolation.SandboxLevel;
+import steward.bot.isolation.SandboxSupport;
 import steward.cli.Cli;
 import steward.cli.league.BrokenRows;
 import steward.live.LiveRecording;
 import steward.live.LiveServer;
+import tools.jackson.databind.JsonNode;
 
-/** Attacks that need no bot: on what is stored, and on what is served. Each is tried, and says what became of it. */
+/** Attacks on what is stored, served and shared: each is tried, and says what became of it. */
 final class Guards {
 
     private static final int VIEWERS = LiveServer.USUAL_VIEWERS;
@@ -40,6 +44,16 @@ final class Guards {
         attacks.put("says in a signed replay that it was played at `strict`", this::level);
         attacks.put("damages 20 values and rows of a league's database", this::rows);
         attacks.put("writes bytes that are not UTF-8 into a scene", this::bytes);
+        for (SandboxLevel level : List.of(SandboxLevel.LIGHT, SandboxLevel.STRICT)) {
+            if (SandboxSupport.problem(level) == null && ProgramFinder.find("cc") != null) {
+                attacks.put("computes on 16 processes while its opponent is asked, at `" + level.word() + "`",
+                    () -> burner(level));
+            }
+        }
+        if (SandboxSupport.problem(SandboxLevel.STRICT) == null) {
+            attacks.put("plays in a league at `strict` and looks for its files and other entrants' programs",
+                this::spy);
+        }
         Map<String, String> found = new LinkedHashMap<>();
         for (Map.Entry<String, Attack> each : attacks.entrySet()) {
             found.put(each.getKey(), each.getValue().found());
@@ -118,5 +132,36 @@ final class Guards {
         Path scene = Files.write(folder.resolve("s.json"), new byte[] {'{', '\n', '"', (byte) 0xE9});
         Cli said = Cli.run("explain", scene.toString());
         return held(said.status() == 2 && said.err().contains(scene + ":2:2: "), said.err());
+    }
+
+    /** Held is a burner that is stopped before the match is over, whose opponent answers every time. */
+    private String burner(SandboxLevel level) throws IOException, InterruptedException {
+        Path hog = Files.createDirectories(folder.resolve(level.word())).resolve("hog");
+        new ProcessBuilder("cc", "-O1", "-o", hog.toString(), "src/test/hostile/hog.c").inheritIO().start().waitFor();
+        Cli said = Cli.run("match", "--scene", "duel", "--seed", "7", "--sandbox", level.word(), "--time-factor",
+            "4", "--json", "--bot", hog + " hogs 0", "--bot", hog + " none 50");
+        int from = said.json().path("players").path(0).path("heldFrom").asInt(0);
+        JsonNode fault = said.json().path("players").path(1).path("fault");
+        return held(from > 0 && fault.isNull(), "held from turn " + from + ", its opponent: " + fault);
+    }
+
+    /** The spy is outside the league's folder, as is the program of another entrant. It exits where it sees a file. */
+    private String spy() throws IOException {
+        Path league = folder.resolve("league");
+        Path entrants = Files.createDirectories(folder.resolve("entrants"));
+        Path other = Files.createDirectories(entrants.resolve("other")).resolve("honest.sh");
+        Path spy = Files.createDirectories(entrants.resolve("spy")).resolve("spy.sh");
+        Files.copy(Path.of("src/test/hostile/honest.sh"), other);
+        Cli.run("league", "init", league.toString(), "--scene", "duel").done();
+        Path settings = league.resolve("league.json");
+        Files.writeString(settings, Files.readString(settings).replace("\"auto\"", "\"strict\""));
+        Cli.run("league", "worker", "add", league.toString(), "one", "--out", league + "/token").done();
+        Files.writeString(spy, "for file in " + league + "/* " + league + "/*/* " + other + "; do\n"
+            + "  [ -e \"$file\" ] && { echo \"sees $file\" >&2; exit 77; }\ndone\n" + Files.readString(other));
+        Cli.run("league", "add", league.toString(), "spy=sh " + spy).done();
+        Cli.run("league", "add", league.toString(), "other=sh " + other).done();
+        Cli run = Cli.run("league", "run", league.toString(), "--games", "4").done();
+        Cli failed = Cli.run("league", "games", league.toString(), "--failed").done();
+        return held(run.out().contains("4 games in this run") && failed.out().equals("no such games\n"), failed.out());
     }
 }

@@ -6,15 +6,18 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermission;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
 import steward.cli.Cli;
 import steward.cli.Main;
+import steward.cli.league.view.LeagueOpening;
 import steward.cli.shared.Streams;
 import steward.league.LeagueFolder;
 import steward.league.Season;
@@ -139,6 +142,26 @@ class LeagueCommandTest {
         } finally {
             Files.setPosixFilePermissions(closed, before);
         }
+    }
+
+    @Test
+    void aRunSaysThatItsFolderIsOpenToOthersAndHowBurnersAreHeld() throws IOException {
+        assumeTrue(folder.getFileSystem().supportedFileAttributeViews().contains("posix"), "skipped: no POSIX files");
+        done("init", "TMP/a", "--scene", "duel", "--seed", "1");
+        done("add", "TMP/a", "one=builtin:racer");
+        done("add", "TMP/a", "two=builtin:regular");
+        String[] run = {"run", "TMP/a", "--games", "10"};
+        Path league = folder.resolve("a");
+        String open = league + " is open to other users";
+        assertFalse(league(run).done().err().contains(open), "as it was made");
+        Files.setPosixFilePermissions(league, PosixFilePermissions.fromString("rwxr-x---"));
+        String said = league(run).done().err();
+        assertTrue(said.contains("steward: " + open + " of this machine, with its keys and replays: chmod 700 "
+            + league), said);
+        String held = LeagueOpening.contest(new LeagueFolder(league), new LeagueFolder(league).read(),
+            new Streams(OutputStream.nullOutputStream(), OutputStream.nullOutputStream(), false, false)).hold();
+        assertTrue(said.contains(held), said);
+        assertEquals("", league("run", "TMP/a", "--games", "10", "--quiet").done().err());
     }
 
     @Test

@@ -302,12 +302,14 @@ class WorkerTest {
     }
 
     @Test
-    void aWorkerThatForgesIsCaughtRevokedAndItsGamesAreSetAside() throws Exception {
+    void aWorkerThatForgesBesideAnHonestOneIsCaughtRevokedAndItsGamesAreSetAside() throws Exception {
         make("alone");
-        done("run", "TMP/alone", "--games", "30", "--quiet");
+        done("run", "TMP/alone", "--games", "60", "--quiet");
         make("many");
         WorkerToken token = token("many", "bad");
-        CompletableFuture<String> run = serve("many", 30);
+        WorkerToken other = token("many", "good");
+        CompletableFuture<String> run = serve("many", 60, "--threads", "1");
+        play(worker(other, 1, Long.MAX_VALUE));
         try (BrokerClient client = client(token)) {
             assertThrows(BrokenException.class, () -> forge(client), "its connection is closed");
         }
@@ -317,16 +319,14 @@ class WorkerTest {
         assertTrue(said.contains("answers otherwise when it is asked again"), said);
         Matcher count = Pattern.compile("; ([1-3]) of its games are set aside and played again").matcher(said);
         assertTrue(count.find(), said);
-        String aside = count.group(1);
-        String heading = "30 games of duel, " + aside + " more set aside, of workers that were caught\n";
+        String heading = "60 games of duel, " + count.group(1) + " more set aside, of workers that were caught\n";
         assertTrue(said.contains(heading), said);
         String table = done("table", "TMP/many");
         assertTrue(table.startsWith(heading), table);
-        assertTrue(table.contains("worker bad: caught, 0 games, " + aside + " more set aside, 0 faults, 0 hiccups\n"),
-            table);
-        String json = done("table", "TMP/many", "--json");
-        assertTrue(json.contains("\"workers\":[{\"name\":\"bad\",\"state\":\"caught\",\"games\":0,\"aside\":"
-            + aside + ","), json);
+        assertTrue(table.contains("worker bad: caught, 0 games, " + count.group(1)
+            + " more set aside, 0 faults, 0 hiccups\n"), table);
+        assertTrue(done("table", "TMP/many", "--json").contains("\"workers\":[{\"name\":\"bad\",\"state\":\"caught\","
+            + "\"games\":0,\"aside\":" + count.group(1) + ","));
         done("page", "TMP/many", "--out", "TMP/page.html");
         assertTrue(Files.readString(folder.resolve("page.html")).contains("\"name\":\"bad\",\"state\":\"caught\""));
         assertEquals(counting("alone"), counting("many"), said);

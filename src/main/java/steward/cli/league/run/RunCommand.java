@@ -10,6 +10,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -27,6 +28,7 @@ import steward.cli.shared.Interruption;
 import steward.cli.shared.Streams;
 import steward.contest.Contest;
 import steward.files.InputException;
+import steward.files.OutputFiles;
 import steward.league.FolderLock;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
@@ -211,6 +213,8 @@ public final class RunCommand implements Callable<Integer> {
             screen.set(streams.errTerminal() && !quiet ? new LiveTable(streams.err(),
                 () -> progress.lines(run, machines, streams::errColour)) : null);
             if (!quiet) {
+                Stream.of(OutputFiles.privacyWarning(folder.path()), contest.hold()).filter(text -> !text.isEmpty())
+                    .forEach(text -> say(screen.get(), text));
                 say(screen.get(), RoundText.length(settings, roster.versions(), season.players(),
                     settings.gauntlet() == null ? -1 : roster.versionOf(settings.gauntlet()).orElse(-1)));
             }
