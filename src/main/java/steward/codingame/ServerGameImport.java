@@ -61,12 +61,12 @@ final class ServerGameImport implements RecordingImport {
         List<String> known = new ArrayList<>(List.of(POD_RACE));
         for (GameType type : types.types()) {
             ServerView view = type.serverView().orElse(null);
-            if (view != null && view.title().equals(title)) {
+            if (view != null && view.isOf(first)) {
                 return new ServerGameImport(frames, view, source, types);
             }
             known.addAll(view == null ? List.of() : List.of(view.title()));
         }
-        if (TITLE.matcher(title).matches() && !title.equals(POD_RACE)) {
+        if ((title.startsWith("{") || TITLE.matcher(title).matches()) && !title.equals(POD_RACE)) {
             throw first.wrong(1, "the name of a game that is known: " + String.join(", ", known));
         }
         return null;
@@ -127,7 +127,7 @@ final class ServerGameImport implements RecordingImport {
 
         @Override
         public double score(int player) {
-            return scores.length == 0 ? Double.NaN : scores[player];
+            return shown.score(player, scores);
         }
     }
 }

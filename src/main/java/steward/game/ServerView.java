@@ -15,8 +15,13 @@ import tools.jackson.core.JsonGenerator;
 @Internal
 public interface ServerView {
 
-    /** Line 1 of the first view, by which the game is recognised. */
+    /** Name of the game as the site's server shows it. */
     String title();
+
+    /** True if a recording with this first view is of this game: where the views tell, its line 1 is the title. */
+    default boolean isOf(ViewLines first) {
+        return first.line(1).strip().equals(title());
+    }
 
     /**
      * Reads how a game begins.
@@ -66,6 +71,15 @@ public interface ServerView {
          * @param turn counted from 1, at most as many as were added
          */
         void writeOutcome(JsonGenerator out, int turn);
+
+        /**
+         * Final score of a player; not finite if it is not recorded.
+         *
+         * @param scores as they stand beside the frames; empty if not recorded
+         */
+        default double score(int player, double... scores) {
+            return scores.length == 0 ? Double.NaN : scores[player];
+        }
 
         /**
          * One line of the answer of a player that the server did not ask any more in the turn in which the game ended:

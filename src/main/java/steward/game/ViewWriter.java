@@ -34,6 +34,11 @@ public interface ViewWriter {
     /** Words for people where {@link #ANY} and {@link #REST} stand; each a plural. */
     List<String> notCompared();
 
+    /** Lines of a recorded view as they are compared: where its order is not fixed, in a fixed order. */
+    default List<String> lines(String text) {
+        return List.of(text.split("\r?\n", -1));
+    }
+
     /** The scene with an observer, where a view shows more of a turn than the game keeps. */
     default Scene observed(Scene scene) {
         return scene;

@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
+import java.util.StringJoiner;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -22,6 +23,8 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
 import steward.game.GroundTruth;
+import steward.game.fantasticbits.FantasticBits;
+import steward.game.fantasticbits.Pitch;
 import steward.match.TestScenes;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -36,6 +39,7 @@ import tools.jackson.databind.node.ObjectNode;
 class EveryWordIsComparedTest {
 
     private static final Pattern WORD = Pattern.compile("[^\\s\"]+");
+    private static final Pattern JSON_WORD = Pattern.compile("-?[0-9]+(\\.[0-9]+)?|[A-Za-z]+");
     private static final Pattern NUMBER = Pattern.compile("-?[0-9]+(\\.[0-9]+)?");
 
     private final Map<String, Integer> missed = new TreeMap<>();
@@ -60,6 +64,46 @@ class EveryWordIsComparedTest {
     void ofThePokerChipRace(TestReporter report) throws IOException {
         check(report, "poker-chip-race", upTo(GroundTruth.RECORDINGS.files("poker-chip-race", ".json.gz").get(0), 38));
         assertEquals(Set.of("gameInformation"), missed.keySet());
+    }
+
+    /** Turn played here in which a checkpoint is passed; {@code refereeInput} names the map. */
+    @Test
+    void ofTheSearchRace(TestReporter report) {
+        ObjectNode game = ServerGame.searchRace();
+        ArrayNode frames = (ArrayNode) game.get("frames");
+        int last = 1;
+        while (frames.get(last).path("summary").asString().isEmpty()) {
+            last++;
+        }
+        while (frames.size() > last + 1) {
+            frames.remove(frames.size() - 1);
+        }
+        Matcher place = Pattern.compile("x = ([0-9]+)\\\\ny = ([0-9]+)").matcher(frames.get(0).get("view").asString());
+        StringJoiner map = new StringJoiner(";");
+        while (place.find()) {
+            map.add(place.group(1) + " " + place.group(2));
+        }
+        check(report, "search-race", game.put("refereeInput", map.toString()));
+        assertEquals(Set.of(), missed.keySet());
+    }
+
+    /** Turn played here: the form is that of the published referee. */
+    @Test
+    void ofFantasticBits(TestReporter report) {
+        ObjectNode game = ServerGame.play("fantastic-bits", 3, 14, (bits, player) -> {
+            FantasticBits of = (FantasticBits) bits;
+            StringJoiner lines = new StringJoiner("\n");
+            for (int k = 0; k < Pitch.WIZARDS_PER_PLAYER; k++) {
+                int wizard = player * Pitch.WIZARDS_PER_PLAYER + k;
+                int snaffle = Pitch.WIZARDS + wizard;
+                lines.add(of.pitch().held(wizard) >= 0 ? "THROW 9000 4000 500 go"
+                    : of.turn() % 13 == 0 && k == 0 ? "FLIPENDO " + of.bodies().id(snaffle)
+                    : "MOVE " + (long) of.bodies().x[snaffle] + " " + (long) of.bodies().y[snaffle] + " 140 on");
+            }
+            return lines.toString();
+        }, lines -> String.join("\n", lines) + "\n");
+        check(report, "fantastic-bits", game.put("refereeInput", "seed=3\n"));
+        assertEquals(Set.of("view line 19, word 1", "view line 20, word 1"), missed.keySet(), "numbers of meetings");
     }
 
     /** Changes the frames of the last turn, and frame 0. */
@@ -113,7 +157,7 @@ class EveryWordIsComparedTest {
     }
 
     private void changeWords(ObjectNode game, ObjectNode frame, String name, String text) {
-        Matcher word = WORD.matcher(text);
+        Matcher word = (text.contains("\n{") ? JSON_WORD : WORD).matcher(text);
         while (word.find()) {
             String before = text.substring(0, word.start());
             long line = before.chars().filter(c -> c == '\n').count();

@@ -14,7 +14,8 @@ public final class CarExpressions {
 
     private static final double FULL_TURN = Math.PI * 2;
     private static final double MAXIMUM_TURN = Math.PI / 10;
-    private static final double DEGREES = 57.29577951308232;
+    /** Degrees of a radian. */
+    public static final double DEGREES = 57.29577951308232;
     private static final double RADIANS = 0.017453292519943295;
 
     private CarExpressions() {

@@ -73,9 +73,10 @@ final class ViewComparison {
     }
 
     /** The lines of one text of a frame; none if it is absent or blank. */
-    private static List<String> lines(JsonLine frame, String name) {
+    private List<String> lines(JsonLine frame, String name) {
         String text = frame.has(name) ? frame.text(name).stripTrailing() : "";
-        return text.isEmpty() ? List.of() : List.of(text.split("\r?\n", -1));
+        return text.isEmpty() ? List.of() : name.equals("view") ? writer.lines(text)
+            : List.of(text.split("\r?\n", -1));
     }
 
     /** @param mayEnd true if the text may end where the writer says so */

@@ -26,16 +26,19 @@ final class RecordedMap {
             return null;
         }
         int checkpoints = all / LAPS;
-        List<String> points = new ArrayList<>();
         for (int k = 1; k <= all; k++) {
             String line = lines.get(k);
             if (!PLACE.matcher(line).matches() || k > checkpoints && !line.equals(lines.get(k - checkpoints))) {
                 return null;
             }
-            if (k <= checkpoints) {
-                points.add("{ \"x\": " + line.replace(" ", ", \"y\": ") + " }");
-            }
         }
+        return sceneOfLap(lines.subList(1, checkpoints + 1));
+    }
+
+    /** The official scene on the map of a lap: {@code x y} of each checkpoint, as they are to be passed. */
+    static String sceneOfLap(List<String> lap) {
+        List<String> points = new ArrayList<>();
+        lap.forEach(place -> points.add("{ \"x\": " + place.replace(" ", ", \"y\": ") + " }"));
         points.add(0, points.remove(points.size() - 1));            // laps begin with the second and end at the first
         return SceneFiles.load(SCENE).text().replace(BY_SEED, "\"points\": [" + String.join(", ", points) + "]");
     }

@@ -10,7 +10,9 @@ import steward.game.Game;
 import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.Pilot;
+import steward.game.ServerView;
 import steward.game.TextCodec;
+import steward.game.ViewWriter;
 import steward.game.searchrace.SearchRace;
 import steward.game.searchrace.SearchRaceSettings;
 import steward.physics.Contacts;
@@ -34,6 +36,16 @@ public final class SearchRaceType implements GameType {
     @Override
     public String sceneOfLines(List<String> lines) {
         return RecordedMap.sceneOf(lines);
+    }
+
+    @Override
+    public Optional<ServerView> serverView() {
+        return Optional.of(new SearchRaceView());
+    }
+
+    @Override
+    public Optional<ViewWriter> viewWriter() {
+        return Optional.of(new SearchRaceViews());
     }
 
     @Override

@@ -1,0 +1,35 @@
+package steward.game.searchrace.protocol;
+
+import steward.game.Game;
+import steward.game.ServerView;
+import steward.game.StateCodec;
+import steward.text.ViewLines;
+import tools.jackson.core.JsonGenerator;
+import tools.jackson.databind.JsonNode;
+
+/** What the server shows of the search race; its views have no title, but checkpoints with tooltips. */
+final class SearchRaceView implements ServerView {
+
+    @Override
+    public String title() {
+        return "Search Race";
+    }
+
+    @Override
+    public boolean isOf(ViewLines first) {
+        JsonNode frame = GraphicsLines.json(first.line(1));
+        return frame != null && !ShownRace.places(frame).isEmpty();
+    }
+
+    @Override
+    public Shown open(ViewLines first, String input, int players) {
+        return new ShownRace(first, input);
+    }
+
+    @Override
+    public void writeShown(JsonGenerator out, Game game, StateCodec state) {
+        out.writeObjectPropertyStart("state");
+        state.writeState(out);
+        out.writeEndObject();
+    }
+}
