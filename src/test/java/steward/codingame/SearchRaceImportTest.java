@@ -32,8 +32,9 @@ class SearchRaceImportTest {
     private void declare(String time) {
         game.putArray("ranks").add(0);
         game.putArray("scores").add(1.0);
-        frames.addObject().put("agentId", 0).put("keyframe", true).put("view", " "
-            + (frames.size() - 1) + "\n{\"entitymodule\":\"\",\"endScreen\":[[" + time.split("\\.")[0] + "],\"image\",[\"" + time + "\"]]}\n");
+        String end = "{\"entitymodule\":\"\",\"endScreen\":[[" + time.split("\\.")[0] + "],\"image\",[\"" + time
+            + "\"]]}";
+        frames.addObject().put("agentId", 0).put("keyframe", true).put("view", " " + (frames.size() - 1) + "\n" + end);
     }
 
     private String time() {
@@ -107,7 +108,7 @@ class SearchRaceImportTest {
     @Test
     void aGameOfTheSameToolkitIsNamedByItsView() {
         ((ObjectNode) frames.get(0)).put("view", " 0\n{\"global\":{},\"frame\":{\"entitymodule\":\"CS\"}}\n");
-        assertTrue(problem().matches("g.json: frame 0, view line 1: found \"\\{.global.*expected the name of a game that "
-            + "is known: CodersStrikeBack, .*Search Race.*"), problem());
+        assertTrue(problem().matches("g.json: frame 0, view line 1: found \"\\{.global.*expected the name of a game "
+            + "that is known: CodersStrikeBack, .*Search Race.*"), problem());
     }
 }

@@ -108,8 +108,8 @@ final class SearchRaceViews implements ViewWriter {
             String label = entities.label(k) + " " + LATE;
             putPlace(label, checkpoints[k][0], checkpoints[k][1]);
             put(label, "T", Integer.toString(k));
-            lines.add(GraphicsLines.TOOLTIP + entities.circle(k) + " Checkpoint x = " + (int) checkpoints[k][0] + " y = "
-                + (int) checkpoints[k][1]);
+            lines.add(GraphicsLines.TOOLTIP + entities.circle(k) + " Checkpoint x = " + (int) checkpoints[k][0]
+                + " y = " + (int) checkpoints[k][1]);
         }
         before = new double[] {race.bodies().x[0], race.bodies().y[0]};
         putPlace(LAST_PLACE + " " + LATE, before[0], before[1]);
