@@ -161,7 +161,7 @@ class ServerGameImportTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
         "meanmax | FantasticBits | frame 0, view line 1: found \"FantasticBits\", expected the name of a game that is "
-            + "known: CodersStrikeBack, meanmax, Fantastic Bits",
+            + "known: CodersStrikeBack, Search Race, meanmax, Fantastic Bits",
         "meanmax\\n3\\n | meanmax\\n2\\n | frame 0, view line 2: found \"2\", expected 3, the number of players",
         "seed=5\\n | sneed=5 | refereeInput: found \"sneed=5\", expected a line seed=NUMBER",
         "\"refereeInput\" | \"other\" | refereeInput: found nothing, expected a line seed=NUMBER",
