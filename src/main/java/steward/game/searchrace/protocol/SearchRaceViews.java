@@ -3,7 +3,6 @@ package steward.game.searchrace.protocol;
 import java.text.DecimalFormat;
 import java.text.DecimalFormatSymbols;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -36,7 +35,7 @@ final class SearchRaceViews implements ViewWriter {
 
     private SearchRace race;
     private Entities entities;
-    private final Map<String, Object> values = new HashMap<>();
+    private final Map<String, Object> values = new TreeMap<>();
     private final Map<String, List<String>> updates = new TreeMap<>();
     private final List<String> lines = new ArrayList<>();
     private final DecimalFormat six = new DecimalFormat("0.######", DecimalFormatSymbols.getInstance(Locale.ROOT));
