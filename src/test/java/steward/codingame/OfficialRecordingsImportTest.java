@@ -48,6 +48,7 @@ class OfficialRecordingsImportTest {
         try (Stream<Path> all = Files.list(folder)) {
             files = all.filter(file -> file.getFileName().toString().startsWith("replay_")).sorted().toList();
         }
+        assumeTrue(!files.isEmpty(), () -> "skipped: no replay_* in " + folder.toAbsolutePath());
         GroundTruth.Report all = new GroundTruth.Report(report, "pod-race of 2016");
         for (Path file : files) {
             ByteArrayOutputStream replay = new ByteArrayOutputStream();

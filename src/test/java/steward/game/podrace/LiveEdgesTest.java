@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
+import steward.game.GroundTruth;
 import steward.game.podrace.Recordings.Command;
 import steward.game.podrace.protocol.PodRaceType;
 import steward.game.podrace.simulator.PodCommands;
@@ -54,7 +55,7 @@ class LiveEdgesTest {
                 passes += block.before()[pod][NEXT] == block.after()[pod][NEXT] ? 0 : 1;
             }
         }
-        report.publishEntry(turns + " turns of the live server compared, " + passes + " checkpoints passed, " + out
+        GroundTruth.tell(report, turns + " turns of the live server compared, " + passes + " checkpoints passed, " + out
             + " eliminations");
         assertTrue(turns > 0, "no turns in " + Recordings.folder());
     }
@@ -68,7 +69,7 @@ class LiveEdgesTest {
                 lines++;
             }
         }
-        report.publishEntry(lines + " pods of the live server compared");
+        GroundTruth.tell(report, lines + " pods of the live server compared");
         assertTrue(lines > 0, "no single pods in " + Recordings.folder());
     }
 
@@ -103,7 +104,7 @@ class LiveEdgesTest {
     }
 
     private static List<String> lines() {
-        return Recordings.lines(Recordings.folder().resolve("live_edges.txt"));
+        return Recordings.lines(GroundTruth.replay("live_edges.txt"));
     }
 
     private static List<Block> blocks() {

@@ -41,8 +41,10 @@ public final class Recordings {
 
     public static List<Recording> all() {
         try (Stream<Path> files = Files.list(folder())) {
-            return files.filter(file -> file.getFileName().toString().startsWith("replay_")).sorted()
-                .map(Recordings::read).toList();
+            List<Path> named = files.filter(file -> file.getFileName().toString().startsWith("replay_")).sorted()
+                .toList();
+            assumeTrue(!named.isEmpty(), () -> "skipped: no replay_* in " + folder().toAbsolutePath());
+            return named.stream().map(Recordings::read).toList();
         } catch (IOException problem) {
             throw new UncheckedIOException(problem);
         }
