@@ -40,7 +40,6 @@ class SimulateCommandTest {
     /** Recorded headings are decimals of radians that went on unrounded: what that loses in a turn, in degrees. */
     private static final double ANGLE_TOLERANCE = 1e-9;
 
-
     /** The rows of a recording without their first words. */
     private record Recording(String name, List<String> checkpoints, List<String> in, List<String> moves,
                              List<String> out) {

@@ -81,7 +81,7 @@ class OfficialRecordingsTest {
         return difference;
     }
 
-    /** True in the very last round for a pod on its way to checkpoint 0: of the winner the recordings keep 0 as next. */
+    /** True in the very last round for a pod that goes to checkpoint 0: of the winner 0 is kept as the next. */
     private static boolean hasPassedStart(Recording recording, int r, int pod) {
         return r == recording.rounds().size() - 1 && recording.rounds().get(r).before()[pod][NEXT_CHECKPOINT] == 0;
     }
