@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -146,6 +147,25 @@ class GameRecordingImportTest {
         assertFound(40, "state.bodies[3].passed", spoilt(frame, 7, word(10, next -> next.equals("0") ? "1" : "0")));
         assertFound(0, "start.state.bodies[3].x", spoilt(0, 5 + 6, word(0, GameRecordingImportTest::plusOne)));
         assertFound(0, "start.state.bodies[0].heading", spoilt(0, 5, word(8, unset -> "0.5")));
+    }
+
+    /** By live rules the last frame shows 0 for the pod that has finished, which the count alone would not tell. */
+    @Test
+    void theNextCheckpointsOfTheLastFrameAreCompared() {
+        OfficialGame game = IntStream.range(11, 17).mapToObj(OfficialGame::play)
+            .filter(each -> imported(each.json()).ending().startsWith("finished")).findFirst().orElseThrow();
+        for (int pod = 0; pod < GameRecording.PODS; pod++) {
+            for (int other : new int[] {1, 2}) {
+                ObjectNode result = game.gameResult();
+                ObjectNode frame = (ObjectNode) result.get("frames").get(OfficialGame.keyFrame(game.turns()));
+                List<String> lines = new ArrayList<>(frame.get("view").stringValue().lines().toList());
+                int count = result.get("frames").get(0).get("view").stringValue().split("\n")[3].split(" ").length / 2;
+                lines.set(1 + 2 * pod, word(10, next -> Integer.toString((Integer.parseInt(next) + other) % count))
+                    .apply(lines.get(1 + 2 * pod)));
+                frame.put("view", String.join("\n", lines) + "\n");
+                assertNotNull(verified(result.toString()).difference(), "pod " + pod + ", " + other);
+            }
+        }
     }
 
     @Test
