@@ -70,7 +70,7 @@ public final class ImportCommand implements Callable<Integer> {
 
     @Option(names = "--rules", paramLabel = "live|contest", converter = Edition.class,
         description = "The rules by which a pod race was played: those of the live server (default), or those of the "
-            + "contest of 2016.")
+            + "contest of 2016. Other games are taken by the rules of their highest league.")
     private RulesEdition rules;
 
     @Option(names = "--overwrite", description = "Replaces a replay that exists.")
