@@ -48,7 +48,7 @@ public final class RulesBefore {
         try (FolderLock lock = FolderLock.take(folder)) {
             LeagueSettings settings = folder.read();
             Optional<Season> last;
-            try (GameStore store = GameStore.read(folder)) {
+            try (GameStore store = GameStore.write(folder)) {    // a form of before is brought up to date
                 last = store.lastSeason();
             }
             Optional<String> before = last.flatMap(season -> scene(folder, settings, season));

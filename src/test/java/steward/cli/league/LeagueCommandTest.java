@@ -11,6 +11,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermission;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.sql.Connection;
+import java.sql.DriverManager;
+import java.sql.SQLException;
+import java.sql.Statement;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -173,9 +177,10 @@ class LeagueCommandTest {
             one.difference(Season.of("crowd", "2", "limits", "rules", 2, false)));
     }
 
-    /** A league of before: its season is that of the shipped scene without the word of the rules. */
+    /** A league of before: its season is that of the shipped scene without the word of the rules, its form an older. */
     @Test
-    void aLeagueWhoseRulesHaveBecomeTheLiveServersGoesOnByTheOldOnesOrBeginsANewSeason() throws IOException {
+    void aLeagueWhoseRulesHaveBecomeTheLiveServersGoesOnByTheOldOnesOrBeginsANewSeason()
+            throws IOException, SQLException {
         done("init", "TMP/a", "--scene", "duel", "--seed", "1");
         Path settings = folder.resolve("a/league.json");
         String named = Files.readString(settings);
@@ -193,6 +198,10 @@ class LeagueCommandTest {
             + "10 games of before; expected 'steward league run TMP/a --keep-rules', which goes on by the rules of "
             + "before, or 'steward league run TMP/a --new-season', which begins a new table and keeps the old games\n",
             refused("run", "TMP/a", "--games", "10"));
+        try (Connection database = DriverManager.getConnection("jdbc:sqlite:" + folder.resolve("a/league.db"));
+             Statement statement = database.createStatement()) {
+            statement.execute("PRAGMA user_version = 3");
+        }
         String said = league("run", "TMP/a", "--games", "10", "--keep-rules").done().err();
         assertTrue(said.replace(folder.toString(), "TMP").startsWith("steward: TMP/a/scene.json is the scene with the "
             + "rules of before, and league.json names it\n"), said);
