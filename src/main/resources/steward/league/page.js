@@ -71,7 +71,8 @@ function drawTable() {
   heads(table, [['#', 'num'], ['Bot', 'name'], ['Rating', ''], ['±', '', '95% bar, for a number of games fixed before'],
     ['', 'bars'], ['± anytime', 'table-wide', '95% bar that holds however often one looks and whenever one stops'],
     ['Ranks', '', 'what the games leave open, with 95%'], ['Games', ''],
-    ['Points', '', 'share of the points'], ['Faults', ''], ['Mean ms', 'table-wide', 'mean answer time'],
+    ['Points', '', 'share of the points'], ['Faults', ''],
+    ['All failed', 'table-wide', 'games in which all players failed in the same turn: they count in no rating'], ['Mean ms', 'table-wide', 'mean answer time'],
     ['Worst ms', 'table-wide', 'longest answer'], ['Score', 'table-wide', 'the game’s own, mean']]);
   const body = table.tBodies[0];
   body.replaceChildren();
@@ -104,6 +105,7 @@ function drawTable() {
     make(row, 'td', thousands(bot.games));
     make(row, 'td', bot.points === null ? '–' : fixed(100 * bot.points, 1) + '%');
     make(row, 'td', bot.faults, bot.faults ? 'faulty' : '');
+    make(row, 'td', bot.allFailed, 'table-wide');
     make(row, 'td', fixed(bot.meanMs, 2), 'table-wide');
     make(row, 'td', fixed(bot.worstMs, 1), 'table-wide');
     make(row, 'td', fixed(bot.score, 2), 'table-wide');

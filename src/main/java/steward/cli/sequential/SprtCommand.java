@@ -101,12 +101,12 @@ public final class SprtCommand implements Callable<Integer> {
             .limitedBy(pace.basis()).isolatedBy(sandbox.isolation(streams));
         Verbosity report = json ? Verbosity.JSON : quiet ? Verbosity.LINE : Verbosity.FULL;
         if (into == null) {
-            return new SprtRun(streams, contest, test, options.budget(), options.keepGoing(), null, report)
+            return new SprtRun(streams, contest, test, options.ending(), null, report)
                 .play(seed.orDrawn(), threads.count(streams));
         }
         try (StoredSeries store = StoredSeries.open(OutputFiles.path(into), contest, factor, sandbox.variables())) {
             store.refuseTwins();
-            return new SprtRun(streams, contest, test, options.budget(), options.keepGoing(), store, report)
+            return new SprtRun(streams, contest, test, options.ending(), store, report)
                 .play(seed.or(store.ownSeed()), threads.count(streams));
         }
     }

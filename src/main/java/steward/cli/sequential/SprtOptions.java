@@ -53,9 +53,13 @@ public final class SprtOptions {
     @Option(names = "--keep-going", description = "Goes on when a bot has failed in 10 games in a row.")
     private boolean keepGoing;
 
-    /** True if a bot that fails in every game does not end the test. */
-    public boolean keepGoing() {
-        return keepGoing;
+    @Option(names = "--random", description = "Says that a bot draws by lot: equal games are independent draws, and "
+        + "count. In a league its mark says so, too.")
+    private boolean random;
+
+    /** Returns when the test ends without a decision. */
+    public SprtRun.Ending ending() {
+        return new SprtRun.Ending(games == null ? Long.MAX_VALUE : games, keepGoing, random);
     }
 
     /** Refuses what cannot be tested. */
@@ -70,10 +74,5 @@ public final class SprtOptions {
         check.games(games);
         return new Gsprt(elo0, elo1, alpha, beta,
             model.equals("logistic") ? Gsprt.Model.LOGISTIC : Gsprt.Model.NORMALIZED);
-    }
-
-    /** Games in all; {@code Long.MAX_VALUE} for no end. */
-    public long budget() {
-        return games == null ? Long.MAX_VALUE : games;
     }
 }

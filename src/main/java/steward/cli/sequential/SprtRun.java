@@ -35,8 +35,7 @@ public final class SprtRun {
     private final Streams streams;
     private final Contest contest;
     private final Gsprt test;
-    private final long budget;
-    private final boolean keepGoing;
+    private final Ending ending;
     private final StoredSeries store;
     private final Verbosity report;
     private final SprtText text;
@@ -54,21 +53,29 @@ public final class SprtRun {
     private long told = System.nanoTime();
 
     /**
-     * @param budget games in all
-     * @param keepGoing whether it goes on when a bot fails in every game
+     * Rules by which the test ends without a decision.
+     *
+     * @param budget    games in all; {@code Long.MAX_VALUE} for no end
+     * @param keepGoing true if a bot that fails in every game does not end it
+     * @param random    true if a bot draws by lot, so that equal games count and do not end it
+     */
+    public record Ending(long budget, boolean keepGoing, boolean random) {
+    }
+
+    /**
+     * @param ending when it ends without a decision
      * @param store  where games are stored and found, or {@code null}
      */
-    public SprtRun(Streams streams, Contest contest, Gsprt test, long budget, boolean keepGoing, StoredSeries store,
+    public SprtRun(Streams streams, Contest contest, Gsprt test, Ending ending, StoredSeries store,
                    Verbosity report) {
         this.streams = streams;
         this.contest = contest;
         this.test = test;
-        this.budget = budget;
-        this.keepGoing = keepGoing;
+        this.ending = ending;
         failures = new FailureCounts(contest);
         this.store = store;
         this.report = report;
-        random = store != null && store.isRandom();
+        random = ending.random() || store != null && store.isRandom();
         scores = new ScoreCounts(contest.isAlone() ? 1 : contest.players());
         text = new SprtText(test, contest.entrants().get(0).name(), contest.entrants().get(1).name());
     }
@@ -143,8 +150,8 @@ public final class SprtRun {
         }
         return test.state(scores) == Gsprt.State.OPEN && withoutInARow < MOST_WITHOUT
             && repeatsInARow < Repeats.ENOUGH
-            && (keepGoing || streaks.failing() == null)
-            && (scores.observations() + without + allFailed + repeats + 1) * scores.games() <= budget;
+            && (ending.keepGoing() || streaks.failing() == null)
+            && (scores.observations() + without + allFailed + repeats + 1) * scores.games() <= ending.budget();
     }
 
     private synchronized int end() {
@@ -158,8 +165,8 @@ public final class SprtRun {
         if (repeatsInARow >= Repeats.ENOUGH) {
             streams.err().println("steward: the test ends undecided: the last " + Repeats.ENOUGH + " seeds repeat "
                 + "games that were played before. These bots play alike whatever the seed is, so that more games tell "
-                + "nothing");
-        } else if (test.state(scores) == Gsprt.State.OPEN && !keepGoing && streaks.failing() != null) {
+                + "nothing; with --random, for a bot that draws by lot, they count");
+        } else if (test.state(scores) == Gsprt.State.OPEN && !ending.keepGoing() && streaks.failing() != null) {
             streams.err().println("steward: " + streaks.ending("the test"));
             return ExitStatus.FAILED;
         }

@@ -120,6 +120,10 @@ public final class TuneCommand implements Callable<Integer> {
     @Option(names = "--keep-going", description = "Goes on when a bot has failed in 10 games in a row.")
     private boolean keepGoing;
 
+    @Option(names = "--random", description = "Says that a bot draws by lot: equal games are independent draws, and "
+        + "do not end the search. In a league its mark says so, too.")
+    private boolean random;
+
     @Option(names = "--plots", paramLabel = "DIR",
         description = "Writes the path of the parameters into this folder, as "
         + "PNG and SVG.")
@@ -264,8 +268,8 @@ public final class TuneCommand implements Callable<Integer> {
                     failures.computeIfAbsent(other, bot -> new Failures(contest, new FailureCounts(contest))).counts(),
                     result -> {
                         if (result.isWhole()) {
-                            fresh |= !result.isRepeat(seen.computeIfAbsent(players(contest), key -> new Repeats()))
-                                || store != null && store.isRandom();
+                            fresh |= random || store != null && store.isRandom()
+                                || !result.isRepeat(seen.computeIfAbsent(players(contest), key -> new Repeats()));
                             sum[0] += (1 + result.difference(contest, 0, 1)) / 2;
                             count[0]++;
                         }
@@ -327,13 +331,14 @@ public final class TuneCommand implements Callable<Integer> {
         }
         Contest contest = contest(List.of("tune.result=" + bare(result), "tune.start=" + bare(start)));
         Gsprt test = new Gsprt(0, GAIN, ALPHA, ALPHA, Gsprt.Model.NORMALIZED);
+        SprtRun.Ending ending = new SprtRun.Ending(testGames, keepGoing, random);
         streams.out().println();
         if (into == null) {
-            return new SprtRun(streams, contest, test, testGames, keepGoing, null, Verbosity.FULL)
+            return new SprtRun(streams, contest, test, ending, null, Verbosity.FULL)
                 .play(first + games, threads.count(streams));
         }
         try (StoredSeries store = StoredSeries.open(OutputFiles.path(into), contest, factor, sandbox.variables())) {
-            return new SprtRun(streams, contest, test, testGames, keepGoing, store, Verbosity.FULL)
+            return new SprtRun(streams, contest, test, ending, store, Verbosity.FULL)
                 .play(store.ownSeed(), threads.count(streams));
         }
     }

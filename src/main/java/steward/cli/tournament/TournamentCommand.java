@@ -22,6 +22,7 @@ import steward.cli.league.run.NoServing;
 import steward.cli.league.run.RunCommand;
 import steward.cli.league.view.GameFailures;
 import steward.cli.league.view.LeagueOpening;
+import steward.cli.league.view.OwnValues;
 import steward.cli.league.view.PageCommand;
 import steward.cli.league.view.TableCommand;
 import steward.cli.options.CallCheck;
@@ -285,7 +286,9 @@ public final class TournamentCommand implements Callable<Integer> {
     /** The table, the pages of authors with their games, and the page of the league. */
     private void finish(LeagueFolder league, Path into, List<Entry> entries) throws Exception {
         try (LeagueOpening.Opened opened = LeagueOpening.read(league)) {
-            Files.writeString(into.resolve("table.csv"), TableCommand.csv(opened.table()));
+            OwnValues own = new OwnValues();
+            opened.games().games(own::add);
+            Files.writeString(into.resolve("table.csv"), TableCommand.csv(opened.table(), own));
             Map<Integer, String> names = new HashMap<>();
             opened.entries().forEach(entry -> names.put(entry.version(), entry.name()));
             for (Entry entry : entries) {

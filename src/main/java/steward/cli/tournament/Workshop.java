@@ -212,12 +212,18 @@ record Workshop(Path folder, Isolation isolation, long limitMs) {
         String text = beginning(said);
         if (status.isEmpty() || status.getAsInt() != 0) {
             Files.deleteIfExists(part);
-            return (status.isPresent() ? "the compiler failed:" : "the compiler did not end within "
-                + TimeUnit.MILLISECONDS.toSeconds(limitMs) + " s") + "\n" + text;
+            return (status.isPresent() ? "the compiler failed: " + firstError(text, source)
+                : "the compiler did not end within " + TimeUnit.MILLISECONDS.toSeconds(limitMs) + " s") + "\n" + text;
         }
         Files.move(part, made, StandardCopyOption.REPLACE_EXISTING);
         Files.copy(source, known, StandardCopyOption.REPLACE_EXISTING);
         return null;
+    }
+
+    /** First line of a compiler that names an error, with the bare name of the source; empty if there is none. */
+    static String firstError(String text, Path source) {
+        return text.lines().filter(line -> line.contains("error")).findFirst().orElse("")
+            .replace(source.toString(), source.getFileName().toString()).strip();
     }
 
     private static String beginning(Path file) throws IOException {

@@ -106,7 +106,7 @@ public final class LeagueJson {
                 out.writeNull();
             }
         }
-        JsonNumbers.write(out, difference.superiority());
+        JsonNumbers.write(out, table.difference(row, column).superiority());
         if (difference.isOneSided()) {
             JsonNumbers.write(out, difference.boundElo());
         } else {

@@ -109,6 +109,13 @@ class SequentialProcessTest {
     }
 
     @Test
+    void aTestOfABotThatDrawsByLotCountsEqualGames() {
+        scene = alike;
+        String said = sprt("--random");
+        assertTrue(said.contains(": H1 is accepted: drives is better") && !said.contains("repeat"), said);
+    }
+
+    @Test
     void aLeagueOfBotsThatPlayAlikeEndsAndSaysSo() throws IOException {
         scene = alike;
         String said = done("league", "run", league("alike", drives, stays), "--games", "400");

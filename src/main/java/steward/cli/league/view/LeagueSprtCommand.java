@@ -78,7 +78,7 @@ public final class LeagueSprtCommand implements Callable<Integer> {
         try (StoredSeries store = StoredSeries.open(folder.path(), contest, settings.factor(),
                 List.copyOf(LeagueOpening.environment(settings).keySet()))) {
             store.refuseTwins();
-            return new SprtRun(streams, contest, test, options.budget(), options.keepGoing(), store,
+            return new SprtRun(streams, contest, test, options.ending(), store,
                 json ? Verbosity.JSON : Verbosity.FULL)
                 .play(store.ownSeed(), threads.count(streams));
         }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 import steward.game.JsonNumbers;
 import steward.league.StoredGame;
 import steward.league.rating.LeagueTable;
@@ -11,7 +12,7 @@ import steward.text.TextFormat;
 import tools.jackson.core.JsonGenerator;
 
 /** Means and standard deviations of the games' own values by bot: score, turns, and what the game itself counts. */
-final class OwnValues {
+public final class OwnValues {
 
     private static final int WIDTH = 20;
 
@@ -36,7 +37,7 @@ final class OwnValues {
     }
 
     /** Adds a game, if it counts. */
-    void add(StoredGame game) {
+    public void add(StoredGame game) {
         if (!game.isRated()) {
             return;
         }
@@ -74,6 +75,18 @@ final class OwnValues {
         }
         lines.add("Mean ± standard deviation of the games that have the value.");
         return lines;
+    }
+
+    /** Heads of the columns that {@link #cells} fills. */
+    String[] heads() {
+        return names().stream().flatMap(name -> Stream.of(name + "Mean", name + "Deviation")).toArray(String[]::new);
+    }
+
+    /** Mean and standard deviation of each value of a version; empty where there is none. */
+    String[] cells(int version) {
+        Map<String, Sum> own = sums.getOrDefault(version, Map.of());
+        return names().stream().map(own::get).flatMap(sum -> sum == null ? Stream.of("", "")
+            : Stream.of(TableCommand.number(sum.mean), TableCommand.number(sum.deviation()))).toArray(String[]::new);
     }
 
     /** The field {@code values}: by bot and value, games, mean and deviation. */

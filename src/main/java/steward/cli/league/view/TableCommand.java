@@ -67,7 +67,7 @@ public final class TableCommand implements Callable<Integer> {
         check.that((json ? 1 : 0) + (csv ? 1 : 0) + (html ? 1 : 0) <= 1, "--json, --csv and --html exclude each other");
         check.that(!part.isAny() || !html && plots == null, (html ? "--html" : "--plots") + ": expected the whole "
             + "league, found a part of its games");
-        check.that(!values || !csv && !html, "--values: expected text or --json with it");
+        check.that(!values || !html, "--values: expected text, --json or --csv with it");
         part.check();
         try (LeagueOpening.Opened opened = LeagueOpening.read(league.open())) {
             LeagueTable table = part.isAny() ? partial(opened) : opened.table();
@@ -83,7 +83,7 @@ public final class TableCommand implements Callable<Integer> {
                     }
                 });
             } else if (csv) {
-                streams.out().print(csv(table));
+                streams.out().print(csv(table, own));
             } else if (html) {
                 ByteArrayOutputStream page = new ByteArrayOutputStream();
                 PageCommand.write(opened, table, page);
@@ -134,11 +134,11 @@ public final class TableCommand implements Callable<Integer> {
         }
     }
 
-    /** A line for each bot, below the heads of the columns. */
-    public static String csv(LeagueTable table) {
+    /** A line for each bot, below the heads of the columns; the games' own values are the last. */
+    public static String csv(LeagueTable table, OwnValues own) {
         StringBuilder lines = new StringBuilder(new CsvRow().words("rank", "bot", "version", "active", "random",
             "rating", "bar", "bound", "anytime", "best", "worst", "games", "points", "wins", "draws", "losses",
-            "faults", "allFailed", "score", "meanMs", "worstMs").line());
+            "faults", "allFailed", "score", "meanMs", "worstMs").words(own.heads()).line());
         for (LeagueTable.Row row : table.rows()) {
             lines.append(new CsvRow().words(Integer.toString(row.rank()), row.entry().name(),
                 Integer.toString(row.entry().version()), Boolean.toString(row.entry().active()),
@@ -148,7 +148,7 @@ public final class TableCommand implements Callable<Integer> {
                 Long.toString(row.sums().games()), number(row.points()), number(row.wins()), number(row.draws()),
                 number(row.losses()), Long.toString(row.sums().faults()), Long.toString(row.sums().allFailed()),
                 number(row.sums().meanScore()), number(row.sums().meanNanos() / NANOS_PER_MS),
-                number(row.sums().worstNanos() / NANOS_PER_MS)).line());
+                number(row.sums().worstNanos() / NANOS_PER_MS)).words(own.cells(row.entry().version())).line());
         }
         return lines.toString();
     }
@@ -157,7 +157,7 @@ public final class TableCommand implements Callable<Integer> {
         return Difference.isKnown(bar) ? number(bar) : "";
     }
 
-    private static String number(double value) {
+    static String number(double value) {
         return Double.isNaN(value) ? "" : TextFormat.number(value, 6);
     }
 }
