@@ -55,6 +55,13 @@ public record Isolation(SandboxLevel level, boolean network, ResourceLimits limi
         return new Isolation(level, network, limits.withoutMemory(), environment, visible, hidden, hold);
     }
 
+    /** A copy that lets {@link SandboxLevel#STRICT} see these files and folders as well. */
+    public Isolation showing(List<Path> paths) {
+        List<Path> all = new ArrayList<>(visible);
+        all.addAll(paths);
+        return new Isolation(level, network, limits, environment, all, hidden, hold);
+    }
+
     /** The same, hiding these files and folders as well. */
     public Isolation hiding(List<Path> paths) {
         List<Path> all = new ArrayList<>(hidden);

@@ -173,8 +173,9 @@ public final class TournamentCommand implements Callable<Integer> {
                 throw new InputException(into + ": found a folder with files, expected a new one or that of an earlier "
                     + "tournament");
             }
-            for (String each : List.of(PAGES, "programs", "league")) {
-                Files.createDirectories(into.resolve(each));
+            Files.createDirectories(into.resolve(PAGES));
+            for (String each : List.of("programs", "league")) {
+                OutputFiles.privateFolder(into.resolve(each));
             }
         } catch (IOException problem) {
             throw new InputException(into + ": cannot be written: " + OutputFiles.reason(into, problem));

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
@@ -23,6 +24,7 @@ import steward.bot.isolation.Isolation;
 import steward.bot.isolation.Launch;
 import steward.bot.process.ProgramRun;
 import steward.cli.tournament.Programs.Program;
+import steward.files.OutputFiles;
 import steward.text.Utf8Text;
 import steward.text.Utf8Text.NotUtf8Exception;
 
@@ -43,7 +45,12 @@ record Workshop(Path folder, Isolation isolation, long limitMs) {
     /** The source that was compiled last. */
     private static final String COMPILED = "compiled.txt";
     private static final Pattern PUBLIC = Pattern.compile(
-        "\\bpublic\\s+(?:final\\s+|abstract\\s+|strictfp\\s+|sealed\\s+)*(?:class|record|enum|interface)\\s+(\\w+)");
+        "\\bpublic\\s+(?:final\\s+|abstract\\s+|strictfp\\s+|sealed\\s+)*(?:class|record|enum|interface)\\s+([\\w$]+)",
+        Pattern.UNICODE_CHARACTER_CLASS);
+
+    /** Headers of C++, which bots do not need and compilers do. */
+    private static final List<Path> HEADERS = Stream.of("/usr/include", "/usr/local/include").map(Path::of)
+        .filter(Files::isDirectory).toList();
 
     /** Both take the source, the compiler, and another tool. */
     private static final String BEGIN = "d=$(mktemp -d) || exit 1; trap 'rm -rf \"$d\"' EXIT; ";
@@ -64,14 +71,20 @@ record Workshop(Path folder, Isolation isolation, long limitMs) {
     record Ready(Program program, List<String> command, List<Path> files, String problem) {
     }
 
-    /**
-     * Makes a program ready, unless that has been done with the same source.
-     *
-     * @throws IOException if files cannot be copied
-     */
-    Ready make(Program program) throws IOException, InterruptedException {
+    /** Makes a program ready, unless that has been done with the same source. */
+    Ready make(Program program) throws InterruptedException {
         Path own = folder.resolve(program.name());
-        Files.createDirectories(own);
+        try {
+            return make(program, Files.createDirectories(own));
+        } catch (IOException problem) {
+            return failed(program, "cannot be copied: " + OutputFiles.reason(program.source(), problem));
+        } catch (InvalidPathException problem) {
+            return failed(program, "found the class " + problem.getInput() + ", expected one whose name can be that of "
+                + "a file here, as with LANG=C.UTF-8");
+        }
+    }
+
+    private Ready make(Program program, Path own) throws IOException, InterruptedException {
         return switch (program.kind()) {
             case PYTHON -> script(program, own.resolve("bot.py"), "python3");
             case JS -> script(program, own.resolve(program.source().getFileName().toString().toLowerCase(
@@ -208,7 +221,7 @@ record Workshop(Path folder, Isolation isolation, long limitMs) {
         Path said = made.resolveSibling("compiler.txt");
         List<String> command = new ArrayList<>(List.of("sh", "-c", script, source.toString()));
         command.addAll(List.of(tools));
-        OptionalInt status = ProgramRun.of(new Launch(command, isolation, List.of()), part, said, limitMs);
+        OptionalInt status = ProgramRun.of(new Launch(command, isolation.showing(HEADERS), List.of()), part, said, limitMs);
         String text = beginning(said);
         if (status.isEmpty() || status.getAsInt() != 0) {
             Files.deleteIfExists(part);
