@@ -1,6 +1,5 @@
 package steward.league.rating;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
@@ -40,7 +39,7 @@ public final class RatingFit {
     private final int bots;
     private final List<Stratum> strata;
     /** The weight of a game of each pair of each stratum. */
-    private final double[][] weights;
+    final double[][] weights;
     private final double[] ratings;
     /** Weighted points and games of each bot. */
     private final double[] points;
@@ -309,43 +308,6 @@ public final class RatingFit {
 
     double[][] inverse() {
         return inverse;
-    }
-
-    /**
-     * Number of standard deviations that the games of a bot ask it to go from a rating, the others being held.
-     *
-     * @param rating in natural units
-     */
-    double asked(int bot, double rating) {
-        double[] moved = ratings.clone();
-        moved[bot] = rating;
-        List<Stratum> own = new ArrayList<>();
-        List<double[]> weighted = new ArrayList<>();
-        double[] surplus = new double[1];
-        TieModel model = new TieModel();
-        Stratum.each(strata, (q, k, low, high) -> {
-            if (low == bot || high == bot) {
-                if (own.isEmpty() || own.get(own.size() - 1) != strata.get(q)) {
-                    own.add(strata.get(q));
-                    weighted.add(weights[q]);
-                }
-                model.compute(moved[low] - moved[high], ties());
-                double[] sums = strata.get(q).sums;
-                double pushed = weights[q][k] * (sums[3 * k + 1] - sums[3 * k] * model.points);
-                surplus[0] += low == bot ? pushed : -pushed;
-            }
-        });
-        ClusterSpread tested = new ClusterSpread(own, weighted.toArray(double[][]::new), moved, tied, ties(), true,
-            inverse);
-        double[] along = new double[inverse.length];
-        along[bot] = 1;
-        double seen = 0;
-        double told = 0;
-        for (int q = 0; q < own.size(); q++) {
-            seen += tested.isAny(q) ? tested.along(q, along) : 0;
-            told += tested.modelled(q, along);
-        }
-        return surplus[0] / Math.sqrt(Math.max(seen, told));
     }
 
     /**

@@ -1,5 +1,9 @@
 package steward.league.rating;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+
 /**
  * Tests of a difference of ratings by what the games ask for at the best fit in which it has a value (score tests, with
  * the sandwich: D. D. Boos, "On generalized score tests", American Statistician 46, 1992). Where a bot has won or lost
@@ -58,7 +62,7 @@ public final class ScoreTest {
         }
         if (fit.bots() > MOST_FITTED) {
             double others = fit.value(bot) - found.value() / (1 - mean[bot]);
-            return bounded(found, value -> fit.asked(bot, others + value / (1 - mean[bot])));
+            return bounded(found, value -> asked(bot, others + value / (1 - mean[bot])));
         }
         double[] contrast = new double[fit.bots()];
         for (int i = 0; i < contrast.length; i++) {
@@ -125,5 +129,44 @@ public final class ScoreTest {
             told += at.spread().modelled(q, along);
         }
         return asked / Math.sqrt(Math.max(at.of(along, 0).variance(), told));
+    }
+
+    /**
+     * Number of standard deviations that the games of a bot ask it to go from a rating, the others being held.
+     *
+     * @param rating in natural units
+     */
+    private double asked(int bot, double rating) {
+        double[] moved = IntStream.range(0, fit.bots()).mapToDouble(fit::value).toArray();
+        moved[bot] = rating;
+        List<Stratum> strata = fit.strata();
+        double ties = fit.tieWeight();
+        List<Stratum> own = new ArrayList<>();
+        List<double[]> weighted = new ArrayList<>();
+        double[] surplus = new double[1];
+        TieModel model = new TieModel();
+        Stratum.each(strata, (q, k, low, high) -> {
+            if (low == bot || high == bot) {
+                if (own.isEmpty() || own.get(own.size() - 1) != strata.get(q)) {
+                    own.add(strata.get(q));
+                    weighted.add(fit.weights[q]);
+                }
+                model.compute(moved[low] - moved[high], ties);
+                double[] sums = strata.get(q).sums;
+                double pushed = fit.weights[q][k] * (sums[3 * k + 1] - sums[3 * k] * model.points);
+                surplus[0] += low == bot ? pushed : -pushed;
+            }
+        });
+        ClusterSpread tested = new ClusterSpread(own, weighted.toArray(double[][]::new), moved, ties > 0, ties, true,
+            fit.inverse());
+        double[] along = new double[fit.inverse().length];
+        along[bot] = 1;
+        double seen = 0;
+        double told = 0;
+        for (int q = 0; q < own.size(); q++) {
+            seen += tested.isAny(q) ? tested.along(q, along) : 0;
+            told += tested.modelled(q, along);
+        }
+        return surplus[0] / Math.sqrt(Math.max(seen, told));
     }
 }
