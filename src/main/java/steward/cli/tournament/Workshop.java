@@ -221,7 +221,8 @@ record Workshop(Path folder, Isolation isolation, long limitMs) {
         Path said = made.resolveSibling("compiler.txt");
         List<String> command = new ArrayList<>(List.of("sh", "-c", script, source.toString()));
         command.addAll(List.of(tools));
-        OptionalInt status = ProgramRun.of(new Launch(command, isolation.showing(HEADERS), List.of()), part, said, limitMs);
+        OptionalInt status = ProgramRun.of(new Launch(command,
+            isolation.showing(HEADERS), List.of()), part, said, limitMs);
         String text = beginning(said);
         if (status.isEmpty() || status.getAsInt() != 0) {
             Files.deleteIfExists(part);
