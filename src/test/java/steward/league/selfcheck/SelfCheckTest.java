@@ -179,6 +179,33 @@ class SelfCheckTest {
     }
 
     @Test
+    @Tag("slow")
+    void sequentialTestsErrAsRarelyFarApartAndWhereTheFirstSeedsAreAlike() throws InterruptedException {
+        for (Gsprt.Model model : Gsprt.Model.values()) {
+            for (double elo : new double[] {200, 500}) {
+                Gsprt far = new Gsprt(elo - 50, elo, 0.05, 0.05, model);
+                assertErrs(new SprtCheck(far, elo - 50, 0, 0, 0), 0.05, true);
+                assertErrs(new SprtCheck(far, elo, 0, 0, 0), 0.05, false);
+            }
+            Gsprt near = new Gsprt(0, 10, 0.05, 0.05, model);
+            for (double elo : new double[] {200, 500, 1000}) {
+                assertErrs(new SprtCheck(near, -elo, 0, 0, 0), 0, true);
+                assertErrs(new SprtCheck(near, elo, 0, 0, 0), 0, false);
+            }
+            assertErrs(new SprtCheck(near, 0, 1, 100, 30), 0.05, true);
+            assertErrs(new SprtCheck(near, 10, 1, 100, 30), 0.05, false);
+        }
+    }
+
+    /** @param never true if H1 is wrong */
+    private static void assertErrs(SprtCheck check, double atMost, boolean never) throws InterruptedException {
+        SprtCheck.Outcome found = check.run(2, LEAGUES, 5);
+        double wrong = never ? found.accepted() : 1 - found.accepted();
+        assertTrue(wrong <= atMost + (atMost > 0 ? FOUR_DEVIATIONS : 0), () -> check + ": " + found);
+        assertEquals(1, found.mean() / found.theory().observations(), 0.1, () -> check + ": " + found);
+    }
+
+    @Test
     void threadsDoNotChangeTheTable() throws InterruptedException {
         List<String> one = new ArrayList<>();
         List<String> other = new ArrayList<>();
