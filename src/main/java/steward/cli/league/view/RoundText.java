@@ -47,7 +47,8 @@ public final class RoundText {
         long whole = (long) (DoubleStream.of(met).min().orElse(0) / ofRound);
         long done = DoubleStream.of(met).filter(games -> games >= ofRound * (whole + 1)).count();
         boolean rounds = !settings.adaptive() || whole < AdaptivePairing.FIRST;
-        return !rounds || met.length == 0 || whole > 0 && done == 0 ? Optional.empty()
+        boolean begun = whole == 0 || DoubleStream.of(met).anyMatch(games -> games > ofRound * whole);
+        return !rounds || met.length == 0 || !begun ? Optional.empty()
             : Optional.of("Round " + (whole + 1) + " is not complete: " + done + " of "
                 + TextFormat.count(met.length, "pair") + " have met in it.");
     }

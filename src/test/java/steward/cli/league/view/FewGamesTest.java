@@ -11,12 +11,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.cli.Cli;
 import steward.cli.shared.Colour;
+import steward.league.LeagueSettings;
 import steward.league.Season;
 import steward.league.page.LeaguePage;
 import steward.league.page.LeaguePlots;
@@ -59,6 +61,19 @@ class FewGamesTest {
             all.add(results);
         }
         return all;
+    }
+
+    @Test
+    void aRoundThatHasBegunWithOneGameIsNotComplete() {
+        Results results = new Results(SEASON);
+        won(results, 1, 1, 2);
+        won(results, 2, 1, 3);
+        won(results, 3, 2, 3);
+        LeagueSettings settings = LeagueSettings.usual("duel", 1);
+        assertEquals(Optional.empty(), RoundText.unfinished(LeagueTable.of(results, entries(3)), settings, 2));
+        results.addGame(4, new int[] {1, 2}, 0, 1);
+        assertEquals(Optional.of("Round 2 is not complete: 0 of 3 pairs have met in it."),
+            RoundText.unfinished(LeagueTable.of(results, entries(3)), settings, 2));
     }
 
     @Test
