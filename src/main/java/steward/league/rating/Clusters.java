@@ -7,6 +7,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
@@ -22,6 +23,8 @@ final class Clusters {
     /** By groups, each ascending: how often a cluster went so; three counts for each pair as of {@link #count}. */
     private final Map<int[][], Map<int[], Long>> shapes = new TreeMap<>(BY_GROUP);
     private final Map<Long, List<Cluster>> seeds = new HashMap<>();
+    /** Games that are not among the clusters of their seeds yet, each as a cluster of its own. */
+    private final Map<Long, List<Cluster>> waiting = new HashMap<>();
     private final boolean alone;
 
     /**
@@ -31,11 +34,6 @@ final class Clusters {
      * @param counts by group
      */
     private record Cluster(int[][] groups, int[]... counts) {
-
-        boolean meets(int... group) {
-            return Stream.of(groups).flatMapToInt(Arrays::stream)
-                .anyMatch(bot -> Arrays.binarySearch(group, bot) >= 0);
-        }
 
         /** All games of some clusters. */
         static Cluster of(List<Cluster> parts) {
@@ -62,16 +60,44 @@ final class Clusters {
         this.alone = alone;
     }
 
-    /** Adds a game. */
+    /** Adds a game. It waits until as many have come as the seed has groups: then joining all costs little for each. */
     void add(long seed, int[] lineup, int... ranks) {
         int[] group = group(lineup);
-        List<Cluster> before = seeds.computeIfAbsent(seed, key -> new ArrayList<>());
-        List<Cluster> joined = new ArrayList<>(before.stream().filter(cluster -> cluster.meets(group)).toList());
-        before.removeAll(joined);
-        joined.forEach(cluster -> add(cluster, -1));
-        joined.add(new Cluster(new int[][] {group}, count(byVersion(group, lineup, ranks))));
-        before.add(Cluster.of(joined));
-        add(before.get(before.size() - 1), 1);
+        List<Cluster> games = waiting.computeIfAbsent(seed, key -> new ArrayList<>(1));
+        games.add(new Cluster(new int[][] {group}, count(byVersion(group, lineup, ranks))));
+        if (games.size() >= seeds.getOrDefault(seed, List.of()).stream().mapToInt(each -> each.groups.length).sum()) {
+            join(seed, waiting.remove(seed));
+        }
+    }
+
+    private void joinAll() {
+        waiting.forEach(this::join);
+        waiting.clear();
+    }
+
+    /** Joins games with the clusters of their seed that their bots connect. */
+    private void join(long seed, List<Cluster> games) {
+        List<Cluster> parts = new ArrayList<>(seeds.getOrDefault(seed, List.of()));
+        parts.forEach(cluster -> add(cluster, -1));
+        parts.addAll(games);
+        Map<Integer, Integer> links = new HashMap<>();
+        for (Cluster part : parts) {
+            int first = root(links, part.groups[0][0]);
+            Stream.of(part.groups).flatMapToInt(Arrays::stream).forEach(bot -> links.put(root(links, bot), first));
+        }
+        seeds.put(seed, parts.stream().collect(Collectors.groupingBy(part -> root(links, part.groups[0][0])))
+            .values().stream().map(Cluster::of).toList());
+        seeds.get(seed).forEach(cluster -> add(cluster, 1));
+    }
+
+    /** The bot that stands for all that are connected with a bot. */
+    private static int root(Map<Integer, Integer> links, int bot) {
+        int root = bot;
+        for (int next = links.getOrDefault(root, root); next != root; next = links.getOrDefault(root, root)) {
+            root = next;
+        }
+        links.put(bot, root);
+        return root;
     }
 
     /** Adds clusters of one group that all went so: ranks by ascending version, of each game. */
@@ -125,6 +151,7 @@ final class Clusters {
      * @param places of versions in the fit, ascending as the versions; groups with others are left out
      */
     List<Stratum> strata(Map<Integer, Integer> places) {
+        joinAll();
         Map<int[][], Stratum> strata = new TreeMap<>(BY_GROUP);
         shapes.forEach((groups, patterns) -> {
             boolean[] taken = new boolean[groups.length];
@@ -160,6 +187,7 @@ final class Clusters {
 
     /** How many clusters there are. */
     long count() {
+        joinAll();
         return shapes.values().stream().flatMap(patterns -> patterns.values().stream()).mapToLong(Long::longValue)
             .sum();
     }

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.league.Season;
@@ -37,6 +38,21 @@ class SharedSeedsTest {
         // rating the variance is four times as large, the bar twice. Half an observation of the model's variance is
         // mixed in, and Student's t is for 49.5 degrees of freedom, which makes a little difference.
         assertEquals(2, bar(true) / bar(false), 0.06);
+    }
+
+    /** All pairs of 250 bots on one seed, 62,250 games: joined one by one they took minutes. */
+    @Test
+    @Timeout(20)
+    void allPairsOnOneSeedAreJoinedInTime() {
+        Results results = results();
+        for (int one = 0; one < 250; one++) {
+            for (int other = 0; other < one; other++) {
+                results.addGame(7, new int[] {one, other}, 0, 1);
+                results.addGame(7, new int[] {other, one}, 0, 1);
+            }
+        }
+        assertEquals(1, results.clusters());
+        assertEquals(250 * 249 / 2, results.strata(IntStream.range(0, 250).toArray()).get(0).pairs());
     }
 
     @Test
