@@ -99,6 +99,24 @@ class RatingFitTest {
      * the model's variance is mixed in, the mean of that at 0.6 and that at the expected share. Student's t of 9
      * degrees.
      */
+    /** With n clusters of two games the share is min(1, n/8), that of each game by 2n; all weights together are games. */
+    @Test
+    void aPairingOfFewerThanEightClustersHasItsEighths() {
+        int[] clusters = {16, 4, 8, 12};
+        List<Stratum> strata = new ArrayList<>();
+        for (int q = 0; q < clusters.length; q++) {
+            Stratum stratum = new Stratum(1, 2 * q, 2 * q + 1);
+            stratum.add(stratum.pattern(2, 1, 0), clusters[q]);
+            strata.add(stratum);
+        }
+        double[][] weights = PairingWeights.of(strata, false);
+        double scale = 80 / (1 + 0.5 + 1 + 1);
+        assertEquals(scale / 32, weights[0][0], 1e-12);
+        assertEquals(scale * 0.5 / 8, weights[1][0], 1e-12);
+        assertEquals(scale / 16, weights[2][0], 1e-12);
+        assertEquals(scale / 24, weights[3][0], 1e-12);
+    }
+
     @Test
     void aResidualIsMeasuredByTheSpreadOfItsClustersAndHalfAClusterOfTheModels() {
         RatingFit fit = RatingFit.of(3, List.of(games(0, 1, 6, 0, 4), games(0, 2, 500, 0, 500),
