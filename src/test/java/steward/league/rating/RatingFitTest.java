@@ -99,7 +99,7 @@ class RatingFitTest {
      * the model's variance is mixed in, the mean of that at 0.6 and that at the expected share. Student's t of 9
      * degrees.
      */
-    /** With n clusters of two games the share is min(1, n/8), that of each game by 2n; all weights together are games. */
+    /** Of n clusters of two games the share is min(1, n/8), a game has its 2n-th part; together they weigh 80 games. */
     @Test
     void aPairingOfFewerThanEightClustersHasItsEighths() {
         int[] clusters = {16, 4, 8, 12};
