@@ -339,6 +339,6 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
             protocols.add(entrant.protocol());
         }
         return new ReplayHeader(setup.scene().gameId(), setup.scene().json(), seed, names, bots, protocols,
-            timeFactor, setup.plan().lawVersion(), setup.scene().angles(), null, sandbox());
+            timeFactor, setup.plan().lawVersion(), null, sandbox());
     }
 }

@@ -11,7 +11,7 @@ import steward.scene.SceneKey;
  * @param sceneName the scene's name
  * @param sceneKey  of all in the scene that decides what happens
  * @param limits    the time limits and what they are limits of
- * @param rules     the key of its rung's law, its rung and its angles: changes when the bits of a result do
+ * @param rules     the key of its rung's law, its rung and the word of its angles, which seasons began with
  * @param players   of a game
  * @param lowerScoreIsBetter where each plays alone: whether the lower of two scores on a map is the better one
  */
@@ -24,7 +24,7 @@ public record Season(String key, String sceneName, String sceneKey, String limit
         String sceneKey = SceneKey.of(scene);
         String limits = scene.time().firstAnswerMs() + " ms, " + scene.time().answerMs() + " ms, "
             + settings.limits();
-        String rules = setup.plan().law().key() + " " + scene.accuracy().text() + " " + scene.angles();
+        String rules = setup.plan().law().key() + " " + scene.accuracy().text() + " CORRECTLY_ROUNDED";
         return of(scene.name(), sceneKey, limits, rules, scene.players(), setup.create(0).lowerScoreIsBetter());
     }
 

@@ -20,22 +20,13 @@ public enum Arithmetic {
      * positions at impacts, impulses and new velocities are computed in double-double and rounded once, when they are
      * stored.
      */
-    EXACT,
-
-    /**
-     * As {@link #OFFICIAL}, but an impulse is divided by the mass instead of multiplied by its inverse: what replays of
-     * formats 1 and 2 were made with. No scene can ask for it.
-     */
-    FORMER_OFFICIAL;
-
-    /** Those that a scene can ask for, in the order of accuracy. */
-    public static final List<Arithmetic> OF_SCENES = List.of(OFFICIAL, DOUBLE, COMPENSATED, EXACT);
+    EXACT;
 
     /** True if decisions are exact. */
     public boolean isExact() {
         return switch (this) {
             case EXACT -> true;
-            case OFFICIAL, FORMER_OFFICIAL, DOUBLE, COMPENSATED -> false;
+            case OFFICIAL, DOUBLE, COMPENSATED -> false;
         };
     }
 
@@ -43,7 +34,7 @@ public enum Arithmetic {
     public boolean isOfficial() {
         return switch (this) {
             case OFFICIAL -> true;
-            case FORMER_OFFICIAL, DOUBLE, COMPENSATED, EXACT -> false;
+            case DOUBLE, COMPENSATED, EXACT -> false;
         };
     }
 
@@ -51,7 +42,7 @@ public enum Arithmetic {
     public boolean isCompensated() {
         return switch (this) {
             case COMPENSATED -> true;
-            case OFFICIAL, FORMER_OFFICIAL, DOUBLE, EXACT -> false;
+            case OFFICIAL, DOUBLE, EXACT -> false;
         };
     }
 

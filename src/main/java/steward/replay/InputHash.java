@@ -8,13 +8,12 @@ import steward.numerics.SplitMix64;
 import steward.numerics.StateHash;
 
 /**
- * A hash of a line of a replay; in formats 1 and 2, of those of its fields that do not follow from the game.
+ * Hash of a line of a replay.
  * Verification plays the game again and compares the outcome; fields that have no effect on it (a slightly different
  * target, a message, the name of a bot) are protected by this hash alone. It detects damage and edits, but not an edit
  * after which the hash was computed again: signatures are for that.
  *
- * <p>Bytes of JSON are hashed eight at a time (little-endian, the last word padded with zeros), then their count. In
- * format 1 of a replay they were hashed one by one, as signed bytes, without the count. From format 3 on every complete
+ * <p>Bytes of JSON are hashed eight at a time (little-endian, the last word padded with zeros), then their count. Every complete
  * block of 32 bytes feeds four independent hashes, eight bytes each, because a processor computes four at once in
  * little more time than one; their values enter the hash first, then the remaining bytes as before.
  */
@@ -23,8 +22,6 @@ public final class InputHash {
 
     private static final VarHandle EIGHT_BYTES =
         MethodHandles.byteArrayViewVarHandle(long[].class, ByteOrder.LITTLE_ENDIAN);
-    private static final int BYTE_BY_BYTE = 1;
-    private static final int FOUR_AT_ONCE = 3;
     private static final int FOUR_TIMES_EIGHT = 32;
     /** The increment of {@link StateHash}. */
     private static final long GAMMA = 0x9E3779B97F4A7C15L;
@@ -35,15 +32,14 @@ public final class InputHash {
     /**
      * The bytes, then every text: its length and characters, or -1 for none.
      *
-     * @param format of the replay
      * @param bytes hold JSON as it is written
      * @param from  the first byte that counts
      * @param to    the byte behind the last
      * @param texts per kind (faults, messages, stderr) and player, or {@code null}
      */
-    public static String of(int format, byte[] bytes, int from, int to, String[]... texts) {
+    public static String of(byte[] bytes, int from, int to, String[]... texts) {
         StateHash hash = new StateHash();
-        add(hash, format, bytes, from, to);
+        add(hash, bytes, from, to);
         for (String[] ofPlayers : texts) {
             for (String text : ofPlayers) {
                 add(hash, text);
@@ -53,15 +49,9 @@ public final class InputHash {
     }
 
     /** Adds bytes of JSON. */
-    public static void add(StateHash hash, int format, byte[] bytes, int from, int to) {
+    public static void add(StateHash hash, byte[] bytes, int from, int to) {
         int at = from;
-        if (format == BYTE_BY_BYTE) {
-            while (at < to) {
-                hash.add((long) bytes[at++]);
-            }
-            return;
-        }
-        if (format >= FOUR_AT_ONCE && to - at >= FOUR_TIMES_EIGHT) {
+        if (to - at >= FOUR_TIMES_EIGHT) {
             at = addFourAtOnce(hash, bytes, at, to);
         }
         for (; at + Long.BYTES <= to; at += Long.BYTES) {

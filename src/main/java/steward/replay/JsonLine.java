@@ -71,9 +71,9 @@ public final class JsonLine {
         return new Value(nameFrom, token, token == JsonToken.VALUE_NULL ? null : in.getString(), -1, -1);
     }
 
-    /** The hash of all that stands before a field, without the comma between, in a format of replays. */
-    public String hashBefore(String name, int format) {
-        return InputHash.of(format, bytes, 0, Math.max(0, values.get(name).nameFrom() - 1));
+    /** The hash of all that stands before a field, without the comma between. */
+    public String hashBefore(String name) {
+        return InputHash.of(bytes, 0, Math.max(0, values.get(name).nameFrom() - 1));
     }
 
     /** The names of its fields, in their order. */

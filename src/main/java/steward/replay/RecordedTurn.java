@@ -12,7 +12,7 @@ import tools.jackson.core.ObjectReadContext;
  * @param number    counted from 1
  * @param commands  the array of commands, one per player or null, as JSON
  * @param faults    per player why it failed in this turn, or null
- * @param hash      of the line; in formats 1 and 2 of what the players did
+ * @param hash      of the line
  * @param outcome   impacts, paths, events, state and hash, as JSON
  * @param messages  per player, or null
  * @param stderr    per player what it wrote, or null
@@ -22,11 +22,10 @@ import tools.jackson.core.ObjectReadContext;
 public record RecordedTurn(int number, byte[] commands, String[] faults, String hash, byte[] outcome, String[] messages,
                            String[] stderr, byte[] times, String where) {
 
-    static RecordedTurn of(JsonLine line, int players, int format) {
-        boolean earlier = format < LineFields.ANGLES_SINCE;
-        (earlier ? LineFields.EARLIER_TURN : LineFields.TURN).check(line, format);
+    static RecordedTurn of(JsonLine line, int players) {
+        LineFields.TURN.check(line);
         return new RecordedTurn(line.integer("turn"), line.array("commands"), line.texts("faults", players),
-            line.text(earlier ? LineFields.INPUT_HASH : LineFields.TURN_HASH), line.object("outcome"),
+            line.text(LineFields.TURN_HASH), line.object("outcome"),
             line.texts("messages", players), line.texts("stderr", players),
             line.has(LineFields.TIMES) ? line.object(LineFields.TIMES) : null, line.where());
     }

@@ -4,7 +4,6 @@ import java.util.Collections;
 import java.util.List;
 import steward.Internal;
 import steward.match.Protocol;
-import steward.numerics.Angles;
 
 /**
  * What a replay says of its match before the first turn.
@@ -17,18 +16,18 @@ import steward.numerics.Angles;
  * @param protocols  the languages they speak, in order
  * @param timeFactor by which the scene's limits were multiplied; {@code POSITIVE_INFINITY} for no deadlines
  * @param law        the version of the law of the scene's rung
- * @param angles     where the sines and cosines of the game came from
  * @param signer     the public key of the signer, as {@link steward.replay.sign.SignerKey#text}; or
  *                   {@code null}
  * @param sandbox    at which level bots were kept apart, or {@code null} where that is not known; it is written with
  *                   what was measured, is neither hashed nor signed, and is not read
  */
 public record ReplayHeader(String game, String scene, long seed, List<String> names, List<String> bots,
-                           List<Protocol> protocols, double timeFactor, int law, @Internal Angles angles,
-                           String signer, String sandbox) {
+                           List<Protocol> protocols, double timeFactor, int law, String signer, String sandbox) {
 
-    /** The version of the format that is written, and the newest that is read. */
+    /** The version of the format. */
     public static final int FORMAT = 3;
+    /** Word of the header for sines and cosines that are the doubles nearest to the true values. */
+    static final String ANGLES = "correctly-rounded";
     /** The value of {@code type} in the first line. */
     public static final String TYPE = "steward-replay";
     /** How every replay begins, up to the number of its format. */
@@ -45,25 +44,24 @@ public record ReplayHeader(String game, String scene, long seed, List<String> na
     /** A match of which it is not known how bots were kept apart. */
     @Internal
     public ReplayHeader(String game, String scene, long seed, List<String> names, List<String> bots,
-                        List<Protocol> protocols, double timeFactor, int law, Angles angles, String signer) {
-        this(game, scene, seed, names, bots, protocols, timeFactor, law, angles, signer, null);
+                        List<Protocol> protocols, double timeFactor, int law, String signer) {
+        this(game, scene, seed, names, bots, protocols, timeFactor, law, signer, null);
     }
 
-    /** An unsigned match by law 1, with the angles that matches are played with. */
+    /** An unsigned match by law 1. */
     public ReplayHeader(String game, String scene, long seed, List<String> names, List<String> bots,
                         List<Protocol> protocols, double timeFactor) {
-        this(game, scene, seed, names, bots, protocols, timeFactor, 1, Angles.CURRENT, null, null);
+        this(game, scene, seed, names, bots, protocols, timeFactor, 1, null, null);
     }
 
     /** The same, signed; or unsigned for {@code null}. */
     ReplayHeader signedBy(String key) {
-        return new ReplayHeader(game, scene, seed, names, bots, protocols, timeFactor, law, angles, key, sandbox);
+        return new ReplayHeader(game, scene, seed, names, bots, protocols, timeFactor, law, key, sandbox);
     }
 
     /** The same, played by a version of the law: that of the scene's plan, where it is not the first. */
     public ReplayHeader ofLaw(int version) {
-        return new ReplayHeader(game, scene, seed, names, bots, protocols, timeFactor, version, angles, signer,
-            sandbox);
+        return new ReplayHeader(game, scene, seed, names, bots, protocols, timeFactor, version, signer, sandbox);
     }
 
     /** A match between players that all use JSON. */

@@ -74,7 +74,7 @@ public final class ReplayLines {
         if (header.law() > 1) {
             out.writeNumberProperty(LineFields.LAW, header.law());
         }
-        out.writeStringProperty("angles", header.angles().word());
+        out.writeStringProperty("angles", ReplayHeader.ANGLES);
         out.writeStringProperty("game", header.game());
         out.writeStringProperty("seed", Long.toString(header.seed()));
         out.writeArrayPropertyStart("players");
@@ -276,7 +276,7 @@ public final class ReplayLines {
     /** The hash of the line so far. */
     private void writeHash(SerializedString name) {
         out.flush();
-        InputHash.add(hash.reset(), ReplayHeader.FORMAT, line.bytes(), 0, line.size());
+        InputHash.add(hash.reset(), line.bytes(), 0, line.size());
         out.writeName(name);
         JsonNumbers.writeHash(out, hash.value());
     }

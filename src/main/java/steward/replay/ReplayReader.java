@@ -15,7 +15,6 @@ import java.util.Arrays;
 import java.util.List;
 import steward.Internal;
 import steward.match.Protocol;
-import steward.numerics.Angles;
 import steward.replay.sign.SignerKey;
 import steward.scene.json.JsonProblem;
 import tools.jackson.core.JacksonException;
@@ -108,12 +107,16 @@ public final class ReplayReader implements AutoCloseable {
 
     private static ReplayHeader header(JsonLine line) {
         int format = line.integer("format");
-        if (format > ReplayHeader.FORMAT || format < 1) {
+        if (format != ReplayHeader.FORMAT) {
             throw new ReplayException(line.where() + ": format: found " + format + ", expected "
-                + (format < 1 ? "at least 1" : "at most " + ReplayHeader.FORMAT
-                + ": a newer version of Steward wrote this replay"));
+                + ReplayHeader.FORMAT + (format > ReplayHeader.FORMAT ? ": a newer version of Steward wrote this replay"
+                : "; formats 1 and 2 are no longer read"));
         }
-        LineFields.HEADER.check(line, format);
+        LineFields.HEADER.check(line);
+        if (!line.text("angles").equals(ReplayHeader.ANGLES)) {
+            throw new ReplayException(line.where() + ": angles: found " + JsonLine.quoted(line.text("angles"))
+                + ", expected \"" + ReplayHeader.ANGLES + '"');
+        }
         String[] names = line.textsOf("players", "name");
         String[] bots = line.textsOf("players", "bot");
         for (int player = 0; player < Math.max(1, names.length); player++) {
@@ -133,7 +136,7 @@ public final class ReplayReader implements AutoCloseable {
         return new ReplayHeader(line.text("game"), new String(line.object("scene"), StandardCharsets.UTF_8), seed,
             List.of(names), List.of(bots), protocols(line, names.length),
             line.number("timeFactor", Double.POSITIVE_INFINITY),
-            law(line), format < LineFields.ANGLES_SINCE ? Angles.FDLIBM : angles(line), signer(line));
+            law(line), signer(line));
     }
 
     private static int law(JsonLine line) {
@@ -142,12 +145,6 @@ public final class ReplayReader implements AutoCloseable {
             throw new ReplayException(line.where() + ": law: found " + law + ", expected at least 2, or none for 1");
         }
         return law;
-    }
-
-    private static Angles angles(JsonLine line) {
-        String word = line.text("angles");
-        return Angles.of(word).orElseThrow(() -> new ReplayException(line.where() + ": angles: found "
-            + JsonLine.quoted(word) + ", expected " + Angles.words() + "; a newer version of Steward may know others"));
     }
 
     private static String signer(JsonLine line) {
@@ -180,11 +177,6 @@ public final class ReplayReader implements AutoCloseable {
     /** The header, or {@code null} if the file was cut off within it ({@link #warning} says so). */
     public ReplayHeader header() {
         return header;
-    }
-
-    /** The version of the format; only with a header. */
-    public int format() {
-        return headerLine.integer("format");
     }
 
     /** Whether another referee played the match, and only what was observed of it is recorded; only with a header. */
@@ -240,12 +232,12 @@ public final class ReplayReader implements AutoCloseable {
         }
         switch (line.text("type")) {
             case "turn" -> {
-                RecordedTurn turn = RecordedTurn.of(line, header.names().size(), format());
+                RecordedTurn turn = RecordedTurn.of(line, header.names().size());
                 lastTurn = turn.number();
                 return turn;
             }
             case "result" -> {
-                LineFields.RESULT.check(line, format());
+                LineFields.RESULT.check(line);
                 result = line;
                 readSignature();
                 return null;
@@ -268,7 +260,7 @@ public final class ReplayReader implements AutoCloseable {
                 throw new ReplayException(line.where() + ": type: found "
                     + JsonLine.quoted(line.text("type")) + ", expected \"signature\"");
             }
-            LineFields.SIGNATURE.check(line, format());
+            LineFields.SIGNATURE.check(line);
             signature = line;
             bytes = readLine();
         }

@@ -49,7 +49,7 @@ public final class TranscriptDigest {
 
     private void add() {
         out.flush();
-        InputHash.add(hash, ReplayHeader.FORMAT, commands.bytes(), 0, commands.size());
+        InputHash.add(hash, commands.bytes(), 0, commands.size());
     }
 
     /** Adds the state after the turn. */

@@ -12,8 +12,5 @@
  * in {@link steward.replay.ReplayLines}, what is signed in {@link steward.replay.sign.LinesDigest}. What a game tells
  * of a turn, a start or an end is its own: it is written again and compared as a whole, so that a new game, zones that
  * come and go, scores and resources (see {@link steward.game.StateCodec#writeProgress}) need no other format.
- *
- * <p>Format 2 had the hash of a turn behind its commands, of the commands and texts alone, and named no angles: they
- * are those of fdlibm. In format 1 bytes entered the hashes one by one. Both are read, none is written.
  */
 package steward.replay;

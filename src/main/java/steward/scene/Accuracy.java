@@ -1,6 +1,7 @@
 package steward.scene;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -89,7 +90,7 @@ public record Accuracy(Way way, int steps, Arithmetic arithmetic) {
         for (int steps = 1; steps <= StepAdvance.MOST_STEPS; steps *= 2) {
             rungs.add(step(steps));
         }
-        Arithmetic.OF_SCENES.stream().map(Accuracy::event).forEach(rungs::add);
+        Arrays.stream(Arithmetic.values()).map(Accuracy::event).forEach(rungs::add);
         return List.copyOf(rungs);
     }
 
@@ -168,12 +169,6 @@ public record Accuracy(Way way, int steps, Arithmetic arithmetic) {
             : usesOfficialLoop(parts, bodies) ? new OfficialAdvance(parts) : advance(parts);
     }
 
-    /** The advance that played replays of formats 1 and 2 on this rung. */
-    Advance formerAdvance(PhysicsParts parts, int bodies) {
-        Advance present = advance(parts, bodies);
-        return present instanceof EventAdvance ? EventAdvance.ofFormerReplays(parts) : present;
-    }
-
     /** Whether that is {@link QueueAdvance}: cells and an event queue instead of a scan of all pairs. */
     boolean usesCells(ImpactLaw law, Contacts contacts, int bodies) {
         return way == Way.EVENT && bodies >= FEWEST_FOR_CELLS && QueueAdvance.refusal(law, contacts) == null;
@@ -198,7 +193,7 @@ public record Accuracy(Way way, int steps, Arithmetic arithmetic) {
     /** The arithmetics by their names, in the order of accuracy. */
     static Map<String, Arithmetic> arithmetics() {
         Map<String, Arithmetic> names = new LinkedHashMap<>();
-        for (Arithmetic arithmetic : Arithmetic.OF_SCENES) {
+        for (Arithmetic arithmetic : Arithmetic.values()) {
             names.put(arithmetic.text(), arithmetic);
         }
         return names;

@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import steward.Internal;
-import steward.numerics.Angles;
 import steward.physics.Advance;
 import steward.physics.Arithmetic;
 import steward.physics.Contacts;
@@ -106,13 +105,9 @@ public final class Plan {
         return RungLaw.of(scene.accuracy(), impacts());
     }
 
-    /**
-     * The version of the law that a match is recorded with. Matches of replays of formats 1 and 2 play by law 1, except
-     * in a crowd: no law has changed the loop that is kept for them.
-     */
+    /** The version of the law that a match is recorded with. */
     public int lawVersion() {
-        return scene.angles() == Angles.FDLIBM && !scene.accuracy().usesCells(scene.law(), contacts, bodies) ? 1
-            : law().version();
+        return law().version();
     }
 
     /**
@@ -122,8 +117,7 @@ public final class Plan {
      */
     public Advance advance(Reaction reaction) {
         PhysicsParts physics = physics(reaction);
-        Advance advance = scene.angles() == Angles.FDLIBM ? scene.accuracy().formerAdvance(physics, bodies)
-            : scene.accuracy().advance(physics, bodies);
+        Advance advance = scene.accuracy().advance(physics, bodies);
         return scene.observer().observe(physics, advance);
     }
 
@@ -138,8 +132,7 @@ public final class Plan {
     }
 
     private Arithmetic arithmetic() {
-        Arithmetic asked = scene.accuracy().arithmetic();
-        return asked.isOfficial() && scene.angles() == Angles.FDLIBM ? Arithmetic.FORMER_OFFICIAL : asked;
+        return scene.accuracy().arithmetic();
     }
 
     private Part pairImpacts() {

@@ -55,7 +55,7 @@ public enum RungLaw {
         return switch (rung.way()) {
             case STEP -> STEP;
             case EVENT -> switch (rung.arithmetic()) {
-                case OFFICIAL, FORMER_OFFICIAL -> rest ? OFFICIAL_WITH_REST : OFFICIAL;
+                case OFFICIAL -> rest ? OFFICIAL_WITH_REST : OFFICIAL;
                 case DOUBLE -> rest ? DOUBLE_WITH_REST : DOUBLE;
                 case COMPENSATED -> rest ? COMPENSATED_WITH_REST : COMPENSATED;
                 case EXACT -> rest ? EXACT_WITH_REST : EXACT;

@@ -2,7 +2,6 @@ package steward.scene;
 
 import java.util.Optional;
 import steward.Internal;
-import steward.numerics.Angles;
 import steward.physics.ImpactLaw;
 import steward.physics.Motion;
 import steward.scene.json.Block;
@@ -19,15 +18,12 @@ import steward.scene.json.Block;
  * @param motion           what happens to speeds and positions at the end of a turn, in which order
  * @param time             time limits of the players
  * @param choice           the rung it is computed on, and how it was chosen
- * @param angles           where sines and cosines come from: not part of the file, but chosen when a match is played or
- *                         played again
  * @param observer         observes the advances that games of this scene take from their plan
  * @param root             the whole file, from which the game reads its own blocks; the game calls {@link Block#done()}
  *                         at the end
  */
 public record Scene(String name, String gameId, int players, Optional<Field> field, ImpactLaw law, double drag,
-                    Motion motion, Time time, AccuracyChoice choice, @Internal Angles angles,
-                    @Internal PhysicsObserver observer, Block root) {
+                    Motion motion, Time time, AccuracyChoice choice, @Internal PhysicsObserver observer, Block root) {
 
     /** Made by {@link SceneReader}. */
     @Internal
@@ -52,15 +48,7 @@ public record Scene(String name, String gameId, int players, Optional<Field> fie
     /** The same scene with another observer, for measurements inside turns. */
     @Internal
     public Scene withObserver(PhysicsObserver other) {
-        return new Scene(name, gameId, players, field, law, drag, motion, time, choice,
-            angles, other, root);
-    }
-
-    /** The same scene with other sines and cosines: for playing again what was played with them. */
-    @Internal
-    public Scene withAngles(Angles other) {
-        return new Scene(name, gameId, players, field, law, drag, motion, time, choice, other,
-            observer, root);
+        return new Scene(name, gameId, players, field, law, drag, motion, time, choice, other, root);
     }
 
     /**

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
-import steward.numerics.Angles;
 import steward.physics.ImpactLaw;
 import steward.physics.ImpactLaw.Restitution;
 import steward.physics.ImpactLaw.ScanOrder;
@@ -72,7 +71,7 @@ public final class SceneReader {
         return new Scene(name, game, players, field, law, drag,
             motion.map(block -> motion(block, drag > 0)).orElse(new Motion(List.of())),
             new Time(time.integer("firstAnswerMs", 1, MOST_MS), time.integer("answerMs", 1, MOST_MS)),
-            choice, Angles.CURRENT, PhysicsObserver.NONE,
+            choice, PhysicsObserver.NONE,
             choice.stated() ? root : root.with("accuracy", choice.rung().json()));
     }
 

@@ -17,7 +17,6 @@ import steward.league.LeagueBot;
 import steward.league.LeagueSettings;
 import steward.match.Protocol;
 import steward.match.TestScenes;
-import steward.numerics.Angles;
 import steward.replay.ReplayHeader;
 import steward.scene.Scene;
 
@@ -29,10 +28,10 @@ class RecordCopiesTest {
 
     /** One of each record that has such methods, no component of it the usual one. */
     static List<Record> records() {
-        Scene scene = TestScenes.open("walled-race").scene().withAngles(Angles.FDLIBM);
+        Scene scene = TestScenes.open("walled-race").scene();
         return List.of(LAW, new PhysicsParts(LAW, Arithmetic.DOUBLE, new Contacts(2), Arrays.asList(Wall.box(9, 9, 1)),
             null, true), scene, new ReplayHeader("g", "{}", 3, List.of("a"), List.of("b"), List.of(Protocol.JSON), 2, 4,
-            Angles.FDLIBM, "s", "light"), LeagueSettings.usual("duel", 5).with("a", 3, KeptReplays.values()[1]));
+            "s", "light"), LeagueSettings.usual("duel", 5).with("a", 3, KeptReplays.values()[1]));
     }
 
     @ParameterizedTest

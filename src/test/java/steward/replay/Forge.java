@@ -30,7 +30,7 @@ public final class Forge {
         }
         String before = line.substring(0, line.lastIndexOf(",\"", hash.start() - 1));
         byte[] bytes = before.getBytes(StandardCharsets.UTF_8);
-        return line.substring(0, hash.start()) + InputHash.of(ReplayHeader.FORMAT, bytes, 0, bytes.length)
+        return line.substring(0, hash.start()) + InputHash.of(bytes, 0, bytes.length)
             + line.substring(hash.end());
     }
 

@@ -43,9 +43,9 @@ class RefusedReplayTest {
 
     @Test
     void aNewerFormat() {
-        assertEquals("r.jsonl:1: format: found 4, expected at most 3: a newer version of Steward wrote this replay",
+        assertEquals("r.jsonl:1: format: found 4, expected 3: a newer version of Steward wrote this replay",
             refusal("{\"type\":\"steward-replay\",\"format\":4,\"whatever\":[]}\n"));
-        assertEquals("r.jsonl:1: format: found 0, expected at least 1",
+        assertEquals("r.jsonl:1: format: found 0, expected 3; formats 1 and 2 are no longer read",
             refusal("{\"type\":\"steward-replay\",\"format\":0}\n"));
     }
 

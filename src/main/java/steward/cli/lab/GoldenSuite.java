@@ -22,7 +22,7 @@ final class GoldenSuite {
 
     /** How many parts there are, of all games. */
     static int count() {
-        return GoldenHash.WORLDS * Rung.all().size() + SceneFiles.shipped().size() * (Arithmetic.OF_SCENES.size() + 1);
+        return GoldenHash.WORLDS * Rung.all().size() + SceneFiles.shipped().size() * (Arithmetic.values().length + 1);
     }
 
     /**
@@ -47,7 +47,7 @@ final class GoldenSuite {
         List<String> scenes = SceneFiles.shipped().stream()
             .filter(scene -> Games.open(scene).scene().gameId().equals(game)).toList();
         for (String scene : scenes) {
-            for (Arithmetic arithmetic : Arithmetic.OF_SCENES) {
+            for (Arithmetic arithmetic : Arithmetic.values()) {
                 parts.add(play(scene, "\"accuracy\": {\"advance\": \"event\", \"arithmetic\": \"" + arithmetic.text()
                     + "\"}", arithmetic.text(), turns));
                 after.run();

@@ -9,7 +9,7 @@ import steward.Internal;
 import steward.game.AbstractGame;
 import steward.game.AngleVariants;
 import steward.game.TurnEvent;
-import steward.numerics.Angles;
+import steward.numerics.SineCosine;
 import steward.numerics.SplitMix64;
 import steward.numerics.StrictAngles;
 import steward.physics.Advance;
@@ -42,13 +42,14 @@ public final class PodRace extends AbstractGame {
 
     private final PodRaceSettings settings;
     private final Plan plan;
-    private final Angles angles;
     private final double[][] checkpoints;
     private final List<IntFunction<String>> passTexts;
     private final Bodies bodies;
     private final Advance advance;
     private final Motion motion;
-    private final RaceRules rules;
+    private final SineCosine direction = new SineCosine();
+    private final double reachOfPath;
+    private final double reachOfEnd;
     private final RaceStanding standing = new RaceStanding(this);
 
     private final double[] heading;
@@ -86,8 +87,8 @@ public final class PodRace extends AbstractGame {
         this.plan = plan;
         this.checkpoints = checkpoints;
         passTexts = passTexts();
-        angles = scene.angles();
-        rules = RaceRules.of(angles, settings);
+        reachOfPath = settings.rules().reachOfPath(settings.checkpointRadius());
+        reachOfEnd = settings.rules().reachOfEnd(settings.checkpointRadius());
         List<Bumper> bumpers = scene.field().map(field -> field.bumpers()).orElse(List.of());
         int pods = settings.pods();
         bodies = new Bodies(pods + bumpers.size());
@@ -119,8 +120,8 @@ public final class PodRace extends AbstractGame {
         super(other);
         settings = other.settings;
         plan = other.plan;
-        angles = other.angles;
-        rules = RaceRules.of(angles, settings);
+        reachOfPath = other.reachOfPath;
+        reachOfEnd = other.reachOfEnd;
         checkpoints = other.checkpoints;
         passTexts = other.passTexts;
         this.advance = advance;
@@ -145,7 +146,7 @@ public final class PodRace extends AbstractGame {
     }
 
     private void placePods(double drag) {
-        for (double[] place : rules.start(checkpoints, settings.pods())) {
+        for (double[] place : StartPlaces.of(checkpoints, settings.pods())) {
             int body = bodies.add(place[0], place[1], settings.radius(), settings.mass());
             bodies.setRestitution(body, settings.restitution());
             bodies.setDrag(body, drag);
@@ -168,7 +169,7 @@ public final class PodRace extends AbstractGame {
         for (int pod = 0; pod < settings.pods(); pod++) {
             startX[pod] = bodies.x[pod];
             startY[pod] = bodies.y[pod];
-            steer(pod, rules.countsWhenOut() || isIn(playerOf(pod)) ? thrust[pod] : NO_COMMAND);
+            steer(pod, thrust[pod]);                        // lines before a bad one take effect
             thrust[pod] = NO_COMMAND;
         }
         advance.turn(bodies, log);
@@ -189,7 +190,7 @@ public final class PodRace extends AbstractGame {
      */
     int steer(int pod, int command) {
         shieldTimer[pod] = command == SHIELD ? PodRaceSettings.SHIELD_TURNS : Math.max(0, shieldTimer[pod] - 1);
-        if (command != NO_COMMAND || !rules.keepsMass()) {
+        if (command != NO_COMMAND) {
             bodies.setMass(pod, command == SHIELD ? PodRaceSettings.SHIELD_MASS_FACTOR * settings.mass()
                 : settings.mass());
         }
@@ -207,9 +208,9 @@ public final class PodRace extends AbstractGame {
         if (shieldTimer[pod] != 0) {
             return 0;
         }
-        rules.point(heading[pod]);
-        double cos = rules.cos;
-        double sin = rules.sin;
+        direction.turn(heading[pod]);
+        double cos = direction.cos();
+        double sin = direction.sin();
         double length = Math.sqrt(cos * cos + sin * sin);
         bodies.vx[pod] += cos / length * power;
         bodies.vy[pod] += sin / length * power;
@@ -221,8 +222,7 @@ public final class PodRace extends AbstractGame {
         int after = 0;
         for (int pod = player * settings.podsPerPlayer(); pod < (player + 1) * settings.podsPerPlayer(); pod++) {
             before += passed[pod];
-            int most = rules.mostPasses(passed[pod], toFinish(), checkpoints.length);
-            for (; most > 0 && passesNext(pod); most--) {
+            for (int most = checkpoints.length; most > 0 && passesNext(pod); most--) {     // on behind the finish
                 passed[pod]++;
                 markCheckpoint(pod);
             }
@@ -233,8 +233,8 @@ public final class PodRace extends AbstractGame {
 
     private boolean passesNext(int pod) {
         double[] next = toPass(pod);
-        return rules.passes(log, bodies.id(pod), startX[pod], startY[pod], bodies.x[pod], bodies.y[pod],
-            next[0], next[1]);
+        return CheckpointSweep.passes(log, bodies.id(pod), startX[pod], startY[pod], bodies.x[pod], bodies.y[pod],
+            next[0], next[1], reachOfPath, reachOfEnd);
     }
 
     private void markCheckpoint(int pod) {
@@ -274,9 +274,11 @@ public final class PodRace extends AbstractGame {
         }
     }
 
+    /** All players who are out share the last rank. */
     @Override
     public int[] ranks() {
-        return ranks((one, other) -> rules.isAhead(standing, this, one, other));
+        return ranks((one, other) -> isIn(one) && isIn(other)
+            ? standing.isBetter(standing.bestPod(one), standing.bestPod(other)) : isIn(one) && !isIn(other));
     }
 
     /** Checkpoints passed by the best pod; -1 for an eliminated player. */
@@ -315,10 +317,7 @@ public final class PodRace extends AbstractGame {
         hash.reset().add(turn());
         for (int pod = 0; pod < settings.pods(); pod++) {
             hash.add(bodies.x[pod]).add(bodies.y[pod]).add(bodies.vx[pod]).add(bodies.vy[pod]).add(heading[pod])
-                .add(shieldTimer[pod]).add(boostLeft[pod]).add(passed[pod]);
-            if (rules.keepsMass()) {
-                hash.add(bodies.mass[pod]);
-            }
+                .add(shieldTimer[pod]).add(boostLeft[pod]).add(passed[pod]).add(bodies.mass[pod]);
         }
         for (int player = 0; player < settings.players(); player++) {
             hash.add(turnsLeft[player]).add(outTurn(player));

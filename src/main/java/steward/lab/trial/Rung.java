@@ -42,7 +42,7 @@ public record Rung(String name, boolean isEvent, boolean isExact, Arithmetic ari
             rungs.add(new Rung("step/" + steps, false, false, Arithmetic.DOUBLE,
                 parts -> new StepAdvance(parts, steps)));
         }
-        for (Arithmetic arithmetic : Arithmetic.OF_SCENES) {
+        for (Arithmetic arithmetic : Arithmetic.values()) {
             rungs.add(new Rung(arithmetic.text(), true, arithmetic.isExact(), arithmetic,
                 EventAdvance::new, QueueAdvance::new));
         }

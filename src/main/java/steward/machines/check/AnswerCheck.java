@@ -84,7 +84,7 @@ public final class AnswerCheck {
     /** Opens the scene of a match only if it is another one than that of the contest. */
     private Resimulation again(RecordedMatch match) {
         ReplayHeader header = match.header();
-        return header.scene().equals(scene) && header.angles() == contest.setup().scene().angles()
+        return header.scene().equals(scene)
             ? new Resimulation(contest.setup(), header.seed()) : new Resimulation(header, types, match.source());
     }
 

@@ -119,12 +119,11 @@ public final class ReplayCheck {
         }
         ReplayHeader wanted = new ReplayHeader(contest.setup().scene().gameId(), contest.setup().scene().json(),
             expected.seed(), expected.names(), header.bots(), expected.protocols(), contest.timeFactor(),
-            contest.setup().plan().lawVersion(), contest.setup().scene().angles(), header.signer(), header.sandbox());
-        String wrong = replay.format() != ReplayHeader.FORMAT ? "format" : replay.imported() ? "imported"
-            : !header.game().equals(wanted.game()) ? "game" : !header.scene().equals(wanted.scene()) ? "scene"
+            contest.setup().plan().lawVersion(), header.signer(), header.sandbox());
+        String wrong = replay.imported() ? "imported" : !header.game().equals(wanted.game()) ? "game" : !header.scene().equals(wanted.scene()) ? "scene"
             : header.seed() != wanted.seed() ? "seed" : !header.names().equals(wanted.names()) ? "players"
             : !header.protocols().equals(wanted.protocols()) ? "protocols"
-            : !header.equals(wanted) ? "timeFactor, law or angles" : null;
+            : !header.equals(wanted) ? "timeFactor or law" : null;
         if (wrong != null) {
             throw new DisprovedException(replay.source() + ":1: " + wrong + ": found that of another game, expected "
                 + "the game of seed " + expected.seed() + " between " + String.join(" and ", expected.names()));

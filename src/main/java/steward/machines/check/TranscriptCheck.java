@@ -157,7 +157,7 @@ public final class TranscriptCheck {
             }
             header = new ReplayHeader(contest.setup().scene().gameId(), scene,
                 expected.seed(), expected.names(), List.of(bots), expected.protocols(), contest.timeFactor(),
-                contest.setup().plan().lawVersion(), contest.setup().scene().angles(), null, head.text("sandbox"));
+                contest.setup().plan().lawVersion(), null, head.text("sandbox"));
             listener = replay == null ? null : new ReplayWriter(replay, header);
         }
 

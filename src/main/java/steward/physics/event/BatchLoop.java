@@ -1,6 +1,5 @@
 package steward.physics.event;
 
-import steward.physics.Arithmetic;
 import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
@@ -26,8 +25,7 @@ final class BatchLoop {
     private final ContactResponse response;
     private final Standstill standstill;
 
-    /** @param former whether it plays a replay of formats 1 or 2, in which nothing slides */
-    BatchLoop(PhysicsParts parts, boolean former) {
+    BatchLoop(PhysicsParts parts) {
         Wall[] walls = parts.walls().toArray(new Wall[0]);
         law = parts.law();
         Collision collision;
@@ -41,14 +39,12 @@ final class BatchLoop {
             flight = new ExactFlight(refining, lows);
             collision = Collision.ofExact(law, walls, pairs, wallTimes, lows);
         } else {
-            scans = Scan.of(parts, former ? PairTime.ofFormerReplays(law, parts.arithmetic())
-                : PairTime.of(law, parts.arithmetic()));
+            scans = Scan.of(parts, PairTime.of(law, parts.arithmetic()));
             queue = ImpactQueue.of(law);
             flight = new Flight.Plain();
-            collision = Collision.of(law, former && parts.arithmetic().isCompensated() ? Arithmetic.DOUBLE
-                : parts.arithmetic(), walls);
+            collision = Collision.of(law, parts.arithmetic(), walls);
         }
-        response = ContactResponse.of(parts, former ? collision.ofFormerReplays() : collision, walls);
+        response = ContactResponse.of(parts, collision, walls);
         standstill = new Standstill(parts);
     }
 

@@ -33,22 +33,10 @@ public final class EventAdvance implements Advance {
 
     /** @param parts of the scene; what they lack is not searched for */
     public EventAdvance(PhysicsParts parts) {
-        this(parts, false);
-    }
-
-    private EventAdvance(PhysicsParts parts, boolean former) {
         boolean together = parts.law().batchWindow() > 0 || parts.law().separatingPairsReact();
         this.parts = parts;
-        batches = former || together ? new BatchLoop(parts, former) : null;
-        flights = former || together ? null : new FlightLoop(parts);
-    }
-
-    /**
-     * The loop that replays of formats 1 and 2 were made with: it moves all bodies at every impact under any law, which
-     * rounds every time, and knows neither sliding nor rest.
-     */
-    public static EventAdvance ofFormerReplays(PhysicsParts parts) {
-        return new EventAdvance(parts, true);
+        batches = together ? new BatchLoop(parts) : null;
+        flights = together ? null : new FlightLoop(parts);
     }
 
     @Override

@@ -31,7 +31,7 @@ public final class Collision {
     private final double pushOut;
     private final Wall[] walls;
     /** Whether bodies can slide along an arena. */
-    private boolean slides;
+    private final boolean slides;
 
     private Collision(ImpactLaw law, Wall[] walls, ImpulseSolver solver) {
         this.solver = solver;
@@ -54,7 +54,6 @@ public final class Collision {
     public static Collision of(ImpactLaw law, Arithmetic arithmetic, Wall[] walls) {
         return new Collision(law, walls, switch (arithmetic) {
             case OFFICIAL -> new PlainSolver.Official();
-            case FORMER_OFFICIAL -> new PlainSolver();
             case DOUBLE -> law.minimumImpulse() > 0 ? new PlainSolver() : new CompensatedSolver(false);
             case COMPENSATED -> law.minimumImpulse() > 0 ? new PlainSolver() : new CompensatedSolver(true);
             case EXACT -> throw new IllegalArgumentException("exact reactions need exact times: ofExact");
@@ -65,13 +64,6 @@ public final class Collision {
     public static Collision ofExact(ImpactLaw law, Wall[] walls, ExactPairs pairs, ExactWalls wallTimes,
                                     LowParts lows) {
         return new Collision(law, walls, new ExactSolver(law, pairs, wallTimes, lows));
-    }
-
-    /** Reacts as in replays of formats 1 and 2: every contact with an arena is a bounce. */
-    public Collision ofFormerReplays() {
-        slides = false;
-        solver.useFormerBits();
-        return this;
     }
 
     /** @param b an index, or {@code ~wall} */

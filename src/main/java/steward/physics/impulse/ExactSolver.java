@@ -41,7 +41,6 @@ final class ExactSolver extends ImpulseSolver {
     private final boolean hasMinimum;
     private final boolean hasMinimumAtWalls;
     private final CentralImpact central = new CentralImpact();
-    private boolean former;
     private final ImpulseRegister q = new ImpulseRegister();
     private final DoubleDouble normalX = new DoubleDouble();
     private final DoubleDouble normalY = new DoubleDouble();
@@ -68,16 +67,10 @@ final class ExactSolver extends ImpulseSolver {
         hasMinimumAtWalls = hasMinimum && law.minimumImpulseAtWalls();
     }
 
-    /** Computes without {@link CentralImpact}, and removes a residual approach along the normal only. */
-    @Override
-    void useFormerBits() {
-        former = true;
-    }
-
     @Override
     void exchange(Bodies bodies, int a, int b, double restitution, Impulse rule, SolvedImpulse solved) {
         computeDirection(bodies, a, b);
-        if (!hasMinimum && !former && areSlow(bodies, a, b)) {
+        if (!hasMinimum && areSlow(bodies, a, b)) {
             exchangeSlow(bodies, a, b, restitution, rule, solved);
             return;
         }
@@ -157,7 +150,7 @@ final class ExactSolver extends ImpulseSolver {
         double massA = bodies.mass[a];
         double massB = bodies.mass[b];
         double speed = q.high * length;
-        boolean isCentral = !former && central.direction(dx, dxLow, dy, dyLow).squared(q.squared, q.squaredLow)
+        boolean isCentral = central.direction(dx, dxLow, dy, dyLow).squared(q.squared, q.squaredLow)
             .isCentral(bodies.vx[a], bodies.vx[b], bodies.vy[a], bodies.vy[b], q.high * q.squared);
         q.multiplyByOnePlus(restitution);
         double size = q.high;
@@ -260,10 +253,8 @@ final class ExactSolver extends ImpulseSolver {
         }
         double x = bodies.x[b] - bodies.x[a];
         double y = bodies.y[b] - bodies.y[a];
-        if (!former) {
-            roundApart(bodies, a, -x, -y);
-            roundApart(bodies, b, x, y);
-        }
+        roundApart(bodies, a, -x, -y);
+        roundApart(bodies, b, x, y);
         double size = Math.max(Math.abs(x), Math.abs(y));
         super.separate(bodies, a, b, x / size, y / size, speeds);
     }

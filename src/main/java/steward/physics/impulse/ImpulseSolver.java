@@ -38,11 +38,6 @@ abstract sealed class ImpulseSolver permits PlainSolver, ExactSolver {
         // here positions are as stored
     }
 
-    /** Computes the bits of replays of formats 1 and 2. */
-    void useFormerBits() {
-        // they are the same
-    }
-
     /*
      * Rounding can leave a residual approach after an impulse that should have ended it (restitution 0 or nearly 0).
      * Where only approach reacts, the pair would react again and again at the same instant, each impulse too small to

@@ -56,16 +56,11 @@ public abstract sealed class CircleTime permits CircleTime.Official, CircleTime.
     /** @return an instance for one thread at a time; {@code null} for {@code EXACT}, see {@link ExactPairs} */
     public static CircleTime of(Arithmetic arithmetic) {
         return switch (arithmetic) {
-            case OFFICIAL, FORMER_OFFICIAL -> new Official();
+            case OFFICIAL -> new Official();
             case DOUBLE -> new Stable();
-            case COMPENSATED -> new CompensatedCircles(false);
+            case COMPENSATED -> new CompensatedCircles();
             case EXACT -> null;
         };
-    }
-
-    /** The same for replays of formats 1 and 2, in which the compensated arithmetic rounded differences first. */
-    static CircleTime ofFormerReplays(Arithmetic arithmetic) {
-        return arithmetic.isCompensated() ? new CompensatedCircles(true) : of(arithmetic);
     }
 
     /**

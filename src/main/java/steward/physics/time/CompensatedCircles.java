@@ -36,22 +36,16 @@ public final class CompensatedCircles extends CircleTime {
     /** Times this near the end of the turn are compared with it by the places then. */
     private static final double NEAR_END = 0x1p-30;
 
-    private final boolean roundsDifferences;
     private final DoubleDouble left = new DoubleDouble();
     private final DoubleDouble vx = new DoubleDouble();
     private final DoubleDouble vy = new DoubleDouble();
     private final DoubleDouble ex = new DoubleDouble();
     private final DoubleDouble ey = new DoubleDouble();
 
-    /** @param roundsDifferences whether differences are always rounded first */
-    CompensatedCircles(boolean roundsDifferences) {
-        this.roundsDifferences = roundsDifferences;
-    }
-
     @Override
     public double until(double x1, double x2, double y1, double y2, double vx1, double vx2, double vy1, double vy2,
                         double r1, double r2, boolean separatingReact) {
-        return separatingReact || roundsDifferences
+        return separatingReact
             ? super.until(x1, x2, y1, y2, vx1, vx2, vy1, vy2, r1, r2, separatingReact)
             : circles(x1, x2, y1, y2, vx1, vx2, vy1, vy2, r1, r2);
     }

@@ -24,11 +24,6 @@ public abstract sealed class PairTime permits PairTime.OfCircles, PairTime.Overl
         return new OfCircles(CircleTime.of(arithmetic), law.separatingPairsReact());
     }
 
-    /** The same for replays of formats 1 and 2. */
-    public static PairTime ofFormerReplays(ImpactLaw law, Arithmetic arithmetic) {
-        return new OfCircles(CircleTime.ofFormerReplays(arithmetic), law.separatingPairsReact());
-    }
-
     /** By {@link CircleTime}, of pairs that are not surely too far. */
     static final class OfCircles extends PairTime {
 

@@ -1,40 +1,261 @@
 package steward.replay.verify;
 
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import steward.bot.LineBuffer;
+import steward.game.AngleVariants;
 import steward.game.Game;
+import steward.game.JsonNumbers;
+import steward.match.MatchResult;
+import steward.match.Turn;
+import steward.replay.JsonLine;
 import steward.replay.RecordedTurn;
+import steward.replay.ReplayHeader;
+import steward.replay.ReplayLines;
+import steward.replay.ReplayReader;
+import tools.jackson.core.JsonGenerator;
+import tools.jackson.core.ObjectWriteContext;
 
-/** Compares the lines of a replay with a match that is played again; one per format. */
-interface LineCheck {
+/**
+ * Comparison of recorded lines with a match that is played again. Every line is written again, from what is recorded of
+ * the players and what follows from the game, and its bytes up to {@code times} are compared: nothing can be added,
+ * left out, doubled, moved or spelled in another way. If they differ, the first difference is looked for.
+ */
+final class LineCheck {
 
-    /** Compares the header, before the first turn; {@code null} if it agrees. */
-    Difference header();
+    private static final int OUTCOME_NAME = ",\"outcome\":".length();
+    private static final int SHOWN = 40;
+
+    private final ReplayReader replay;
+    private final Resimulation again;
+    private final Game game;
+    private final SignedLines signed;
+    private final RecordedObservations observed;
+    private final ImpactComparison impacts = new ImpactComparison();
+    private final ViewComparison views;
+    private final ReplayLines lines;
+    /** The turn that {@link #isSame} has played, or {@code null}; and whether its line is written to its end. */
+    private Turn played;
+    private boolean finished;
+    private int outcomeFrom;
+    private int outcomeTo;
+
+    LineCheck(ReplayReader replay, Resimulation again, SignedLines signed) {
+        this.replay = replay;
+        this.again = again;
+        this.signed = signed;
+        game = again.game();
+        observed = replay.imported() ? new RecordedObservations(replay) : null;
+        views = again.views() == null ? null : new ViewComparison(again.views());
+        ReplayHeader header = replay.header();
+        lines = new ReplayLines(new ReplayHeader(header.game(), again.setup().scene().json(), header.seed(),
+            header.names(), header.bots(), header.protocols(), header.timeFactor(), header.law(),
+            header.signer()), observed);
+    }
+
+    public Difference header() {
+        lines.header(game, again.codec());
+        boolean agrees = agrees(replay.headerLine().json());
+        Difference difference = agrees && observed == null ? null : RecordedJson.compareOpening(replay, again);
+        if (difference == null && views != null) {
+            difference = views.start(replay);
+        }
+        if (difference == null && !agrees) {
+            difference = lineDiffers(0, "headerHash", replay.headerLine());
+        }
+        lines.end();
+        return difference;
+    }
+
+    public boolean isSame(byte[] line) {
+        played = null;
+        int number = game.turn() + 1;
+        int at = observed != null || game.isOver() ? -1 : LineScanner.commands(line, number);
+        int rest = at < 0 ? -1 : again.readCommands(line, at, line.length);
+        if (rest < 0 || LineScanner.outcome(line, line.length - rest) < 0) {
+            return false;
+        }
+        Turn turn = Turn.of(number, game.players());
+        for (int player = 0; player < game.players(); player++) {
+            if (game.isIn(player)) {
+                turn.answer(player, null, null, 0);
+            }
+        }
+        play(turn);
+        played = turn;
+        finished = LineScanner.hash(line, outcomeTo) >= 0;
+        if (!finished) {
+            return false;                                     // messages are known only after parsing
+        }
+        lines.texts(turn);
+        boolean same = LineScanner.isTimes(line, lines.line().size()) && agrees(line);
+        if (same) {
+            lines.end();
+        }
+        return same;
+    }
+
+    private void play(Turn turn) {
+        lines.commands(turn, again.codec());
+        outcomeFrom = lines.line().size() + OUTCOME_NAME;
+        game.play();
+        lines.outcome(turn, game, again.codec());
+        outcomeTo = lines.line().size();
+    }
+
+    public Difference turn(byte[] line, RecordedTurn recorded) {
+        if (played == null) {
+            Turn turn = Turn.of(recorded.number(), game.players());
+            for (int player = 0; player < game.players(); player++) {
+                if (game.isIn(player) && recorded.asked(player)) {
+                    fill(turn, recorded, player);
+                }
+            }
+            Difference wrong = again.prepare(recorded);
+            if (wrong != null) {
+                return wrong;
+            }
+            if (observed != null) {
+                observed.next(recorded.outcome(), recorded.where());
+                AngleVariants variants = game.angleVariants();
+                if (views != null) {
+                    again.views().before();
+                }
+                play(turn);
+                if (again.serverView() == null) {
+                    impacts.add(recorded.outcome(), game, variants);
+                }
+            } else {
+                play(turn);
+            }
+            lines.texts(turn);
+        } else if (!finished) {
+            for (int player = 0; player < game.players(); player++) {
+                if (played.asked(player)) {
+                    fill(played, recorded, player);
+                }
+            }
+            lines.texts(played);
+        }
+        boolean agrees = agrees(line);
+        Difference difference = agrees && observed == null ? null
+            : RecordedJson.compare(recorded.number(), recorded.outcome(), outcome(), observed != null);
+        if (difference == null && views != null) {
+            difference = views.turn(recorded, game.isOver());
+        }
+        if (difference == null && !agrees) {
+            difference = lineDiffers(recorded.number(), "turnHash", new JsonLine(recorded.where(), line));
+        }
+        if (difference == null && observed != null && again.serverView() != null) {
+            impacts.addShown(recorded.outcome());
+        }
+        lines.end();
+        return difference;
+    }
+
+    /** Only a player that is asked can fail, answer or write. */
+    private static void fill(Turn turn, RecordedTurn recorded, int player) {
+        if (recorded.faults()[player] != null) {
+            turn.fail(player, recorded.faults()[player], recorded.stderr()[player], 0);
+        } else {
+            turn.answer(player, recorded.messages()[player], recorded.stderr()[player], 0);
+        }
+    }
+
+    /** The outcome of the turn last played. */
+    private byte[] outcome() {
+        if (observed == null) {
+            return Arrays.copyOfRange(lines.line().bytes(), outcomeFrom, outcomeTo);
+        }
+        LineBuffer bytes = new LineBuffer();
+        try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), bytes)) {
+            out.writeStartObject();
+            if (again.serverView() != null) {
+                again.serverView().writeShown(out, game, again.codec().state());
+            } else {
+                ObservableOutcome.write(out, game, again.codec(), impacts);
+            }
+            out.writeEndObject();
+        }
+        return Arrays.copyOf(bytes.bytes(), bytes.size());
+    }
+
+    public ImpactCounts impacts() {
+        return impacts.counts();
+    }
+
+    public ViewCounts views() {
+        return views == null ? ViewCounts.NONE : views.counts();
+    }
+
+    public Difference result(String[] faults) {
+        JsonLine result = replay.result();
+        Difference difference = end(game, result.integer("turns"), result.text("ending"));
+        difference = difference != null ? difference : RecordedJson.compareStanding(replay, game);
+        difference = difference != null ? difference : players(game.turn(), replay.header().names(), faults,
+            result.textsOf("players", "name"), result.textsOf("players", "fault"));
+        if (difference != null) {
+            return difference;
+        }
+        List<MatchResult.PlayerResult> players = new ArrayList<>();
+        for (JsonLine player : result.objects("players")) {
+            players.add(new MatchResult.PlayerResult(player.text("name"), 0, 0, faults[players.size()], null, 0, 0, 0,
+                0, 0, data(player)));
+        }
+        lines.result(game, new MatchResult(game.turn(), game.ending(), players, data(result)));
+        difference = agrees(result.json()) ? null : lineDiffers(game.turn(), "resultHash", result);
+        lines.end();
+        return difference;
+    }
+
+    private static Map<String, String> data(JsonLine line) {
+        Map<String, String> data = new HashMap<>();
+        if (line.has("data")) {
+            JsonLine recorded = new JsonLine(line.where() + ": data", line.object("data"));
+            for (String name : recorded.names()) {
+                data.put(name, recorded.text(name));
+            }
+        }
+        return data;
+    }
+
+    /** Whether a recorded line is the one that was written; then it is signed. */
+    private boolean agrees(byte[] line) {
+        LineBuffer written = lines.line();
+        int size = written.size();
+        boolean agrees = size <= line.length && Arrays.equals(line, 0, size, written.bytes(), 0, size)
+            && LineScanner.isEnd(line, size);
+        if (agrees) {
+            signed.add(line, size);
+        }
+        return agrees;
+    }
 
     /**
-     * Plays the turn of a line that has nothing unusual in it, as nearly all have, without parsing it.
-     *
-     * @return whether it agrees in every byte; if not, {@link #turn} is to be asked next
+     * The difference of a line whose values agree: its hash is wrong, or was computed for another spelling of the line.
      */
-    boolean isSame(byte[] line);
-
-    /** Compares a turn, and plays it unless {@link #isSame} has done so; {@code null} if it agrees. */
-    Difference turn(byte[] line, RecordedTurn turn);
-
-    /** How the impacts of another referee compare with ours; none where the match is not imported. */
-    default ImpactCounts impacts() {
-        return ImpactCounts.NONE;
+    private Difference lineDiffers(int turn, String hash, JsonLine line) {
+        Difference difference = RecordedJson.compareHash(turn, hash, line);
+        if (difference != null) {
+            return difference;
+        }
+        LineBuffer written = lines.line();
+        byte[] bytes = line.json();
+        int at = Arrays.mismatch(bytes, 0, bytes.length, written.bytes(), 0, written.size());
+        return new Difference(turn, "byte " + (at + 1) + " of the line", shown(bytes, at, bytes.length),
+            shown(written.bytes(), at, written.size()));
     }
 
-    /** Comparison with what a server has shown; none where the match is not imported. */
-    default ViewCounts views() {
-        return ViewCounts.NONE;
+    private static String shown(byte[] bytes, int from, int to) {
+        return from >= to ? "the end" : new String(bytes, from, Math.min(SHOWN, to - from), StandardCharsets.UTF_8);
     }
-
-    /** Compares the result; {@code null} if it agrees. */
-    Difference result(String[] faults);
 
     /** The result is there although the match is not over, or is not that of this match. */
-    static Difference end(Game game, int turns, String ending) {
+    private static Difference end(Game game, int turns, String ending) {
         if (!game.isOver()) {
             return new Difference(game.turn(), "result", "an end of the match", "the match goes on");
         }
@@ -45,7 +266,7 @@ interface LineCheck {
     }
 
     /** Names and faults of the result are those of the header and the turns. */
-    static Difference players(int turn, List<String> names, String[] faults, String[] recordedNames,
+    private static Difference players(int turn, List<String> names, String[] faults, String[] recordedNames,
                               String[] recordedFaults) {
         if (recordedNames.length != names.size()) {
             return new Difference(turn, "players", recordedNames.length + " entries", names.size() + " entries");

@@ -68,9 +68,9 @@ final class RecordedJson {
     }
 
     /** Compares the hash of everything before the field, which also covers what has no effect on the game. */
-    static Difference compareHash(int turn, String field, JsonLine line, int format) {
+    static Difference compareHash(int turn, String field, JsonLine line) {
         String recorded = line.text(field);
-        String found = line.hashBefore(field, format);
+        String found = line.hashBefore(field);
         return recorded.equals(found) ? null
             : new Difference(turn, field, recorded, found + " of the line as it stands");
     }

@@ -53,7 +53,7 @@ public final class Resimulation {
      */
     Resimulation(ReplayHeader header, GameTypes types, String source, ViewWriter views) {
         this.views = views;
-        Scene scene = SceneReader.read(header.scene(), source + " (scene)").withAngles(header.angles());
+        Scene scene = SceneReader.read(header.scene(), source + " (scene)");
         setup = types.open(views == null ? scene : views.observed(scene));
         if (!header.game().equals(setup.scene().gameId())) {
             throw new ReplayException(source + ":1: game: found \""

@@ -24,9 +24,6 @@ public record Verification(int turns, int states, boolean whole, Difference diff
                            ImpactCounts impacts, ViewCounts views, String olderLaw,
                            SignatureCheck signature) {
 
-    /** The first format in which every line has exactly one accepted form. */
-    private static final int SPELLED_SINCE = 3;
-
     /** Whether everything recorded agrees, even if the replay was cut off; false if the header is incomplete. */
     public boolean agrees() {
         return difference == null && olderLaw == null && signature.verdict() != SignatureCheck.Verdict.WRONG;
@@ -77,8 +74,7 @@ public record Verification(int turns, int states, boolean whole, Difference diff
                 + asked.length);
         }
         SignedLines signed = new SignedLines(replay);
-        LineCheck check = replay.format() < SPELLED_SINCE ? new EarlierLineCheck(replay, again)
-            : new ExactLineCheck(replay, again, signed);
+        LineCheck check = new LineCheck(replay, again, signed);
         Difference difference = check.header();
         String[] faults = new String[again.game().players()];
         int turns = 0;

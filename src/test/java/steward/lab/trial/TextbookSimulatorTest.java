@@ -30,7 +30,7 @@ class TextbookSimulatorTest {
         List<String> expected = new ArrayList<>();
         new TextbookSimulator(gas.bodies(), gas.side(), (time, a, b) -> expected.add(
             b < 0 ? a + " vertical" : a < 0 ? b + " horizontal" : Math.min(a, b) + " " + Math.max(a, b))).play(IMPACTS);
-        for (Arithmetic arithmetic : Arithmetic.OF_SCENES) {
+        for (Arithmetic arithmetic : Arithmetic.values()) {
             PhysicsParts parts = new PhysicsParts(ImpactLaw.PHYSICS, arithmetic, new Contacts(1),
                 List.of(gas.walls()), null, false);
             assertEquals(expected, impacts(new EventAdvance(parts), gas), "seed " + seed + ", pairs, " + arithmetic);

@@ -41,7 +41,7 @@ class OwnDistanceTest {
     }
 
     @ParameterizedTest
-    @EnumSource(value = Arithmetic.class, names = "FORMER_OFFICIAL", mode = EnumSource.Mode.EXCLUDE)
+    @EnumSource(Arithmetic.class)
     void theReactionIsAskedAtThatDistance(Arithmetic arithmetic) {
         Bodies bodies = pair();
         new EventAdvance(parts(CONTACTS, arithmetic, (time, a, b, all, sink) -> {
@@ -58,7 +58,7 @@ class OwnDistanceTest {
     }
 
     @ParameterizedTest
-    @EnumSource(value = Arithmetic.class, names = "FORMER_OFFICIAL", mode = EnumSource.Mode.EXCLUDE)
+    @EnumSource(Arithmetic.class)
     void anImpactThereIsOneAtThatDistance(Arithmetic arithmetic) {
         Bodies bodies = pair();
         new EventAdvance(parts(CONTACTS, arithmetic, (time, a, b, all, sink) -> Reaction.Verdict.BOUNCE))

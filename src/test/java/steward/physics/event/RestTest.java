@@ -23,8 +23,8 @@ import steward.physics.queue.QueueAdvance;
 /** Bodies that press against a wall come to rest instead of bouncing until the bound on impacts, on every rung. */
 class RestTest {
 
-    static List<Arithmetic> rungs() {
-        return Arithmetic.OF_SCENES;
+    static Arithmetic[] rungs() {
+        return Arithmetic.values();
     }
 
     private static List<Advance> both(Arithmetic arithmetic, Wall... walls) {

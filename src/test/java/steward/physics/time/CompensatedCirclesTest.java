@@ -41,7 +41,7 @@ class CompensatedCirclesTest {
         double vx = speed * ux;
         double vy = speed * uy;
         BigDecimal[] crossings = Exact.crossings(dx, dy, vx, vy, Exact.of(length));
-        double found = new CompensatedCircles(true).until(dx, dy, vx, vy, length);
+        double found = new CompensatedCircles().until(dx, dy, vx, vy, length);
         String what = "share " + share + ", gap " + gap + ", 2^" + lengths + ", 2^" + speeds;
         assertEquals(crossings != null, found < Double.POSITIVE_INFINITY, what);
         if (crossings != null) {

@@ -93,7 +93,7 @@ class ExactCirclesTest {
         double vy = bodies.vy[0] - bodies.vy[1];
         double s = bodies.radius[0] + bodies.radius[1];
         wrongInDouble += hit == CircleTime.stable(dx, dy, vx, vy, s) < NEVER ? 0 : 1;
-        wrongCompensated += hit == new CompensatedCircles(true).until(dx, dy, vx, vy, s) < NEVER ? 0 : 1;
+        wrongCompensated += hit == new CompensatedCircles().until(dx, dy, vx, vy, s) < NEVER ? 0 : 1;
     }
 
     /**

@@ -18,7 +18,7 @@ import steward.replay.Recorded;
 import steward.replay.ReplayReader;
 
 /** Ordinary turns are settled by their bytes alone, which is what makes verifying quick; everything else is not. */
-class ExactLineCheckTest {
+class LineCheckTest {
 
     private final Recorded match = Recorded.of(TestScenes.open("duel"), 4, List.of(new Silent(5), new Silent(6)));
     private final List<String> lines = match.lines();
@@ -47,9 +47,9 @@ class ExactLineCheckTest {
         return line.getBytes(StandardCharsets.UTF_8);
     }
 
-    private ExactLineCheck check() {
+    private LineCheck check() {
         ReplayReader reader = Recorded.reader(match.bytes());
-        ExactLineCheck check = new ExactLineCheck(reader,
+        LineCheck check = new LineCheck(reader,
             new Resimulation(reader.header(), TestScenes.TYPES, "r.jsonl"), new SignedLines(reader));
         assertNull(check.header());
         return check;
@@ -57,7 +57,7 @@ class ExactLineCheckTest {
 
     @Test
     void turnsWithNothingUnusualAreSettledByTheirBytes() {
-        ExactLineCheck check = check();
+        LineCheck check = check();
         assertTrue(lines.size() > 30, "the match is short");
         assertTrue(match.text().contains("\"impacts\""), "the match needs impacts");
         for (String line : lines.subList(1, lines.size() - 1)) {
@@ -91,8 +91,8 @@ class ExactLineCheckTest {
                 first.replaceFirst("(\"turnHash\":\")[0-9a-f]", "$1x"))) {
             ReplayReader reader = Recorded.reader(bytes(lines.get(0) + "\n" + line + "\n"));
             byte[] bytes = reader.nextLine();
-            ExactLineCheck slow = check();
-            ExactLineCheck quick = check();
+            LineCheck slow = check();
+            LineCheck quick = check();
             Difference told = slow.turn(bytes, reader.turn(bytes));
             ReplayReader again = Recorded.reader(bytes(lines.get(0) + "\n" + line + "\n"));
             Difference then = quick.isSame(again.nextLine()) ? null : quick.turn(bytes, again.turn(bytes));
