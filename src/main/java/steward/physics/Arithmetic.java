@@ -1,6 +1,5 @@
 package steward.physics;
 
-import java.util.List;
 import java.util.Locale;
 
 /** The arithmetic of a turn. What each one does for a time of impact is documented in {@code physics.time}. */

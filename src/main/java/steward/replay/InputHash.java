@@ -13,9 +13,9 @@ import steward.numerics.StateHash;
  * target, a message, the name of a bot) are protected by this hash alone. It detects damage and edits, but not an edit
  * after which the hash was computed again: signatures are for that.
  *
- * <p>Bytes of JSON are hashed eight at a time (little-endian, the last word padded with zeros), then their count. Every complete
- * block of 32 bytes feeds four independent hashes, eight bytes each, because a processor computes four at once in
- * little more time than one; their values enter the hash first, then the remaining bytes as before.
+ * <p>Every complete block of 32 bytes feeds four independent hashes, eight bytes each (little-endian), because a
+ * processor computes four at once in little more time than one; their values enter the hash first. Then come the
+ * remaining bytes, eight at a time, the last word padded with zeros, and the count of all bytes.
  */
 @Internal
 public final class InputHash {

@@ -120,7 +120,8 @@ public final class ReplayCheck {
         ReplayHeader wanted = new ReplayHeader(contest.setup().scene().gameId(), contest.setup().scene().json(),
             expected.seed(), expected.names(), header.bots(), expected.protocols(), contest.timeFactor(),
             contest.setup().plan().lawVersion(), header.signer(), header.sandbox());
-        String wrong = replay.imported() ? "imported" : !header.game().equals(wanted.game()) ? "game" : !header.scene().equals(wanted.scene()) ? "scene"
+        String wrong = replay.imported() ? "imported"
+            : !header.game().equals(wanted.game()) ? "game" : !header.scene().equals(wanted.scene()) ? "scene"
             : header.seed() != wanted.seed() ? "seed" : !header.names().equals(wanted.names()) ? "players"
             : !header.protocols().equals(wanted.protocols()) ? "protocols"
             : !header.equals(wanted) ? "timeFactor or law" : null;
