@@ -10,9 +10,11 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import tools.jackson.databind.json.JsonMapper;
+import tools.jackson.databind.node.ObjectNode;
 
 /** The JSON Schemas that come with the program. */
-final class Schemas {
+public final class Schemas {
 
     static final String POD_RACE = "pod-race";
     static final String SEARCH_RACE = "search-race";
@@ -24,23 +26,26 @@ final class Schemas {
     private Schemas() {
     }
 
-    static String text(String name) {
-        return text(POD_RACE, name);
-    }
-
-    static String text(String game, String name) {
-        try (InputStream in = Schemas.class.getResourceAsStream("/steward/schemas/" + game + "/" + name + ".json")) {
+    /** The whole schema of a game. */
+    static String text(String game) {
+        try (InputStream in = Schemas.class.getResourceAsStream("/steward/schemas/" + game + ".json")) {
             return new String(in.readAllBytes(), StandardCharsets.UTF_8);
         } catch (IOException problem) {
             throw new UncheckedIOException(problem);
         }
     }
 
+    /** A part of a game's schema as a schema of its own. */
+    static String text(String game, String name) {
+        return JsonMapper.shared().readValue(text(game), ObjectNode.class).put("$ref", "#/$defs/" + name).toString();
+    }
+
     static Schema open(String name) {
         return open(POD_RACE, name);
     }
 
-    static Schema open(String game, String name) {
+    /** Opens a part of a game's schema. */
+    public static Schema open(String game, String name) {
         return SchemaRegistry.withDefaultDialect(SpecificationVersion.DRAFT_2020_12)
             .getSchema(text(game, name), InputFormat.JSON);
     }

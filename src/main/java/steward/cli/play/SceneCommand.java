@@ -67,7 +67,7 @@ public final class SceneCommand implements Callable<Integer> {
 
     /** Every {@link GameType} of the program has one among its resources. */
     private static String schema(String game) {
-        try (InputStream in = SceneCommand.class.getResourceAsStream("/steward/schemas/" + game + "/scene.json")) {
+        try (InputStream in = SceneCommand.class.getResourceAsStream("/steward/schemas/" + game + ".json")) {
             return new String(in.readAllBytes(), StandardCharsets.UTF_8);
         } catch (IOException problem) {
             throw new UncheckedIOException(problem);

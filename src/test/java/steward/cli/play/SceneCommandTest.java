@@ -61,7 +61,7 @@ class SceneCommandTest {
 
     @Test
     void itPrintsTheSchema() throws IOException {
-        String schema = Files.readString(Path.of("src/main/resources/steward/schemas/pod-race/scene.json"));
+        String schema = Files.readString(Path.of("build/schemas/pod-race.json"));
         assertEquals(schema, Cli.run("scene", "--schema").out());
         assertEquals(schema, Cli.run("scene", "duel", "--schema").out());
     }

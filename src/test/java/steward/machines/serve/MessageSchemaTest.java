@@ -74,7 +74,7 @@ class MessageSchemaTest {
     private int port;
 
     private static Schema schema() {
-        try (InputStream in = MessageSchemaTest.class.getResourceAsStream("/steward/schemas/machines/message.json")) {
+        try (InputStream in = MessageSchemaTest.class.getResourceAsStream("/steward/schemas/machines.json")) {
             return SchemaRegistry.withDefaultDialect(SpecificationVersion.DRAFT_2020_12)
                 .getSchema(new String(in.readAllBytes(), StandardCharsets.UTF_8), InputFormat.JSON);
         } catch (IOException problem) {

@@ -4,27 +4,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import com.networknt.schema.InputFormat;
 import com.networknt.schema.Schema;
-import com.networknt.schema.SchemaRegistry;
-import com.networknt.schema.SpecificationVersion;
-import java.io.IOException;
-import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import steward.schema.Schemas;
 
 /** The reader of answers and the schema that describes them come to the same verdicts. */
 class AnswerSchemaTest {
 
-    private static Schema schema;
-
-    @BeforeAll
-    static void open() throws IOException {
-        try (InputStream in = AnswerSchemaTest.class.getResourceAsStream("/steward/schemas/pod-race/answer.json")) {
-            schema = SchemaRegistry.withDefaultDialect(SpecificationVersion.DRAFT_2020_12)
-                .getSchema(new String(in.readAllBytes(), StandardCharsets.UTF_8), InputFormat.JSON);
-        }
-    }
+    private static final Schema SCHEMA = Schemas.open("pod-race", "answer");
 
     private static boolean isRead(String answer) {
         byte[] bytes = answer.getBytes(StandardCharsets.UTF_8);
@@ -32,7 +20,7 @@ class AnswerSchemaTest {
     }
 
     private static boolean isValid(String answer) {
-        return schema.validate(answer, InputFormat.JSON).isEmpty();
+        return SCHEMA.validate(answer, InputFormat.JSON).isEmpty();
     }
 
     private static String pod(String fields) {
