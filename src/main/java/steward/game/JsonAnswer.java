@@ -51,7 +51,13 @@ public abstract class JsonAnswer {
 
     /** Reads a line. @return {@code null} if it is a valid answer, otherwise what is wrong with it */
     public final String read(byte[] line, int length) {
-        return isValid(line, length) ? null : readForError(line, length);
+        message = null;
+        return isPlain(line, length) || isValid(line, length) ? null : readForError(line, length);
+    }
+
+    /** A faster way to read the answers that are usual; it may reject anything. */
+    protected boolean isPlain(byte[] line, int length) {
+        return false;
     }
 
     private boolean isValid(byte[] line, int length) {

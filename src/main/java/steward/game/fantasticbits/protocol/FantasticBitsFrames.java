@@ -88,11 +88,11 @@ final class FantasticBitsFrames implements BotFrames {
     @Override
     public String readAnswer(int player, byte[] line, int length) {
         messages[player] = null;
-        String wrong = answer.read(player, line, length);
+        String wrong = answer.of(player).read(line, length);
         if (wrong == null) {
             messages[player] = answer.message();
             for (int wizard = 0; wizard < Pitch.WIZARDS_PER_PLAYER; wizard++) {
-                game.command(player, wizard, answer.commands().command(wizard));
+                game.command(player, wizard, answer.command(wizard));
             }
         }
         return wrong;

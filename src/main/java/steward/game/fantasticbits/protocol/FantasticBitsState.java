@@ -1,26 +1,25 @@
 package steward.game.fantasticbits.protocol;
 
-import steward.game.StateCodec;
+import steward.game.CommandListState;
 import steward.game.fantasticbits.FantasticBits;
 import steward.game.fantasticbits.Pitch;
+import steward.game.fantasticbits.WizardCommand;
 import tools.jackson.core.JsonGenerator;
-import tools.jackson.core.JsonParser;
 import tools.jackson.core.io.SerializedString;
 
 /**
  * Commands and states of Fantastic Bits as a replay keeps them. A recorded command that the state does not allow, since
  * another bot has changed the course of the match, is read and does nothing.
  */
-final class FantasticBitsState implements StateCodec {
+final class FantasticBitsState extends CommandListState<WizardCommand> {
 
     private static final SerializedString BODIES = new SerializedString("bodies");
 
     private final FantasticBits game;
-    private final WizardCommandJson commands;
 
     FantasticBitsState(FantasticBits game) {
+        super(new FantasticBitsAnswer(null));
         this.game = game;
-        commands = new WizardCommandJson(null);
     }
 
     /** The fields {@code scores} and {@code magic}, per player. */
@@ -42,42 +41,23 @@ final class FantasticBitsState implements StateCodec {
     }
 
     @Override
-    public void writeCommand(JsonGenerator out, int player) {
-        out.writeStartArray();
-        for (int wizard = 0; wizard < Pitch.WIZARDS_PER_PLAYER; wizard++) {
-            WizardCommandJson.write(out, game.command(player, wizard));
-        }
-        out.writeEndArray();
+    protected int commands(int player) {
+        return Pitch.WIZARDS_PER_PLAYER;
     }
 
     @Override
-    public String readCommand(JsonParser in, int player) {
-        return read(in, player, false);
+    protected WizardCommand command(int player, int wizard) {
+        return game.command(player, wizard);
     }
 
     @Override
-    public String readPartialCommand(JsonParser in, int player) {
-        return read(in, player, true);
-    }
-
-    private String read(JsonParser in, int player, boolean partial) {
-        String wrong = commands.read(in, player, partial);
-        for (int wizard = 0; wrong == null && wizard < Pitch.WIZARDS_PER_PLAYER; wizard++) {
-            game.command(player, wizard, commands.command(wizard));
-        }
-        return wrong;
+    protected void command(int player, int wizard, WizardCommand command) {
+        game.command(player, wizard, command);
     }
 
     @Override
-    public boolean hasPartialCommand(int player) {
-        return game.command(player, 0) != null;
-    }
-
-    @Override
-    public void clearCommand(int player) {
-        for (int wizard = 0; wizard < Pitch.WIZARDS_PER_PLAYER; wizard++) {
-            game.command(player, wizard, null);
-        }
+    protected void writeFields(JsonGenerator out, WizardCommand command) {
+        FantasticBitsAnswer.write(out, command);
     }
 
     @Override

@@ -78,7 +78,7 @@ final class MeanMaxFrames implements BotFrames {
         if (wrong == null) {
             messages[player] = answer.message();
             for (int looter = 0; looter < UnitKind.LOOTERS; looter++) {
-                game.command(player, looter, answer.commands().command(looter));
+                game.command(player, looter, answer.command(looter));
             }
         }
         return wrong;

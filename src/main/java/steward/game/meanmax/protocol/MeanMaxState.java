@@ -1,25 +1,25 @@
 package steward.game.meanmax.protocol;
 
 import steward.game.DrawingJson;
-import steward.game.StateCodec;
+import steward.game.CommandListState;
+import steward.game.meanmax.LooterCommand;
 import steward.game.meanmax.MeanMax;
 import steward.game.meanmax.MeanMaxWorld;
 import steward.game.meanmax.SkillEffect;
 import steward.game.meanmax.UnitKind;
 import steward.game.meanmax.Wreck;
 import tools.jackson.core.JsonGenerator;
-import tools.jackson.core.JsonParser;
 import tools.jackson.core.io.SerializedString;
 
 /** Commands and states of Mean Max as a replay keeps them. */
-final class MeanMaxState implements StateCodec {
+final class MeanMaxState extends CommandListState<LooterCommand> {
 
     private static final SerializedString BODIES = new SerializedString("bodies");
 
     private final MeanMax game;
-    private final LooterCommandJson commands = new LooterCommandJson();
 
     MeanMaxState(MeanMax game) {
+        super(new MeanMaxAnswer());
         this.game = game;
     }
 
@@ -42,42 +42,23 @@ final class MeanMaxState implements StateCodec {
     }
 
     @Override
-    public void writeCommand(JsonGenerator out, int player) {
-        out.writeStartArray();
-        for (int looter = 0; looter < UnitKind.LOOTERS; looter++) {
-            LooterCommandJson.write(out, game.command(player, looter));
-        }
-        out.writeEndArray();
+    protected int commands(int player) {
+        return UnitKind.LOOTERS;
     }
 
     @Override
-    public String readCommand(JsonParser in, int player) {
-        return read(in, player, false);
+    protected LooterCommand command(int player, int looter) {
+        return game.command(player, looter);
     }
 
     @Override
-    public String readPartialCommand(JsonParser in, int player) {
-        return read(in, player, true);
-    }
-
-    private String read(JsonParser in, int player, boolean partial) {
-        String wrong = commands.read(in, partial);
-        for (int looter = 0; wrong == null && looter < UnitKind.LOOTERS; looter++) {
-            game.command(player, looter, commands.command(looter));
-        }
-        return wrong;
+    protected void command(int player, int looter, LooterCommand command) {
+        game.command(player, looter, command);
     }
 
     @Override
-    public boolean hasPartialCommand(int player) {
-        return game.command(player, 0) != null;
-    }
-
-    @Override
-    public void clearCommand(int player) {
-        for (int looter = 0; looter < UnitKind.LOOTERS; looter++) {
-            game.command(player, looter, null);
-        }
+    protected void writeFields(JsonGenerator out, LooterCommand command) {
+        MeanMaxAnswer.write(out, command);
     }
 
     @Override

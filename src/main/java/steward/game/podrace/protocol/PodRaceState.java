@@ -46,16 +46,16 @@ final class PodRaceState implements StateCodec {
 
     @Override
     public String readPartialCommand(JsonParser in, int player) {
-        String wrong = answer.readFirstPods(in);
+        String wrong = answer.readArray(in, true);
         if (wrong == null) {
-            answer.command(race, player, answer.podsRead());
+            answer.command(race, player, answer.given());
         }
         return wrong;
     }
 
     @Override
     public String readCommand(JsonParser in, int player) {
-        String wrong = answer.readPods(in);
+        String wrong = answer.readArray(in, false);
         if (wrong == null) {
             answer.command(race, player, race.settings().podsPerPlayer());
         }

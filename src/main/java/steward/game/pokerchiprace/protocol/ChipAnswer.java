@@ -1,46 +1,72 @@
 package steward.game.pokerchiprace.protocol;
 
-import steward.game.JsonAnswer;
+import steward.game.CommandsAnswer;
+import steward.game.JsonNumbers;
+import steward.game.pokerchiprace.ChipCommand;
+import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.JsonParser;
 
-/** Reads one answer of a bot: the commands as {@link ChipCommandJson} and an optional message. */
-final class ChipAnswer extends JsonAnswer {
+/**
+ * The commands of a player's chips as JSON, in answers and replays: {@code chips}, an array in the order of the
+ * player's list, each
+ * <pre>{"x":1,"y":2}   {"wait":true}</pre>
+ */
+final class ChipAnswer extends CommandsAnswer<ChipCommand> {
 
-    private final ChipCommandJson commands = new ChipCommandJson(ChipCommandJson.FARTHEST);
     private int chips;
-    private boolean given;
+    private boolean waits;
 
-    ChipAnswer() {
-        super("chips");
+    private ChipAnswer(double farthest) {
+        super("chips", farthest, "x", "y", "wait");
     }
 
-    /** How many commands the next answer must have. */
+    static ChipAnswer ofBot() {
+        return new ChipAnswer(FARTHEST);
+    }
+
+    static ChipAnswer ofReplay() {
+        return new ChipAnswer(Double.MAX_VALUE);
+    }
+
+    /** Says how many commands the next answer must have. */
     ChipAnswer expect(int number) {
         chips = number;
         return this;
     }
 
-    /** The commands of the last valid answer. */
-    ChipCommandJson commands() {
-        return commands;
-    }
-
-    @Override
-    protected void begin() {
-        given = false;
-    }
-
-    @Override
-    protected String field(String name, JsonParser in) {
-        if (given) {
-            return "chips: found twice, expected once";
+    static void write(JsonGenerator out, ChipCommand command) {
+        if (command.waits()) {
+            out.writeBooleanProperty("wait", true);
+        } else {
+            JsonNumbers.write(out, "x", command.x());
+            JsonNumbers.write(out, "y", command.y());
         }
-        given = true;
-        return commands.read(in, chips, false);
     }
 
     @Override
-    protected String complete() {
-        return given ? null : "chips: found nothing, expected an array of " + chips;
+    protected int count() {
+        return chips;
+    }
+
+    @Override
+    protected void beginCommand() {
+        waits = false;
+    }
+
+    @Override
+    protected String commandField(String field, JsonParser in) {
+        String wrong = flag(field, in);
+        if (wrong == null && waits) {
+            return "wait: found twice, expected once";
+        }
+        waits = true;
+        return wrong;
+    }
+
+    @Override
+    protected String endCommand(int index) {
+        String wrong = waits ? targetBeside("wait") : missingTarget();
+        return wrong == null ? keep(index, waits ? ChipCommand.WAIT : new ChipCommand(x, y))
+            : waits ? wrong : wrong + " (or wait alone)";
     }
 }

@@ -14,7 +14,7 @@ final class ChipFrames implements BotFrames {
     private static final SerializedString OWN = new SerializedString("own");
 
     private final PokerChipRace game;
-    private final ChipAnswer answer = new ChipAnswer();
+    private final ChipAnswer answer = ChipAnswer.ofBot();
     private final String[] messages;
 
     ChipFrames(PokerChipRace game) {
@@ -50,7 +50,7 @@ final class ChipFrames implements BotFrames {
         if (wrong == null) {
             messages[player] = answer.message();
             for (int k = 0; k < own; k++) {
-                game.command(player, k, answer.commands().command(k));
+                game.command(player, k, answer.command(k));
             }
         }
         return wrong;

@@ -1,64 +1,55 @@
 package steward.game.pokerchiprace.protocol;
 
 import steward.game.JsonNumbers;
-import steward.game.StateCodec;
+import steward.game.CommandListState;
+import steward.game.pokerchiprace.ChipCommand;
 import steward.game.pokerchiprace.ChipTable;
 import steward.game.pokerchiprace.PokerChipRace;
 import steward.physics.PassingPairs;
 import tools.jackson.core.JsonGenerator;
-import tools.jackson.core.JsonParser;
 import tools.jackson.core.io.SerializedString;
 
 /** Commands and states of the Poker Chip Race as a replay keeps them. */
-final class ChipState implements StateCodec {
+final class ChipState extends CommandListState<ChipCommand> {
 
     private static final SerializedString BODIES = new SerializedString("bodies");
 
     private final PokerChipRace game;
-    private final ChipCommandJson commands = new ChipCommandJson(Double.MAX_VALUE);
+    private final ChipAnswer recorded;
 
     ChipState(PokerChipRace game) {
+        this(game, ChipAnswer.ofReplay());
+    }
+
+    private ChipState(PokerChipRace game, ChipAnswer recorded) {
+        super(recorded);
+        this.recorded = recorded;
         this.game = game;
     }
 
     @Override
-    public void writeCommand(JsonGenerator out, int player) {
-        out.writeStartArray();
-        for (int k = 0; k < game.table().owned(player); k++) {
-            ChipCommandJson.write(out, game.command(player, k));
-        }
-        out.writeEndArray();
+    protected int commands(int player) {
+        return game.table().owned(player);
     }
 
     @Override
-    public String readCommand(JsonParser in, int player) {
-        return read(in, player, false);
+    protected ChipCommand command(int player, int k) {
+        return game.command(player, k);
     }
 
     @Override
-    public String readPartialCommand(JsonParser in, int player) {
-        return read(in, player, true);
-    }
-
-    private String read(JsonParser in, int player, boolean partial) {
-        int own = game.table().owned(player);
-        String wrong = commands.read(in, own, partial);
-        for (int k = 0; wrong == null && k < own; k++) {
-            game.command(player, k, commands.command(k));
-        }
-        return wrong;
+    protected void command(int player, int k, ChipCommand command) {
+        game.command(player, k, command);
     }
 
     @Override
-    public boolean hasPartialCommand(int player) {
-        return game.table().owned(player) > 0 && game.command(player, 0) != null;
+    protected void expect(int player) {
+        recorded.expect(commands(player));
     }
 
     @Override
-    public void clearCommand(int player) {
-        for (int k = 0; k < game.table().owned(player); k++) {
-            game.command(player, k, null);
-        }
+    protected void writeFields(JsonGenerator out, ChipCommand command) {
+        ChipAnswer.write(out, command);
     }
 
     /** The list of a player's chips is that of its bodies, in their order. */

@@ -142,7 +142,7 @@ class FantasticBitsAnswersTest {
         assertEquals("wizards[1]: found null, expected an object", read(kept, false));
         assertNull(read(kept, true));
         assertEquals(kept, kept());
-        assertEquals("wizards[1]: found an object, expected null",
+        assertEquals("wizards: found 2 commands, expected fewer",
             read("{\"c\":[{\"x\":1,\"y\":2,\"power\":3},{\"x\":1,\"y\":2,\"power\":3}]}", true));
     }
 
