@@ -162,6 +162,7 @@ public final class PodAnswer extends CommandsAnswer<Void> {
 
     @Override
     public String toString() {
-        return "x " + Arrays.toString(targetX) + ", y " + Arrays.toString(targetY) + ", thrust " + Arrays.toString(thrust);
+        return "x " + Arrays.toString(targetX) + ", y " + Arrays.toString(targetY)
+            + ", thrust " + Arrays.toString(thrust);
     }
 }
