@@ -35,8 +35,8 @@ class CarSimulatorTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
         "1 2 3 4 5 9;1 2 3 | 6 | found passed \"9\", expected a whole number 0..8",
-        "1 2 3 4 5;1 2 3 | 6 | found \"1 2 3 4 5\", expected state: x y vx vy angleDegrees passed",
-        "1 2 3 4 x 0;1 2 3 | 6 | found \"x\", expected a number -1e9..1e9",
+        "1 2 3 4 5;1 2 3 | 6 | found \"1 2 3 4 5\", expected x y vx vy angleDegrees passed",
+        "1 2 3 4 x 0;1 2 3 | 6 | found angleDegrees \"x\", expected a number -1e9..1e9",
         "1 2 3 4 5 0;1 2 201 | 7 | THRUST: found \"201\", expected a whole number 0..200",
         "1 2 3 4 5 0 | 7 | found the end of the input, expected command: X Y THRUST or EXPERT ANGLE THRUST"})
     void aWrongLineIsNamed(String lines, int line, String problem) {
