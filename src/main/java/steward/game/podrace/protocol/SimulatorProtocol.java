@@ -62,7 +62,8 @@ public final class SimulatorProtocol extends SimulationLines {
             lines.append(plain(state.x())).append(' ').append(plain(state.y())).append(' ')
                 .append(plain(state.vx())).append(' ').append(plain(state.vy())).append(' ')
                 .append(plain(PodJsonCache.degrees(state.heading()))).append(' ').append(race.nextCheckpoint(pod))
-                .append(' ').append(Math.max(0, state.shieldTimer() - 1)).append(' ').append(state.boostLeft() ? 0 : 1).append('\n');
+                .append(' ').append(Math.max(0, state.shieldTimer() - 1)).append(' ')
+                .append(state.boostLeft() ? 0 : 1).append('\n');
         }
         return lines.toString();
     }
