@@ -3,14 +3,11 @@ package steward.cli;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine;
-import steward.cli.bench.BenchCommand;
 import steward.cli.check.CheckCommand;
-import steward.cli.lab.ExplainCommand;
-import steward.cli.lab.StabilityCommand;
-import steward.cli.lab.TradeoffCommand;
+import steward.cli.explain.ExplainCommand;
 import steward.cli.league.LeagueCommand;
 import steward.cli.machines.MachineCommands;
 import steward.cli.machines.WorkerCommand;
@@ -35,6 +32,9 @@ import steward.cli.shared.NumberConverter;
 import steward.cli.shared.OutOfMemory;
 import steward.cli.shared.Streams;
 import steward.cli.tournament.TournamentCommand;
+import steward.lab.cli.StabilityCommand;
+import steward.lab.cli.TradeoffCommand;
+import steward.lab.cli.bench.BenchCommand;
 
 /** The program. See {@link ExitStatus} for its exit statuses. */
 @Command(name = "steward", synopsisSubcommandLabel = "COMMAND",
