@@ -23,6 +23,7 @@ import steward.lab.timing.TimingEffort;
 import steward.lab.timing.TurnTimer;
 import steward.numerics.SplitMix64;
 import steward.scene.json.SceneException;
+import steward.scene.price.MeasuredPrices;
 
 /** What a second game needs of the program, whose first game could do without: tried on the pond. */
 class PondSeamTest {
@@ -70,7 +71,7 @@ class PondSeamTest {
 
     @Test
     void aPilotPlaysAndItsPartsHavePrices() {
-        PartPrices.Prices prices = new PartPrices(POND.scene(), PondMatches.TYPES).measure(HERE, () -> { });
+        MeasuredPrices prices = new PartPrices(POND.scene(), PondMatches.TYPES).measure(HERE, () -> { });
         assertTrue(prices.prices().size() > 1, prices.toString());
         assertTrue(prices.turn().nanos() > 0, prices.toString());
     }

@@ -28,13 +28,11 @@ import steward.cli.setup.NewCommand;
 import steward.cli.shared.EmptyValues;
 import steward.cli.shared.ErrorHandler;
 import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Lab;
 import steward.cli.shared.NumberConverter;
 import steward.cli.shared.OutOfMemory;
 import steward.cli.shared.Streams;
 import steward.cli.tournament.TournamentCommand;
-import steward.lab.cli.StabilityCommand;
-import steward.lab.cli.TradeoffCommand;
-import steward.lab.cli.bench.BenchCommand;
 
 /** The program. See {@link ExitStatus} for its exit statuses. */
 @Command(name = "steward", synopsisSubcommandLabel = "COMMAND",
@@ -158,9 +156,7 @@ public final class Main {
             case "key" -> new KeyCommand(streams);
             case "referee" -> RefereeCommand.spec(streams);
             case "play" -> new PlayCommand(streams);
-            case "stability" -> new StabilityCommand(streams);
-            case "bench" -> new BenchCommand(streams);
-            case "tradeoff" -> new TradeoffCommand(streams);
+            case "stability", "tradeoff", "bench" -> Lab.commandOrMissing(name, streams);
             case "new" -> new NewCommand(streams);
             case "doctor" -> new DoctorCommand(streams);
             case HelpCommand.NAME -> new HelpCommand(streams);

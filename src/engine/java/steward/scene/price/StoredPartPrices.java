@@ -8,7 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.StringJoiner;
-import steward.lab.timing.TimingSamples;
+import steward.numerics.Median;
 import steward.scene.Part;
 import steward.scene.Scene;
 import steward.scene.SceneKey;
@@ -38,7 +38,7 @@ public record StoredPartPrices(List<Row> rows, boolean exact) {
      * @param game    its game
      * @param key     its {@link SceneKey}
      * @param rung    on which it was measured
-     * @param part    name of the part, or {@link PartByPartPhysics#EMPTY}
+     * @param part    name of the part, or {@link PartPrice#EMPTY}
      * @param in      whether the scene has it
      * @param share   what it adds, as a share of the scene's whole turn; below 0 if it saves
      * @param error   by how much the share may be wrong
@@ -73,14 +73,6 @@ public record StoredPartPrices(List<Row> rows, boolean exact) {
         }
     }
 
-    /** The rows of a measured scene. */
-    public static List<Row> rows(Scene scene, PartPrices.Prices prices, String date, String machine) {
-        double turn = prices.turn().nanos();
-        return prices.prices().stream().map(price -> new Row(scene.name(), scene.gameId(), SceneKey.of(scene),
-            scene.accuracy().text(), price.part(), price.in(), price.nanos() / turn, price.error() / turn, date,
-            machine)).toList();
-    }
-
     /** All rows that come with the program. */
     public static List<Row> all() {
         try (InputStream in = StoredPartPrices.class.getResourceAsStream(RESOURCE)) {
@@ -107,10 +99,10 @@ public record StoredPartPrices(List<Row> rows, boolean exact) {
     }
 
     /** The price of a part as a share of a turn, or {@code null} if none was measured. */
-    public PartPrices.Price price(Part part) {
+    public PartPrice price(Part part) {
         Row[] found = rows.stream().filter(row -> row.part.equals(part.name())).toArray(Row[]::new);
-        return found.length == 0 ? null : new PartPrices.Price(part.name(), part.in(),
-            TimingSamples.median(Arrays.stream(found).mapToDouble(Row::share).toArray()),
+        return found.length == 0 ? null : new PartPrice(part.name(), part.in(),
+            Median.of(Arrays.stream(found).mapToDouble(Row::share).toArray()),
             Arrays.stream(found).mapToDouble(Row::error).max().getAsDouble());
     }
 

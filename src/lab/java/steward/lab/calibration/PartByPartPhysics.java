@@ -20,6 +20,7 @@ import steward.physics.Wall;
 import steward.scene.Accuracy;
 import steward.scene.Part;
 import steward.scene.Scene;
+import steward.scene.price.PartPrice;
 
 /**
  * The physics of a scene put together one part at a time, from an empty scene where bodies only fly: what each part
@@ -31,9 +32,6 @@ import steward.scene.Scene;
  * impulse and a push-out, so it adds those if they are missing.
  */
 public final class PartByPartPhysics {
-
-    /** The first step: bodies fly without impacts. */
-    public static final String EMPTY = "flying straight";
 
     /** The parts of the physics; one that a game has of its own has no step. */
     private static final Set<String> KNOWN = Set.of(Part.PAIR_IMPACTS, Part.WALLS, Part.RESTITUTION,
@@ -96,7 +94,7 @@ public final class PartByPartPhysics {
             .toList();
         PartByPartPhysics whole = new PartByPartPhysics(setup, someWalls);
         List<Step> steps = new ArrayList<>();
-        steps.add(whole.step(EMPTY, true));
+        steps.add(whole.step(PartPrice.EMPTY, true));
         parts.stream().filter(Part::in).forEach(part -> {
             whole.add(part.name(), true);
             steps.add(whole.step(part.name(), true));

@@ -10,9 +10,14 @@ import steward.game.GameTypes;
 import steward.game.Pilot;
 import steward.lab.timing.Timing;
 import steward.lab.timing.TimingSamples;
+import steward.numerics.Median;
 import steward.physics.Bodies;
 import steward.scene.Part;
 import steward.scene.Scene;
+import steward.scene.SceneKey;
+import steward.scene.price.MeasuredPrices;
+import steward.scene.price.PartPrice;
+import steward.scene.price.StoredPartPrices;
 
 /**
  * The time that each part of a scene's engine adds to a turn on this machine. States of seeded play are played with the
@@ -27,28 +32,6 @@ public final class PartPrices {
 
     private final PartSlices slices;
     private final List<Bodies> states;
-
-    /**
-     * The price of a part.
-     *
-     * @param part  its name
-     * @param in    whether the scene has it; otherwise it was added to the whole scene
-     * @param nanos nanoseconds a turn; below 0 for a part that saves time
-     * @param error by how much that may be wrong: half of the range of the repeats
-     */
-    public record Price(String part, boolean in, double nanos, double error) {
-    }
-
-    /**
-     * The results.
-     *
-     * @param prices first that of the empty scene, then those of the physics' parts in the order of
-     *               {@link PartByPartPhysics}, then those of the game's parts
-     * @param turn   a turn of the whole scene, in nanoseconds
-     * @param rounds how many rounds were used
-     */
-    public record Prices(List<Price> prices, Price turn, int rounds) {
-    }
 
     /** Draws states of seeded play. */
     public PartPrices(Scene scene, GameTypes types) {
@@ -69,15 +52,23 @@ public final class PartPrices {
      * @param timing times a {@link PartJob} for each slice
      * @param step   called after each step of it
      */
-    public Prices measure(Timing timing, Runnable step) {
+    public MeasuredPrices measure(Timing timing, Runnable step) {
         String scene = slices.setup().scene().json();
         List<byte[]> jobs = IntStream.range(0, slices.count())
             .mapToObj(slice -> new PartJob(scene, slice, states).bytes()).toList();
         return result(timing.run(jobs, step));
     }
 
-    private Prices result(TimingSamples samples) {
-        List<Price> prices = new ArrayList<>();
+    /** Returns the prices of a scene as rows of the stored file. */
+    public static List<StoredPartPrices.Row> rows(Scene scene, MeasuredPrices prices, String date, String machine) {
+        double turn = prices.turn().nanos();
+        return prices.prices().stream().map(price -> new StoredPartPrices.Row(scene.name(), scene.gameId(),
+            SceneKey.of(scene), scene.accuracy().text(), price.part(), price.in(), price.nanos() / turn,
+            price.error() / turn, date, machine)).toList();
+    }
+
+    private MeasuredPrices result(TimingSamples samples) {
+        List<PartPrice> prices = new ArrayList<>();
         int whole = slices.ofStep(-1);
         List<PartByPartPhysics.Step> steps = slices.steps();
         for (int k = 0; k < steps.size(); k++) {
@@ -94,16 +85,16 @@ public final class PartPrices {
             }
         }
         int flown = whole;
-        return new Prices(prices, price("", true, samples.perRepeat(nanos ->
+        return new MeasuredPrices(prices, price("", true, samples.perRepeat(nanos ->
             nanos[flown] - nanos[slices.motion()] + nanos[slices.commands()])), samples.rounds());
     }
 
-    private static Price difference(TimingSamples samples, String part, boolean in, int more, int less) {
+    private static PartPrice difference(TimingSamples samples, String part, boolean in, int more, int less) {
         return price(part, in, samples.perRepeat(nanos -> nanos[more] - nanos[less]));
     }
 
-    private static Price price(String part, boolean in, double[] repeats) {
-        return new Price(part, in, TimingSamples.median(repeats),
+    private static PartPrice price(String part, boolean in, double[] repeats) {
+        return new PartPrice(part, in, Median.of(repeats),
             (Arrays.stream(repeats).max().getAsDouble() - Arrays.stream(repeats).min().getAsDouble()) / 2);
     }
 }

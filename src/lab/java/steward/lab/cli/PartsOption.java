@@ -66,7 +66,7 @@ final class PartsOption {
                 progress.begin(scene);
                 List<StoredPartPrices.Row> rows;
                 try {
-                    rows = StoredPartPrices.rows(setup.scene(), prices.measure(timing,
+                    rows = PartPrices.rows(setup.scene(), prices.measure(timing,
                         progress.steps(timing.steps(prices.jobs()))), date, Machine.line());
                 } finally {
                     progress.end();

@@ -13,13 +13,6 @@ import steward.numerics.SplitMix64;
 /** The tables of docs/rating.md. */
 public final class SelfCheck {
 
-    /** The parts, in the order in which they are printed. */
-    public static final List<String> PARTS = List.of("fixed", "exact", "pairings", "anytime", "rules", "sprt",
-        "adaptive");
-
-    /** Leagues of a configuration, if nothing else is said. */
-    public static final long USUAL = 20_000;
-
     private static final long SEED = 21;
     /** Whole leagues of 16 bots take long: so many times fewer of them. */
     private static final int FEWER = 200;
@@ -47,7 +40,7 @@ public final class SelfCheck {
         this.out = out;
     }
 
-    /** Prints one of {@link #PARTS}. */
+    /** Prints one part, by the word that {@code --only} takes. */
     public void print(String part) throws InterruptedException {
         switch (part) {
             case "fixed" -> fixed();
@@ -56,7 +49,8 @@ public final class SelfCheck {
             case "anytime" -> anytime();
             case "rules" -> rules();
             case "sprt" -> sprt();
-            default -> adaptive();
+            case "adaptive" -> adaptive();
+            default -> throw new IllegalArgumentException(part);
         }
         out.accept("");
     }

@@ -1,7 +1,7 @@
 package steward.lab.timing;
 
 import java.util.Arrays;
-import java.util.stream.DoubleStream;
+import steward.numerics.Median;
 
 /** The measured rounds of some kinds of turns, and what is said of them: medians, and ratios of the same medians. */
 public final class TimingSamples {
@@ -51,7 +51,7 @@ public final class TimingSamples {
 
     /** Nanoseconds of a turn: the median of all rounds. */
     public double median(int job) {
-        return median(all(job));
+        return Median.of(all(job));
     }
 
     /** One round in ten is faster than this, in nanoseconds a turn. */
@@ -99,16 +99,9 @@ public final class TimingSamples {
                 int at = round;
                 values[round] = value.value(Arrays.stream(nanos).mapToDouble(job -> job[of][at]).toArray());
             }
-            medians[repeat] = median(values);
+            medians[repeat] = Median.of(values);
         }
         return medians;
-    }
-
-    /** The middle of some values; of an even number, the mean of the two in the middle. */
-    public static double median(double... values) {
-        double[] sorted = DoubleStream.of(values).sorted().toArray();
-        int half = sorted.length / 2;
-        return sorted.length % 2 == 1 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
     }
 
     /** Between the two nearest of the sorted values. */

@@ -1,7 +1,7 @@
 package steward.lab.tradeoff;
 
-import steward.lab.timing.TimingSamples;
 import steward.lab.timing.WorkClock;
+import steward.numerics.Median;
 import steward.numerics.SineCosine;
 import steward.numerics.SplitMix64;
 
@@ -94,7 +94,7 @@ public record TradeoffHeadings(String headings, long podTurns, long differing, d
             step.run();
         }
         return new TradeoffHeadings(aligned ? AXIS : RANDOM, (long) blocks * BLOCK, differing,
-            TimingSamples.median(angles), TimingSamples.median(vectors));
+            Median.of(angles), Median.of(vectors));
     }
 
     /**

@@ -27,6 +27,7 @@ import steward.scene.Accuracy;
 import steward.scene.Part;
 import steward.scene.SceneFiles;
 import steward.scene.SceneReader;
+import steward.scene.price.PartPrice;
 
 /** A turn put together part by part; and what a turn without a part is made of. */
 class PartByPartPhysicsTest {
@@ -59,7 +60,7 @@ class PartByPartPhysicsTest {
         assertEquals(setup.plan().motion(), whole.motion());
         assertEquals(classes(setup.plan().advance(null)), classes(whole.advance()));
 
-        List<String> names = new ArrayList<>(List.of(PartByPartPhysics.EMPTY));
+        List<String> names = new ArrayList<>(List.of(PartPrice.EMPTY));
         setup.plan().parts().stream().filter(part -> part.in() && part.when() == Part.When.PHYSICS)
             .forEach(part -> names.add(part.name()));
         assertEquals(names, in.stream().map(PartByPartPhysics.Step::part).toList());

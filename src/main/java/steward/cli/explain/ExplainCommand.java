@@ -15,6 +15,7 @@ import steward.cli.options.ShippedScenes;
 import steward.cli.shared.Colour;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Json;
+import steward.cli.shared.Lab;
 import steward.cli.shared.Streams;
 import steward.game.GameSetup;
 import steward.physics.Arithmetic;
@@ -61,7 +62,8 @@ public final class ExplainCommand implements Callable<Integer> {
     public Integer call() {
         CallCheck.brief().that(!measure || !noPrices, "--measure: found --no-prices with it, expected one of them");
         GameSetup setup = accuracy.open(scene, streams);
-        PriceList prices = noPrices ? null : measure ? PriceList.measure(streams, setup) : PriceList.stored(setup);
+        PriceList prices = noPrices ? null : measure
+            ? PriceList.measured(setup, Lab.of("--measure").measurePrices(streams, setup)) : PriceList.stored(setup);
         if (json) {
             ExplainJson.print(streams, setup, prices);
             return ExitStatus.DONE;

@@ -4,16 +4,10 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import steward.cli.shared.Games;
-import steward.cli.shared.ProgressLine;
-import steward.cli.shared.Streams;
 import steward.game.GameSetup;
-import steward.lab.calibration.PartByPartPhysics;
-import steward.lab.calibration.PartPrices;
-import steward.lab.calibration.PartPrices.Price;
-import steward.lab.timing.Timing;
-import steward.lab.timing.TimingEffort;
 import steward.scene.Part;
+import steward.scene.price.MeasuredPrices;
+import steward.scene.price.PartPrice;
 import steward.scene.price.StoredPartPrices;
 
 /** What each part of a scene adds to a turn: as stored with the program, or measured on this machine. */
@@ -21,7 +15,7 @@ final class PriceList {
 
     private static final double PERCENT = 100;
 
-    private final Map<String, Price> byPart = new HashMap<>();
+    private final Map<String, PartPrice> byPart = new HashMap<>();
     private final String legend;
     private final boolean measured;
 
@@ -42,36 +36,22 @@ final class PriceList {
             + " on " + String.join(", ", rungs) + ", measured " + row.date() + ": " + row.machine()
             + ". --measure measures this scene here.");
         for (Part part : setup.plan().parts()) {
-            Price price = stored.price(part);
+            PartPrice price = stored.price(part);
             if (price != null) {
-                list.byPart.put(part.name(), new Price(part.name(), part.in(), PERCENT * price.nanos(),
+                list.byPart.put(part.name(), new PartPrice(part.name(), part.in(), PERCENT * price.nanos(),
                     PERCENT * price.error()));
             }
         }
         return list;
     }
 
-    /** Measures, each step in JVMs of its own; progress is shown on a terminal. */
-    static PriceList measure(Streams streams, GameSetup setup) {
-        return measure(streams, setup, Timing.inJvms(TimingEffort.SOON, TimingMain.class));
-    }
-
-    static PriceList measure(Streams streams, GameSetup setup, Timing timing) {
-        PartPrices parts = new PartPrices(setup.scene(), Games.types());
-        ProgressLine progress = ProgressLine.watched(streams, "measuring", timing.steps(parts.jobs()));
-        PartPrices.Prices prices;
-        try {
-            prices = parts.measure(timing, () -> ProgressLine.step(progress));
-        } finally {
-            if (progress != null) {
-                progress.close();
-            }
-        }
-        Map<String, Price> byPart = new HashMap<>();
+    /** Prices measured on this machine. */
+    static PriceList measured(GameSetup setup, MeasuredPrices prices) {
+        Map<String, PartPrice> byPart = new HashMap<>();
         prices.prices().forEach(price -> byPart.put(price.part(), price));
         PriceList list = new PriceList(true, "");
         PriceList told = new PriceList(true, "A turn takes " + list.text(prices.turn()) + " here, "
-            + list.text(byPart.get(PartByPartPhysics.EMPTY)) + " of them to fly straight; a part adds its price (below "
+            + list.text(byPart.get(PartPrice.EMPTY)) + " of them to fly straight; a part adds its price (below "
             + "0: it saves), parts left out would add what is in brackets. Measured now on "
             + setup.scene().accuracy() + ", each part in JVMs of its own, medians of " + prices.rounds()
             + " rounds; < is less than can be told apart.");
@@ -81,13 +61,13 @@ final class PriceList {
 
     /** The price of a part, in brackets for a part that is left out; empty without a price. */
     String of(Part part) {
-        Price price = byPart.get(part.name());
+        PartPrice price = byPart.get(part.name());
         return price == null ? "" : part.in() ? text(price) : "(" + text(price) + ")";
     }
 
     /** The price of a part in nanoseconds a turn, or as a share of a turn; {@code NaN} if it has none. */
     double number(Part part) {
-        Price price = byPart.get(part.name());
+        PartPrice price = byPart.get(part.name());
         return price == null ? Double.NaN : measured ? price.nanos() : price.nanos() / PERCENT;
     }
 
@@ -97,7 +77,7 @@ final class PriceList {
     }
 
     /** A number, or a text that it is below the measurable difference. */
-    private String text(Price price) {
+    private String text(PartPrice price) {
         double least = Math.max(1, price.error());
         return Math.abs(price.nanos()) >= least ? unit(price.nanos()) : "<" + unit(Math.ceil(least));
     }
