@@ -23,7 +23,7 @@ public final class LabCommands implements Lab {
             case "stability" -> new StabilityCommand(streams);
             case "tradeoff" -> new TradeoffCommand(streams);
             case "bench" -> new BenchCommand(streams);
-            case "capacity" -> new CapacityCommand(streams);
+            case "league capacity" -> new CapacityCommand(streams);
             default -> throw new IllegalArgumentException(name);
         };
     }

@@ -19,7 +19,7 @@ public final class MachineCommands {
         commands.put("worker", new LeagueWorkerCommand(streams));
         commands.put("shard", new ShardCommand(streams));
         commands.put("merge", new MergeCommand(streams));
-        commands.put("capacity", Lab.commandOrMissing("capacity", streams));
+        commands.put("capacity", Lab.commandOrMissing("league capacity", streams));
         return commands;
     }
 }

@@ -14,7 +14,7 @@ import steward.scene.price.MeasuredPrices;
 /** Commands and measurements that the lab's jar offers; the program works without that jar. */
 public interface Lab {
 
-    /** Creates one of the lab's commands: stability, tradeoff, bench, or capacity of a league. */
+    /** Creates one of the lab's commands: stability, tradeoff, bench or league capacity. */
     Object command(String name, Streams streams);
 
     /** Measures what the parts of a scene add to a turn, each in JVMs of its own; shows progress on a terminal. */
