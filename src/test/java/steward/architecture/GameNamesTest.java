@@ -19,8 +19,7 @@ import org.junit.jupiter.api.Test;
  */
 class GameNamesTest {
 
-    private static final Path MAIN = Path.of("src/main");
-    private static final Path GAMES = MAIN.resolve("java/steward/game");
+    private static final Path GAMES = Path.of("src/engine/java/steward/game");
     private static final String FIRST = "podrace";
 
     /** Where every game has a line. */
@@ -49,11 +48,13 @@ class GameNamesTest {
     private static List<String> filesThatName(String game) throws IOException {
         Pattern name = nameOf(game);
         TreeSet<String> found = new TreeSet<>();
-        try (Stream<Path> files = Files.walk(MAIN)) {
-            for (Path path : files.filter(Files::isRegularFile).toList()) {
-                String file = MAIN.relativize(path).toString().replace('\\', '/');
-                if (!isOwn(file, game) && name.matcher(Files.readString(path)).find()) {
-                    found.add(file);
+        for (Path part : HouseClasses.sources().stream().map(Path::getParent).toList()) {
+            try (Stream<Path> files = Files.walk(part)) {
+                for (Path path : files.filter(Files::isRegularFile).toList()) {
+                    String file = part.relativize(path).toString().replace('\\', '/');
+                    if (!isOwn(file, game) && name.matcher(Files.readString(path)).find()) {
+                        found.add(file);
+                    }
                 }
             }
         }

@@ -27,21 +27,21 @@ final class House {
     /** Lowest first; the root package itself, which holds only what marks the others, is the lowest of all. */
     static final List<String> ROOMS = List.of("", "numerics", "text", "files",
         "physics", "physics.time", "physics.impulse", "physics.event", "physics.queue",
-        "scene.json", "scene", "game", "game.fantasticbits", "game.fantasticbits.protocol", "game.meanmax",
+        "scene.json", "scene", "scene.price", "game", "game.fantasticbits", "game.fantasticbits.protocol", "game.meanmax",
         "game.meanmax.protocol", "game.podrace", "game.podrace.simulator", "game.podrace.protocol",
         "game.pokerchiprace", "game.pokerchiprace.protocol", "game.searchrace", "game.searchrace.protocol",
         "bot", "bot.command", "bot.accounting", "bot.hold", "bot.isolation", "bot.process", "match",
         "replay.sign", "replay", "replay.verify", "replay.feed", "replay.page", "contest", "live", "codingame",
-        "league", "league.rating", "league.sequential", "league.pairing", "league.tune", "league.selfcheck",
-        "league.store", "league.play", "league.page",
+        "league", "league.rating", "league.sequential", "league.pairing", "league.tune", "league.store", "league.play", "league.page",
         "machines.check", "machines.part", "machines.token", "machines.wire", "machines.bundle", "machines.broker",
-        "machines.serve", "machines.worker", "machines.capacity",
+        "machines.serve", "machines.worker",
+        "cli.shared", "cli.options", "cli.explain", "cli.replay", "cli.play", "cli.sequential",
+        "cli.check", "cli.league.view", "cli.league.run", "cli.league", "cli.tournament", "cli.machines",
+        "cli.setup", "cli",
         "lab.oracle", "lab.trial", "lab.stability.pairs", "lab.stability.crowds", "lab.stability",
         "lab.timing", "lab.calibration", "lab.tradeoff", "lab.tradeoff.report",
-        "bench", "bench.textbook", "bench.section",
-        "cli.shared", "cli.options", "cli.bench", "cli.lab", "cli.replay", "cli.play", "cli.sequential",
-        "cli.check", "cli.league.view", "cli.league.run", "cli.league", "cli.tournament", "cli.machines",
-        "cli.setup", "cli");
+        "lab.bench", "lab.bench.textbook", "lab.bench.section", "lab.statistics", "lab.capacity",
+        "lab.cli.bench", "lab.cli");
 
     /** The game for which there are commands and formats of its own. */
     private static final String FIRST_GAME = "podrace";
@@ -95,7 +95,7 @@ final class House {
 
     /** The command line lists the games; CodinGame's own file formats are those of particular games. */
     ArchRule fewRoomsKnowParticularGames() {
-        return noClasses().that().resideOutsideOfPackages(in("cli"), in("codingame"), in("game.*"))
+        return noClasses().that().resideOutsideOfPackages(in("cli"), in("lab.cli"), in("codingame"), in("game.*"))
             .should().dependOnClassesThat().resideInAPackage(in("game.*"));
     }
 
@@ -182,7 +182,8 @@ final class House {
 
     /** What measures the physics plays no matches. */
     ArchRule labsKnowNoBots() {
-        return noClasses().that().resideInAPackage(in("lab"))
+        return noClasses().that().resideInAnyPackage(in("lab.oracle"), in("lab.trial"), in("lab.stability"),
+                in("lab.timing"), in("lab.calibration"), in("lab.tradeoff"))
             .should().dependOnClassesThat(resideInAnyPackage(in("bot"), in("match")));
     }
 

@@ -18,7 +18,7 @@ class RungSwitchTest {
 
     @Test
     void thePhysicsComparesNoArithmeticsButByExhaustiveSwitches() throws IOException {
-        try (Stream<Path> files = Files.walk(Path.of("src/main/java/steward/physics"))) {
+        try (Stream<Path> files = Files.walk(Path.of("src/engine/java/steward/physics"))) {
             List<Path> comparing = files.filter(Files::isRegularFile)
                 .filter(file -> COMPARISON.matcher(text(file)).find()).toList();
             assertEquals(List.of(), comparing);

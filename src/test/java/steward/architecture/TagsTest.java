@@ -59,9 +59,8 @@ class TagsTest {
     }
 
     private static boolean isOfTests(JavaClass type) {
-        String tests = TagsTest.class.getProtectionDomain().getCodeSource().getLocation().getPath();
         return type.getSource().map(Source::getUri)
-            .filter(uri -> "file".equals(uri.getScheme()) && uri.getPath().startsWith(tests)).isPresent();
+            .filter(uri -> "file".equals(uri.getScheme()) && HouseClasses.isOfTests(uri)).isPresent();
     }
 
     private static boolean isStarter(JavaClass type) {

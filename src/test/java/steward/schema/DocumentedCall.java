@@ -21,6 +21,7 @@ final class DocumentedCall {
 
     /** What Gradle's plugins bring. */
     private static final Set<String> PLUGIN_TASKS = Set.of("run", "test", "javadoc", "installDist", "classes",
+        "labTestClasses",
         "checkstyleMain", "checkstyleTest", "checkstyleBots");
     private static final Pattern OWN_TASK = Pattern.compile("tasks\\.create\\('(\\w+)'");
     private static final Pattern PROPERTY = Pattern.compile("findProperty\\('([\\w.]+)'\\)");
@@ -123,7 +124,8 @@ final class DocumentedCall {
 
     private static String filterProblem(String filter) {
         Pattern pattern = Pattern.compile("\\Q" + filter.replace("*", "\\E.*\\Q") + "\\E");
-        boolean known = classes("src/test/java").stream().anyMatch(name -> pattern.matcher(name).matches());
+        boolean known = Stream.of("engineTest", "test", "labTest")
+            .flatMap(part -> classes("src/" + part + "/java").stream()).anyMatch(name -> pattern.matcher(name).matches());
         return known ? null : "no class of tests is called " + filter;
     }
 

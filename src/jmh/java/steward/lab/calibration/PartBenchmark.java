@@ -22,6 +22,7 @@ import steward.physics.Bodies;
 import steward.physics.TurnLog;
 import steward.scene.SceneFiles;
 import steward.scene.SceneText;
+import steward.scene.price.PartPrice;
 
 /**
  * What each part adds to a turn, from an empty scene where bodies only fly, each in a JVM of its own:
@@ -42,7 +43,7 @@ public class PartBenchmark {
     @Param({"mad-pod-racing", "walled-race"})
     String scene;
 
-    @Param({PartByPartPhysics.EMPTY, "pair impacts", "walls", "restitution", "minimum impulse", "push-out",
+    @Param({PartPrice.EMPTY, "pair impacts", "walls", "restitution", "minimum impulse", "push-out",
         "batch window", "infinite masses", "drag", "velocity rounding", "position rounding", "reactions",
         "broad phase"})
     String part;

@@ -7,11 +7,18 @@ import picocli.CommandLine.Option;
 import steward.cli.options.CallCheck;
 import steward.cli.options.ThreadsOption;
 import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Lab;
 import steward.cli.shared.Streams;
-import steward.league.selfcheck.SelfCheck;
 
 /** {@code steward league --self-check}: what ratings and tests promise, measured on made-up leagues. */
 final class SelfCheckOptions {
+
+    /** The parts, in the order in which they are printed. */
+    private static final List<String> PARTS = List.of("fixed", "exact", "pairings", "anytime", "rules", "sprt",
+        "adaptive");
+
+    /** Leagues of a configuration, if nothing else is said. */
+    private static final long USUAL = 20_000;
 
     private static final long MOST_LEAGUES = 10_000_000;
 
@@ -38,7 +45,7 @@ final class SelfCheckOptions {
         private static final long serialVersionUID = 1;
 
         Parts() {
-            super(SelfCheck.PARTS);
+            super(PARTS);
         }
     }
 
@@ -52,13 +59,11 @@ final class SelfCheckOptions {
     int run(Streams streams) throws InterruptedException {
         check.range("--leagues", leagues, 1, MOST_LEAGUES);
         threads.check();
-        SelfCheck tables = new SelfCheck(leagues == null ? SelfCheck.USUAL : leagues, threads.count(streams), line -> {
+        List<String> chosen = check.chosen("--only", only, PARTS, name -> name, ", ");
+        Lab.of("--self-check").selfCheck(chosen, leagues == null ? USUAL : leagues, threads.count(streams), line -> {
             streams.out().println(line);
             streams.out().flush();
         });
-        for (String part : check.chosen("--only", only, SelfCheck.PARTS, name -> name, ", ")) {
-            tables.print(part);
-        }
         return ExitStatus.DONE;
     }
 }

@@ -3,6 +3,7 @@ package steward.cli.machines;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import steward.cli.league.run.RunCommand;
+import steward.cli.shared.Lab;
 import steward.cli.shared.Streams;
 
 /** Those commands of a league that are about several machines. */
@@ -18,7 +19,7 @@ public final class MachineCommands {
         commands.put("worker", new LeagueWorkerCommand(streams));
         commands.put("shard", new ShardCommand(streams));
         commands.put("merge", new MergeCommand(streams));
-        commands.put("capacity", new CapacityCommand(streams));
+        commands.put("capacity", Lab.commandOrMissing("league capacity", streams));
         return commands;
     }
 }

@@ -13,6 +13,7 @@ import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import steward.Internal;
 import steward.bot.Answer;
 import steward.bot.Player;
 import steward.bot.TimeBasis;
@@ -67,7 +68,7 @@ class BotTimeTest {
     private static String secondQuestion(String bot, long limitMs) throws Exception {
         String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
         Process referee = new ProcessBuilder(java, "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-cp",
-            home(BotProcess.class) + ":" + home(StoppedReferee.class), StoppedReferee.class.getName(), bot,
+            home(Internal.class) + ":" + home(BotProcess.class) + ":" + home(StoppedReferee.class), StoppedReferee.class.getName(), bot,
             Long.toString(limitMs)).redirectError(ProcessBuilder.Redirect.INHERIT).start();
         String said = new String(referee.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         assertEquals(0, referee.waitFor());

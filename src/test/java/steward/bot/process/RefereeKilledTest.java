@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import steward.Internal;
 import steward.bot.isolation.SandboxLevel;
 
 /** However a referee ends, its bots end with it, and so does its sentinel. */
@@ -38,7 +39,7 @@ class RefereeKilledTest {
 
     private static Process referee(String manner, SandboxLevel level) throws Exception {
         String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
-        String classPath = home(BotProcess.class) + ":" + home(KilledReferee.class);
+        String classPath = home(Internal.class) + ":" + home(BotProcess.class) + ":" + home(KilledReferee.class);
         return new ProcessBuilder(java, "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-Xshare:auto",
             "-cp", classPath, KilledReferee.class.getName(), FAMILY, manner, level.name())
             .redirectError(ProcessBuilder.Redirect.INHERIT).start();

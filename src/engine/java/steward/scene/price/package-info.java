@@ -1,0 +1,5 @@
+/** Prices of the parts of a scene, as they are stored with the program or measured by the lab. */
+@Internal
+package steward.scene.price;
+
+import steward.Internal;

@@ -1,0 +1,36 @@
+package steward.lab.bench;
+
+/** How long to measure. */
+public enum Effort {
+    /** Seconds: to see that it works. */
+    QUICK(50, 3, 20),
+    /** Minutes. */
+    NORMAL(3000, 7, 200),
+    /** For tables that are kept. */
+    LONG(4000, 11, 500);
+
+    private final long warmUpMs;
+    private final int rounds;
+    private final long roundMs;
+
+    Effort(long warmUpMs, int rounds, long roundMs) {
+        this.warmUpMs = warmUpMs;
+        this.rounds = rounds;
+        this.roundMs = roundMs;
+    }
+
+    /** How long each contender warms up, in milliseconds of CPU time. */
+    public long warmUpMs() {
+        return warmUpMs;
+    }
+
+    /** How many measurements the median is taken of. */
+    public int rounds() {
+        return rounds;
+    }
+
+    /** How much CPU time one measurement takes, in milliseconds. */
+    long roundMs() {
+        return roundMs;
+    }
+}

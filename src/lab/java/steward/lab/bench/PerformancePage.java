@@ -1,0 +1,105 @@
+package steward.lab.bench;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+
+/** The measured table as a page. */
+final class PerformancePage {
+
+    private PerformancePage() {
+    }
+
+    static String of(List<Section> sections, List<Row> rows, String machine, String date,
+                     String load) {
+        StringBuilder page = new StringBuilder();
+        page.append("# Performance\n\n")
+            .append("Written by `steward bench` on ").append(date).append(": ").append(machine).append(".\n")
+            .append("Load of the machine, this run included: ").append(load).append("; what waits for other programs"
+                + " counts by the wall clock.\n\n")
+            .append("Machines differ, and one machine differs from hour to hour: compare the ratios, which are between"
+                + " figures of one run, measured in turns.\nThe first line of each group is what the others are"
+                + " compared with. Unless a section says otherwise, time is CPU time of the\nthread that works, and"
+                + " each figure is the median of several rounds after a warm-up.\n");
+        for (Section section : sections) {
+            List<Row> own = rows.stream().filter(row -> row.section().equals(section.name()))
+                .collect(Collectors.toList());
+            if (!own.isEmpty()) {
+                page.append("\n## ").append(section.name()).append("\n\n").append(wrap(section.about())).append('\n');
+                table(page, own);
+            }
+        }
+        growth(page, rows);
+        return page.toString();
+    }
+
+    private static void table(StringBuilder page, List<Row> rows) {
+        page.append("\n| | a second | | each | ratio | bytes | |\n|---|---:|---|---:|---:|---:|---|\n");
+        for (Row row : rows) {
+            page.append("| ").append(row.name()).append(" | ").append(count(row.perSecond())).append(" | ")
+                .append(row.unit()).append(" | ").append(time(row.nanos())).append(" | ").append(ratio(row.ratio()))
+                .append(" | ").append(Double.isNaN(row.bytes()) ? "" : count(row.bytes())).append(" | ")
+                .append(row.note()).append(" |\n");
+        }
+    }
+
+    /** A paragraph from the same rows. */
+    private static void growth(StringBuilder page, List<Row> rows) {
+        StringBuilder said = new StringBuilder();
+        between(said, rows, "crowds", "queue, ", "bodies", "an impact");
+        between(said, rows, "growth", "", "players, or in matches of other lengths", "a turn");
+        rows.stream().filter(row -> row.section().equals("matches") && row.name().endsWith(" threads"))
+            .reduce((one, other) -> other).ifPresent(row -> said.append("- With cores: ").append(row.name())
+                .append(" play ").append(ratio(row.ratio())).append(" times the matches of one, and the same ones.\n"));
+        if (said.length() > 0) {
+            page.append("\n## How cost grows\n\n").append(said);
+        }
+    }
+
+    private static void between(StringBuilder said, List<Row> rows, String section, String start, String what,
+                                String unit) {
+        List<Row> own = rows.stream().filter(row -> row.section().equals(section) && row.name().startsWith(start))
+            .collect(Collectors.toList());
+        if (own.size() > 1) {
+            said.append("- With ").append(what).append(": ").append(unit).append(" takes ");
+            said.append(own.stream().map(row -> time(row.nanos()) + " (" + row.name().substring(start.length()) + ")")
+                .collect(Collectors.joining(", "))).append(".\n");
+        }
+    }
+
+    /** Wraps lines at the width of the other pages. */
+    private static String wrap(String text) {
+        StringBuilder lines = new StringBuilder();
+        int used = 0;
+        for (String word : text.split(" ")) {
+            if (used + word.length() >= 118) {
+                lines.append('\n');
+                used = 0;
+            } else if (used > 0) {
+                lines.append(' ');
+                used++;
+            }
+            lines.append(word);
+            used += word.length();
+        }
+        return lines.append('\n').toString();
+    }
+
+    /** Three significant digits, with separators between thousands. */
+    static String count(double value) {
+        double unit = value < 1 ? 1 : Math.pow(10, Math.max(0, Math.floor(Math.log10(value)) - 2));
+        return value < 100 && value != Math.rint(value) ? String.format(Locale.ROOT, "%.1f", value)
+            : String.format(Locale.ROOT, "%,.0f", Math.rint(value / unit) * unit);
+    }
+
+    /** In the unit that leaves one to three digits before the decimal point. */
+    static String time(double nanos) {
+        return nanos < 1e3 ? String.format(Locale.ROOT, "%.0f ns", nanos)
+            : nanos < 1e6 ? String.format(Locale.ROOT, "%.2f us", nanos / 1e3)
+            : String.format(Locale.ROOT, "%.2f ms", nanos / 1e6);
+    }
+
+    static String ratio(double ratio) {
+        return Double.isNaN(ratio) ? "" : String.format(Locale.ROOT, "%.2f", ratio);
+    }
+}

@@ -1,0 +1,23 @@
+package steward.lab.bench;
+
+/**
+ * One measured row.
+ *
+ * @param section   what was measured
+ * @param name      which contender
+ * @param unit      what is counted
+ * @param perSecond units per second, of CPU time or of the wall clock as the section says
+ * @param ratio     the speed relative to the first row of its group, NaN where there is nothing to compare
+ * @param bytes     allocated per unit, NaN where it was not measured
+ * @param note      further remarks, may be empty
+ */
+public record Row(String section, String name, String unit, double perSecond, double ratio, double bytes,
+                  String note) {
+
+    private static final double NANOS = 1e9;
+
+    /** Nanoseconds per unit. */
+    public double nanos() {
+        return NANOS / perSecond;
+    }
+}

@@ -1,0 +1,24 @@
+package steward.lab.bench;
+
+import java.util.function.Consumer;
+
+/** A part of the table. */
+public interface Section {
+
+    /** A word, for {@code --only}. */
+    String name();
+
+    /** What is measured and how, in one or two sentences for the page. */
+    String about();
+
+    /** How often {@link #run} will report what is measured, approximately. */
+    int steps(Effort effort);
+
+    /**
+     * Measures; each row is passed on as soon as it is known.
+     *
+     * @param about receives what is measured now
+     * @throws Exception if something cannot be measured, with a readable message
+     */
+    void run(Effort effort, Consumer<String> about, Consumer<Row> rows) throws Exception;
+}

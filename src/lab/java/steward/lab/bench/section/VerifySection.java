@@ -1,0 +1,128 @@
+package steward.lab.bench.section;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+import steward.lab.bench.Contender;
+import steward.lab.bench.Effort;
+import steward.lab.bench.Meter;
+import steward.lab.bench.Row;
+import steward.lab.bench.Section;
+import steward.replay.RecordedMatch;
+import steward.replay.RecordedTurn;
+import steward.replay.ReplayReader;
+import steward.replay.ReplayWriter;
+import steward.replay.verify.Resimulation;
+import steward.replay.verify.Verification;
+import tools.jackson.databind.json.JsonMapper;
+
+/** Recorded matches, played again and compared. */
+final class VerifySection implements Section {
+
+    private static final int MATCHES = 50;
+    private static final double MEGABYTE = 1e6;
+
+    private final MatchFixture fixture;
+
+    VerifySection(MatchFixture fixture) {
+        this.fixture = fixture;
+    }
+
+    @Override
+    public String name() {
+        return "verify";
+    }
+
+    @Override
+    public String about() {
+        return "Recorded matches of official length, by CPU time: read whole into trees of JSON and no more (the"
+            + " textbook way begins so), verified from their files, and played again when their turns are in memory.";
+    }
+
+    @Override
+    public int steps(Effort effort) {
+        return 1 + 3 * (1 + effort.rounds());
+    }
+
+    @Override
+    public void run(Effort effort, Consumer<String> about, Consumer<Row> rows) throws Exception {
+        about.accept("recording");
+        Path folder = Files.createTempDirectory("steward-bench");
+        try {
+            List<Path> files = new ArrayList<>();
+            List<RecordedMatch> decoded = new ArrayList<>();
+            long bytes = 0;
+            for (int seed = 0; seed < MATCHES; seed++) {
+                byte[] replay = record(seed);
+                bytes += replay.length;
+                files.add(Files.write(folder.resolve(seed + ".jsonl"), replay));
+                decoded.add(RecordedMatch.read(new ReplayReader(new ByteArrayInputStream(replay), "replay")));
+            }
+            double mean = (double) bytes / MATCHES;
+            int[] next = new int[3];
+            List<Contender> contenders = List.of(
+                new Contender("textbook: read into trees", () -> read(files.get(next[0]++ % MATCHES))),
+                new Contender("verified from files", () -> verify(files.get(next[1]++ % MATCHES))),
+                new Contender("played again from memory", () -> again(decoded.get(next[2]++ % MATCHES))));
+            new Meter().compare(name(), "matches", contenders, effort, about, row -> rows.accept(
+                row.name().startsWith("played") ? row : new Row(row.section(), row.name(), row.unit(),
+                    row.perSecond(), row.ratio(), row.bytes(),
+                    String.format(Locale.ROOT, "%.0f MB/s", row.perSecond() * mean / MEGABYTE))));
+        } finally {
+            delete(folder);
+        }
+    }
+
+    private byte[] record(int seed) {
+        ByteArrayOutputStream file = new ByteArrayOutputStream();
+        MatchSection.match(fixture, MatchSection.direct(fixture), seed,
+            new ReplayWriter(file, MatchSection.header(fixture, seed)));
+        return file.toByteArray();
+    }
+
+    private static long read(Path file) throws Exception {
+        try (Stream<String> lines = Files.lines(file, StandardCharsets.UTF_8)) {
+            long objects = lines.map(JsonMapper.shared()::readTree).filter(tree -> tree.isObject()).count();
+            return objects > 0 ? 1 : 0;
+        }
+    }
+
+    private long verify(Path file) throws Exception {
+        try (ReplayReader replay = ReplayReader.open(file)) {
+            Verification verification = Verification.of(replay, fixture.types());
+            if (!verification.verified()) {
+                throw new IllegalStateException("a fresh recording differs: " + verification.difference());
+            }
+            return 1;
+        }
+    }
+
+    private long again(RecordedMatch match) {
+        Resimulation again = new Resimulation(match.header(), fixture.types(), match.source());
+        for (RecordedTurn turn : match.turns()) {
+            if (again.play(turn) != null) {
+                throw new IllegalStateException("a fresh recording cannot be played again");
+            }
+        }
+        if (!again.game().isOver()) {
+            throw new IllegalStateException("a fresh recording ends otherwise");
+        }
+        return 1;
+    }
+
+    static void delete(Path folder) throws java.io.IOException {
+        try (Stream<Path> files = Files.list(folder)) {
+            for (Path file : files.toList()) {
+                Files.delete(file);
+            }
+        }
+        Files.delete(folder);
+    }
+}

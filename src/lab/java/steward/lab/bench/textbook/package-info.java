@@ -1,0 +1,5 @@
+/** Plain textbook implementations as a baseline; they share no code with the engine but sine and cosine. */
+@Internal
+package steward.lab.bench.textbook;
+
+import steward.Internal;

@@ -1,0 +1,186 @@
+package steward.lab.cli;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Iterator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import steward.cli.options.CallCheck;
+import steward.cli.options.TableFolder;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Games;
+import steward.cli.shared.Interruption;
+import steward.cli.shared.ProgressLine;
+import steward.cli.shared.RunProgress;
+import steward.cli.shared.Streams;
+import steward.files.OutputFiles;
+import steward.lab.stability.GoldenHash;
+import steward.lab.stability.StabilityCases;
+import steward.lab.stability.StabilityFiles;
+import steward.lab.stability.StabilityRow;
+import steward.lab.stability.StabilitySeconds;
+import steward.lab.trial.RunLength;
+import steward.lab.trial.Rung;
+import steward.lab.trial.StabilityCase;
+import steward.numerics.StateHash;
+import steward.text.TextFormat;
+
+/** {@code steward stability}: the physics at the numerical extremes, compared with what is demanded. */
+@Command(name = "stability", description = "Tries the physics at the numerical extremes, on every rung of accuracy, "
+    + "and says what was demanded and what was seen.",
+    footer = {"", "Examples:", "  steward stability",
+        "  steward stability --quick --case masses --case 'extreme speeds'",
+        "  steward stability --long --out results",
+        "  steward stability --case 'crowd of 1000, 10%%' --rung double \\",
+        "      --impacts 1000000000",
+        "", "Exit status: 0 every demand is met; 1 one is not; 2 the call cannot be used;",
+        "130 Ctrl-C."})
+public final class StabilityCommand implements Callable<Integer> {
+
+    private static final long MOST_IMPACTS = 1_000_000_000_000L;
+    /** From so many seconds on a run says beforehand how long it takes. */
+    private static final double ANNOUNCED = 5;
+    /** How long the golden hash takes by run length, approximately; measured on a machine with two cores. */
+    private static final int[] GOLDEN_SECONDS = {3, 30, 300};
+
+    private final Streams streams;
+    private final CallCheck check = CallCheck.brief();
+
+    @Option(names = "--long", description = "Plays the long versions: hours.")
+    private boolean full;
+
+    @Option(names = "--quick", description = "Plays the short versions, as in the tests: about a minute.")
+    private boolean quick;
+
+    @Option(names = "--case", paramLabel = "NAME", completionCandidates = Cases.class,
+        description = "Only this case; can be repeated.")
+    private List<String> names = new ArrayList<>();
+
+    @Option(names = "--rung", paramLabel = "RUNG", completionCandidates = Rungs.class,
+        description = "Only on this rung of accuracy; can be repeated.")
+    private List<String> rungNames = new ArrayList<>();
+
+    @Option(names = "--impacts", paramLabel = "N", description = "Plays each crowd for so many impacts, on each "
+        + "event rung (default: 1000000; with --quick 20000; with --long 10000000, in double up to 1000000000).")
+    private Long impacts;
+
+    @Option(names = "--out", paramLabel = "DIR", description = "Writes the table to " + StabilityFiles.CSV + " and "
+        + StabilityFiles.JSON + " in a folder too, row by row.")
+    private String out;
+
+    @Mixin
+    private final TableFolder tables = new TableFolder();
+
+    @Option(names = "--golden", description = "Prints the hash of all that is computed instead; it must be the same on "
+        + "every machine.")
+    private boolean golden;
+
+    /** The names of the cases. */
+    static final class Cases implements Iterable<String> {
+
+        @Override
+        public Iterator<String> iterator() {
+            return StabilityCases.all(0).stream().map(StabilityCase::name).iterator();
+        }
+    }
+
+    /** The names of the rungs. */
+    static final class Rungs implements Iterable<String> {
+
+        @Override
+        public Iterator<String> iterator() {
+            return Rung.all().stream().map(Rung::name).iterator();
+        }
+    }
+
+    public StabilityCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() {
+        check.exclusive("--long", full, "--quick", quick);
+        tables.check(out);
+        check.range("--impacts", impacts, 1, MOST_IMPACTS);
+        RunLength size = full ? RunLength.LONG : quick ? RunLength.SMALL : RunLength.NORMAL;
+        if (golden) {
+            check.that(out == null && names.isEmpty() && rungNames.isEmpty() && impacts == null,
+                "--golden is about everything, expected no --out, --case, --rung or --impacts with it");
+            return golden(size);
+        }
+        List<StabilityCase> cases = check.chosen("--case", names, StabilityCases.all(impacts == null ? 0 : impacts),
+            StabilityCase::name, "; ");
+        List<Rung> rungs = check.chosen("--rung", rungNames, Rung.all(), Rung::name, "; ");
+        RunProgress progress = new RunProgress(streams, seconds(cases, rungs, size));
+        if (progress.total() >= ANNOUNCED) {
+            ProgressLine.announce(streams, TextFormat.about(progress.total()));
+        }
+        StabilityTable table = new StabilityTable(streams, progress);
+        if (out == null) {
+            return table(cases, rungs, size, table, null, "the rows so far are above");
+        }
+        Path folder = OutputFiles.path(out);
+        try (StabilityFiles files = tables.start(folder, StabilityFiles.ALL, List.of(),
+            () -> new StabilityFiles(folder, size))) {
+            return table(cases, rungs, size, table, files, "the rows so far are in " + folder);
+        }
+    }
+
+    private List<Double> seconds(List<StabilityCase> cases, List<Rung> rungs, RunLength size) {
+        StabilitySeconds table = StabilitySeconds.read();
+        List<Double> seconds = new ArrayList<>();
+        for (StabilityCase each : cases) {
+            for (Rung rung : rungs) {
+                seconds.add(table.of(each.name(), rung.name(), size, impacts == null ? 0 : impacts));
+            }
+        }
+        return seconds;
+    }
+
+    private int golden(RunLength size) {
+        ProgressLine.announce(streams, TextFormat.about(size.pick(GOLDEN_SECONDS[0], GOLDEN_SECONDS[1],
+            GOLDEN_SECONDS[2])), "prints nothing");
+        Map<String, List<GoldenHash.Part>> others = new LinkedHashMap<>();
+        List<GoldenHash.Part> parts;
+        try (ProgressLine progress = ProgressLine.watched(streams, "golden", GoldenSuite.count())) {
+            Runnable after = () -> ProgressLine.step(progress);
+            for (String game : Games.ids()) {
+                if (!game.equals(Games.FIRST)) {
+                    others.put(game, GoldenSuite.parts(game, size, after));
+                }
+            }
+            parts = GoldenSuite.parts(size, after);
+        }
+        others.forEach((game, itsParts) -> print(itsParts, "all of " + game));
+        print(parts, "all");
+        return ExitStatus.DONE;
+    }
+
+    private void print(List<GoldenHash.Part> parts, String all) {
+        for (GoldenHash.Part part : parts) {
+            streams.out().println(StateHash.toHex(part.hash()) + "  " + part.name());
+        }
+        streams.out().println(StateHash.toHex(GoldenHash.total(parts)) + "  " + all);
+    }
+
+    private int table(List<StabilityCase> cases, List<Rung> rungs, RunLength size, StabilityTable table,
+                      StabilityFiles files, String kept) {
+        try (Interruption interruption = new Interruption(streams,
+            () -> kept + (table.unfinished().isEmpty() ? "" : "; unfinished: " + table.unfinished()))) {
+            StabilityRow.tryAll(cases, rungs, size, (each, rung) -> table.about(each.name(), rung.name()),
+                table::reached, row -> {
+                    if (files != null) {
+                        files.add(row);
+                    }
+                    table.add(row);
+                });
+            interruption.over();
+            return table.end() ? ExitStatus.DONE : ExitStatus.FAILED;
+        }
+    }
+}

@@ -1,0 +1,38 @@
+package steward.lab.cli;
+
+import java.io.DataInputStream;
+import java.io.IOException;
+import steward.cli.shared.Games;
+import steward.lab.calibration.PartJob;
+import steward.lab.timing.RungJob;
+import steward.lab.timing.TimedTurns;
+import steward.lab.timing.TimingChild;
+import steward.lab.tradeoff.TradeoffWorlds;
+import steward.physics.PhysicsParts;
+import steward.scene.SceneReader;
+
+/** The program of a JVM that times one kind of turns for another JVM; people do not call it. */
+public final class TimingMain {
+
+    private TimingMain() {
+    }
+
+    /** @throws IOException if the other JVM cannot be reached */
+    public static void main(String[] arguments) throws IOException {
+        TimingChild.serve(System.in, System.out, TimingMain::open);
+    }
+
+    static TimedTurns open(DataInputStream job) throws IOException {
+        if (job.readUTF().equals(PartJob.KIND)) {
+            return PartJob.read(job).open(Games.types());
+        }
+        RungJob rung = RungJob.read(job);
+        return rung.open(parts(rung.scene()));
+    }
+
+    /** @param scene a scene as JSON, or the name of a world */
+    private static PhysicsParts parts(String scene) {
+        return scene.startsWith("{") ? Games.types().open(SceneReader.read(scene, "the scene")).physics()
+            : TradeoffWorlds.named(scene).parts();
+    }
+}

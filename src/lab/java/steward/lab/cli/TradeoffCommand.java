@@ -1,0 +1,162 @@
+package steward.lab.cli;
+
+import java.nio.file.Path;
+import java.time.LocalDate;
+import java.time.ZoneOffset;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import steward.cli.options.TableFolder;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Games;
+import steward.cli.shared.Interruption;
+import steward.cli.shared.ProgressLine;
+import steward.cli.shared.RunProgress;
+import steward.cli.shared.Streams;
+import steward.files.InputException;
+import steward.files.OutputFiles;
+import steward.lab.timing.Machine;
+import steward.lab.timing.Timing;
+import steward.lab.tradeoff.TradeoffEffort;
+import steward.lab.tradeoff.TradeoffHeadings;
+import steward.lab.tradeoff.TradeoffMeasurement;
+import steward.lab.tradeoff.TradeoffRow;
+import steward.lab.tradeoff.TradeoffScene;
+import steward.lab.tradeoff.report.TradeoffReport;
+import steward.text.TextFormat;
+
+/** {@code steward tradeoff}: the cost and the error of each rung of accuracy. */
+@Command(name = "tradeoff", description = "Measures, scene by scene, what each rung of accuracy costs and how far "
+    + "it is from the truth.",
+    footer = {"", "Examples:", "  steward tradeoff --out results",
+        "  steward tradeoff --quick --scene bullets --scene my-scene.json",
+        "  steward tradeoff --calibrate my-scene.json",
+        "", "Exit status: 0 done; 2 the call or a scene cannot be used; 130 Ctrl-C: what was",
+        "measured is kept."})
+public final class TradeoffCommand implements Callable<Integer> {
+
+    private final Streams streams;
+
+    @Option(names = "--scene", paramLabel = "FILE|NAME", completionCandidates = TradeoffScenes.Names.class,
+        description = "Only this scene; can be repeated. A scene file, a "
+        + "shipped scene, or one of official-race, brawl, dense-box, gas, bullets, grazing; headings for what "
+        + "trigonometry costs.")
+    private List<String> scenes = new ArrayList<>();
+
+    @Option(names = "--quick", description = "Measures few states, in one JVM a rung: rough figures, soon, that may "
+        + "not be quoted.")
+    private boolean quick;
+
+    @Option(names = "--out", paramLabel = "DIR", description = "Writes " + TradeoffReport.CSV + " and "
+        + TradeoffReport.JSON + " into a folder, scene by scene, and in the end a plot and a page that shows it.")
+    private String out;
+
+    @Mixin
+    private final TableFolder tables = new TableFolder();
+
+    @Mixin
+    private final CalibrateOptions calibrate = new CalibrateOptions();
+
+    @Mixin
+    private final PartsOption parts = new PartsOption();
+
+    public TradeoffCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() throws InterruptedException {
+        if (parts.isAsked()) {
+            if (quick || out != null || !scenes.isEmpty() || calibrate.isAsked()) {
+                throw new InputException("--parts: found " + (quick ? "--quick" : out != null ? "--out"
+                    : scenes.isEmpty() ? "--calibrate" : "--scene") + " with it, expected nothing but --overwrite");
+            }
+            return parts.run(streams, tables.overwrite());
+        }
+        if (calibrate.isAsked()) {
+            if (quick || !scenes.isEmpty()) {
+                throw new InputException("--calibrate: found " + (quick ? "--quick" : "--scene")
+                    + " with it, expected neither --quick nor --scene");
+            }
+            return calibrate.run(streams, out, tables.overwrite());
+        }
+        tables.check(out);
+        boolean all = scenes.isEmpty();
+        boolean headings = all || scenes.contains(TradeoffScenes.HEADINGS);
+        List<TradeoffScene> chosen = all ? TradeoffScenes.all()
+            : TradeoffScenes.of(scenes.stream().filter(word -> !word.equals(TradeoffScenes.HEADINGS)).toList(),
+                word -> Games.warn(Games.open(word, null, streams), streams));
+        if (out == null) {
+            measure(chosen, headings, null);
+            return ExitStatus.DONE;
+        }
+        Path folder = OutputFiles.path(out);
+        try (TradeoffReport files = files(folder); Interruption interruption = new Interruption(
+            streams, "the scenes so far are in " + folder)) {
+            measure(chosen, headings, files);
+            String problem = files.finish();
+            if (problem != null) {
+                streams.warn("this Java cannot draw the plot: " + problem);
+            }
+            interruption.over();
+        }
+        return ExitStatus.DONE;
+    }
+
+    private TradeoffReport files(Path folder) {
+        return tables.start(folder, TradeoffReport.ALL, TradeoffReport.ALL,
+            () -> new TradeoffReport(folder, Machine.line(), LocalDate.now(ZoneOffset.UTC).toString()));
+    }
+
+    private void measure(List<TradeoffScene> chosen, boolean headings, TradeoffReport files) {
+        TradeoffEffort effort = quick ? TradeoffEffort.QUICK : TradeoffEffort.NORMAL;
+        TradeoffTable table = new TradeoffTable(streams);
+        RunProgress progress = new RunProgress(streams, seconds(chosen, headings));
+        ProgressLine.announce(streams, TextFormat.about(progress.total()));
+        for (TradeoffScene scene : chosen) {
+            TradeoffMeasurement measurement = new TradeoffMeasurement(scene, effort,
+                Timing.inJvms(effort.timing(), TimingMain.class));
+            progress.begin(scene.name());
+            List<TradeoffRow> rows;
+            try {
+                rows = measurement.run(progress.steps(measurement.steps()));
+            } finally {
+                progress.end();
+            }
+            if (files != null) {
+                files.add(rows);
+            }
+            table.add(scene, rows);
+        }
+        for (boolean aligned : headings ? new boolean[] {false, true} : new boolean[0]) {
+            progress.begin(aligned ? "headings, aligned" : "headings");
+            TradeoffHeadings row;
+            try {
+                row = TradeoffHeadings.measure(aligned, effort.podTurns(),
+                    progress.steps(TradeoffHeadings.steps(effort.podTurns())));
+            } finally {
+                progress.end();
+            }
+            if (files != null) {
+                files.addHeadings(row);
+            }
+            table.add(row);
+        }
+        if (!chosen.isEmpty()) {
+            table.end(quick);
+        }
+    }
+
+    /** How long each part takes, approximately. */
+    private List<Double> seconds(List<TradeoffScene> chosen, boolean headings) {
+        List<Double> seconds = new ArrayList<>();
+        chosen.forEach(scene -> seconds.add(TradeoffSeconds.of(scene.name(), quick)));
+        for (int k = 0; k < 2 && headings; k++) {
+            seconds.add(TradeoffSeconds.of(TradeoffScenes.HEADINGS, quick) / 2);
+        }
+        return seconds;
+    }
+}

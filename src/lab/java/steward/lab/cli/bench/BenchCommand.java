@@ -1,0 +1,213 @@
+package steward.lab.cli.bench;
+
+import java.nio.file.Path;
+import java.time.LocalDate;
+import java.time.ZoneOffset;
+import java.util.ArrayList;
+import java.util.Iterator;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import steward.cli.options.CallCheck;
+import steward.cli.options.TableFolder;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Interruption;
+import steward.cli.shared.ProgressLine;
+import steward.cli.shared.RunProgress;
+import steward.cli.shared.Streams;
+import steward.files.InputException;
+import steward.files.OutputFiles;
+import steward.lab.bench.BenchFiles;
+import steward.lab.bench.Effort;
+import steward.lab.bench.Row;
+import steward.lab.bench.Section;
+import steward.lab.timing.Machine;
+import steward.text.TextFormat;
+
+/** {@code steward bench}: how fast pod turns, matches, frames, replays, bot processes and crowds are. */
+@Command(name = "bench", description = "Measures how fast pod turns, matches, frames, replays, bot processes and "
+    + "crowds of bodies are on this machine, with plain textbook ways to do the same beside them.",
+    footer = {"", "Ratios are between figures of one run and mean more than the figures.",
+        "", "Examples:", "  steward bench --quick", "  steward bench --only crowds --bodies 100 --bodies 1000",
+        "  steward bench --long --out results",
+        "", "Exit status: 0 done; 1 something could not be measured; 2 the call cannot be",
+        "used; 130 Ctrl-C."})
+public final class BenchCommand implements Callable<Integer> {
+
+    private static final List<Integer> BODIES = List.of(100, 1000, 10_000, 100_000);
+    private static final List<Integer> QUICK_BODIES = List.of(100, 1000);
+    private static final int MILLION = 1_000_000;
+    private static final int MOST_BODIES = 10 * MILLION;
+
+    /** How long an interrupted run may take to report its results so far, in milliseconds. */
+    private static final long PATIENCE_MS = 2000;
+
+    private final Streams streams;
+    private final CallCheck check = CallCheck.brief();
+    private final Thread measuring = Thread.currentThread();
+    private final CountDownLatch told = new CountDownLatch(1);
+    private volatile boolean interrupted;
+    private volatile boolean any;
+
+    @Option(names = "--only", paramLabel = "NAME", completionCandidates = Parts.class,
+        description = "Only this part; can be repeated.")
+    private List<String> only = new ArrayList<>();
+
+    @Option(names = "--quick", description = "Measures rough figures, in about half a minute.")
+    private boolean quick;
+
+    @Option(names = "--long", description = "Measures for tables that are kept, and a million bodies.")
+    private boolean full;
+
+    @Option(names = "--threads", paramLabel = "T",
+        description = "Up to how many threads play matches and batches (default: as many as there are processors).")
+    private Integer threads;
+
+    @Option(names = "--games", paramLabel = "N", description = "How many matches the threads play (default: 2000).")
+    private Integer games;
+
+    @Option(names = "--bodies", paramLabel = "N",
+        description = "A crowd of so many; can be repeated (default: 100, 1000, 10000, 100000).")
+    private List<Integer> bodies = new ArrayList<>();
+
+    @Option(names = "--out", paramLabel = "DIR", description = "Writes " + BenchFiles.CSV + " and " + BenchFiles.JSON
+        + " into a folder, row by row, and in the end " + BenchFiles.PAGE + ".")
+    private String out;
+
+    @Mixin
+    private final TableFolder tables = new TableFolder();
+
+    /** The names of the parts. */
+    static final class Parts implements Iterable<String> {
+
+        static final List<String> ALL = List.of("pods", "games", "matches", "growth", "frames", "verify", "processes",
+            "league", "start", "crowds");
+
+        @Override
+        public Iterator<String> iterator() {
+            return ALL.iterator();
+        }
+    }
+
+    public BenchCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() {
+        check.exclusive("--long", full, "--quick", quick);
+        tables.check(out);
+        check.games(games);
+        check.threads(threads);
+        List<Section> sections = check.chosen("--only", only, sections(), Section::name, ", ");
+        if (out == null) {
+            try (Interruption interruption = new Interruption(streams, () -> stopped("what was measured is above"))) {
+                int status = measure(sections, null);
+                interruption.over();
+                return status;
+            }
+        }
+        Path folder = OutputFiles.path(out);
+        try (BenchFiles files = tables.start(folder, BenchFiles.ALL, List.of(BenchFiles.PAGE),
+                    () -> new BenchFiles(folder, Machine.line(), LocalDate.now(ZoneOffset.UTC).toString()));
+                Interruption interruption = new Interruption(streams,
+                    () -> stopped("the rows so far are in " + folder))) {
+            int status = measure(sections, files);
+            if (!interrupted) {
+                files.finish(sections);
+                interruption.over();
+            }
+            return status;
+        }
+    }
+
+    private List<Section> sections() {
+        bodies.forEach(count -> check.range("--bodies", count, 1, MOST_BODIES));
+        List<Integer> crowds = new ArrayList<>(!bodies.isEmpty() ? bodies : quick ? QUICK_BODIES : BODIES);
+        if (full && bodies.isEmpty()) {
+            crowds.add(MILLION);
+        }
+        try {
+            return BenchSuite.all(threads == null ? Runtime.getRuntime().availableProcessors() : threads,
+                games == null ? quick ? 200 : 2000 : games, crowds);
+        } catch (IllegalArgumentException problem) {
+            throw new InputException("--bodies: " + problem.getMessage());
+        }
+    }
+
+    /** At Ctrl-C: the measuring thread reports its results so far, unless that takes too long. */
+    private String stopped(String kept) {
+        interrupted = true;
+        measuring.interrupt();
+        try {
+            told.await(PATIENCE_MS, TimeUnit.MILLISECONDS);
+        } catch (InterruptedException impatient) {
+            Thread.currentThread().interrupt();
+        }
+        return any ? kept : "no row was complete";
+    }
+
+    private int measure(List<Section> sections, BenchFiles files) {
+        try {
+            return measureAll(sections, files);
+        } finally {
+            told.countDown();
+        }
+    }
+
+    private int measureAll(List<Section> sections, BenchFiles files) {
+        BenchTable table = new BenchTable(streams);
+        Runtime.getRuntime().addShutdownHook(new Thread(table::release, "bench-interrupted"));
+        Effort effort = quick ? Effort.QUICK : full ? Effort.LONG : Effort.NORMAL;
+        RunProgress progress = new RunProgress(streams,
+            sections.stream().map(section -> BenchSeconds.of(section.name(), effort)).toList());
+        if (games == null && bodies.isEmpty()) {
+            ProgressLine.announce(streams, TextFormat.about(progress.total()));
+        }
+        streams.out().println(Machine.line());
+        int status = ExitStatus.DONE;
+        for (Section section : sections) {
+            table.begin(section);
+            progress.begin(section.name());
+            try {
+                measureOne(section, effort, progress, row -> {
+                    any = true;
+                    if (files != null) {
+                        files.add(row);
+                    }
+                    if (streams.errTerminal()) {
+                        table.hold(row);
+                    } else {
+                        table.add(row);
+                    }
+                });
+            } catch (Exception | OutOfMemoryError problem) {
+                if (interrupted) {
+                    table.release();
+                    return ExitStatus.FAILED;
+                }
+                streams.err().println("steward: " + section.name() + ": could not be measured: "
+                    + TextFormat.plain(String.valueOf(problem.getMessage())));
+                status = ExitStatus.FAILED;
+            }
+            table.release();
+        }
+        return status;
+    }
+
+    /** The line is erased at the end, so that rows and errors can be printed. */
+    private static void measureOne(Section section, Effort effort, RunProgress progress, Consumer<Row> rows)
+        throws Exception {
+        Runnable step = progress.steps(section.steps(effort));
+        try {
+            section.run(effort, about -> step.run(), rows);
+        } finally {
+            progress.end();
+        }
+    }
+}

@@ -1,0 +1,109 @@
+package steward.lab.cli.bench;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import steward.cli.shared.Games;
+import steward.game.GameSetup;
+import steward.game.podrace.protocol.PodRaceType;
+import steward.lab.bench.Section;
+import steward.lab.bench.section.FixedAnswerBot;
+import steward.lab.bench.section.MatchFixture;
+import steward.lab.bench.section.Sections;
+import steward.scene.SceneFiles;
+import steward.scene.SceneText;
+
+/** The sections that {@code steward bench} measures. */
+final class BenchSuite {
+
+    /** Property in which the launcher passes its own path. */
+    static final String LAUNCHER = "steward.launcher";
+
+    /** The class that the launcher starts; it is in a package above this one, so it is named and not imported. */
+    private static final String MAIN_CLASS = "steward.cli.Main";
+    private static final String SCENE = "mad-pod-racing";
+    /** A valid answer for two pods, which never reach a checkpoint. */
+    private static final String ANSWER = "{\"pods\":[{\"x\":8000,\"y\":4500,\"thrust\":50},"
+        + "{\"x\":8000,\"y\":4500,\"thrust\":50}]}";
+    private static final String TURNS_LEFT = "\"turnsWithoutCheckpoint\": 100";
+    private static final String MAXIMUM = "\"maximumTurns\": 500";
+    /** Turns of a match long enough to warm up the JVM that plays it. */
+    private static final String LONG = "5000";
+    private static final String PLAYERS = "\"players\": 2";
+    private static final List<String> QUICK_JVM = List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC",
+        "-Xshare:auto", "-XX:-UsePerfData");
+
+    private BenchSuite() {
+    }
+
+    /** All sections, in the order of the table. */
+    static List<Section> all(int threads, int games, List<Integer> bodies) {
+        MatchFixture fixture = fixture();
+        List<Section> sections = new ArrayList<>();
+        sections.add(new PodTurnSection((PodRaceType.PodRaceSetup) fixture.setup(), threads));
+        sections.add(new GameTurnSection());
+        sections.add(Sections.matches(fixture, threads, games));
+        sections.add(Sections.growth(fixture, growth()));
+        sections.add(Sections.frames(fixture, new BenchRaceStates(fixture.setup()), ANSWER));
+        sections.add(Sections.verify(fixture));
+        sections.add(Sections.processes(fixture,
+            scene(TURNS_LEFT, TURNS_LEFT.replace("100", LONG), MAXIMUM, MAXIMUM.replace("500", LONG)),
+            Integer.parseInt(LONG), scene(MAXIMUM, MAXIMUM.replace("500", "1")),
+            List.of("sh", "-c", "while read -r line; do echo '" + ANSWER + "'; done")));
+        sections.add(Sections.leagues(fixture, threads));
+        sections.add(Sections.start(fixture));
+        sections.add(Sections.crowds(bodies));
+        return sections;
+    }
+
+    static MatchFixture fixture() {
+        List<String> java = List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+        String classes = System.getProperty("java.class.path");
+        List<String> responder = new ArrayList<>(java);
+        responder.addAll(QUICK_JVM);
+        responder.addAll(List.of("-cp", classes, FixedAnswerBot.class.getName(), ANSWER));
+        List<String> plain = new ArrayList<>(java);
+        // The entries that the launcher puts on the boot class path are not on the class path.
+        for (String option : List.of("picocli")) {
+            plain.addAll(boot(option));
+        }
+        plain.addAll(List.of("-cp", classes, MAIN_CLASS));
+        String launcher = System.getProperty(LAUNCHER);
+        return new MatchFixture(Games.types(), Games.open(SCENE), BenchDirectBot::new, BenchLineBot::new, responder,
+            launcher == null ? null : List.of(launcher), plain);
+    }
+
+    private static List<String> boot(String part) {
+        return java.lang.management.ManagementFactory.getRuntimeMXBean().getInputArguments().stream()
+            .filter(word -> word.startsWith("-Xbootclasspath/a:") && word.contains(part)).toList();
+    }
+
+    private static Map<String, GameSetup> growth() {
+        Map<String, GameSetup> scenes = new LinkedHashMap<>();
+        scenes.put("2 players", Games.open(SCENE));
+        for (int players : new int[] {1, 4, 8}) {
+            scenes.put(players + (players == 1 ? " player" : " players"),
+                scene(PLAYERS, PLAYERS.replace("2", Integer.toString(players))));
+        }
+        for (int turns : new int[] {50, 100, 200}) {
+            scenes.put("2 players, at most " + turns + " turns",
+                scene(MAXIMUM, MAXIMUM.replace("500", Integer.toString(turns))));
+        }
+        return scenes;
+    }
+
+    /** The official scene with some texts replaced: pairs of old and new text. */
+    private static GameSetup scene(String... changes) {
+        SceneText text = SceneFiles.load(SCENE);
+        String changed = text.text();
+        for (int k = 0; k < changes.length; k += 2) {
+            if (!changed.contains(changes[k])) {
+                throw new IllegalStateException("the scene " + SCENE + " has no " + changes[k]);
+            }
+            changed = changed.replace(changes[k], changes[k + 1]);
+        }
+        return Games.types().open(changed, text.source());
+    }
+}

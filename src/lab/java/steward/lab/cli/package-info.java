@@ -1,0 +1,7 @@
+/**
+ * Commands that measure accuracy: {@code explain}, {@code tradeoff}, {@code stability}.
+ */
+@Internal
+package steward.lab.cli;
+
+import steward.Internal;

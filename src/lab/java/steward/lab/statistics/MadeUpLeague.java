@@ -1,0 +1,110 @@
+package steward.lab.statistics;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+import steward.league.rating.RatingFit;
+
+/**
+ * Made-up bots and how their games go.
+ *
+ * @param name   of the configuration, for a person
+ * @param bots   how many
+ * @param pooled see {@link RatingFit#of}
+ * @param groups all that can be paired
+ * @param hero   the bot that is in all groups, where all play against one; otherwise -1
+ * @param truth  the fit under uniform pairing of the groups without chance
+ */
+record MadeUpLeague(String name, int bots, boolean pooled, List<MadeUpGroup> groups, int hero, RatingFit truth) {
+
+    /** So many clusters that the prior does not matter. */
+    private static final long MANY = 1L << 40;
+
+    /** A configuration of these groups. */
+    static MadeUpLeague of(String name, int bots, boolean pooled, List<MadeUpGroup> groups) {
+        return of(name, bots, pooled, groups, -1);
+    }
+
+    private static MadeUpLeague of(String name, int bots, boolean pooled, List<MadeUpGroup> groups, int hero) {
+        return new MadeUpLeague(name, bots, pooled, List.copyOf(groups), hero,
+            RatingFit.of(bots, groups.stream().map(group -> group.truth(MANY)).toList(), pooled));
+    }
+
+    /** The same bots, all of them against one: what such games can tell is the fit to them, and not to all pairings. */
+    MadeUpLeague gauntlet(int bot) {
+        return of(name, bots, pooled,
+            groups.stream().filter(group -> IntStream.of(group.bots()).anyMatch(each -> each == bot)).toList(), bot);
+    }
+
+    /** The same games, compared with another truth. */
+    MadeUpLeague comparedWith(RatingFit other) {
+        return new MadeUpLeague(name, bots, pooled, groups, hero, other);
+    }
+
+    /**
+     * Games of two.
+     *
+     * @param elo      strengths
+     * @param ties     weight of ties
+     * @param side     what a side is worth, in Elo
+     * @param push     what a seed is worth to one of the two, in Elo
+     * @param circle   by how much bot 0 is better than told against bot 1, 1 against 2, and 2 against 0, in Elo
+     */
+    static MadeUpLeague pairs(String name, double[] elo, double ties, double side, double push, double circle) {
+        List<MadeUpGroup> groups = new ArrayList<>();
+        for (int i = 0; i < elo.length; i++) {
+            for (int j = i + 1; j < elo.length; j++) {
+                double turn = j > 2 ? 0 : j - i == 1 ? circle : -circle;
+                groups.add(MadeUpGroup.two((elo[i] - elo[j] + turn) / RatingFit.ELO, ties, side / RatingFit.ELO,
+                    push / RatingFit.ELO, i, j));
+            }
+        }
+        return of(name, elo.length, false, groups);
+    }
+
+    /** Games of three. */
+    static MadeUpLeague threes(String name, double push, double... elo) {
+        List<MadeUpGroup> groups = new ArrayList<>();
+        for (int i = 0; i < elo.length; i++) {
+            for (int j = i + 1; j < elo.length; j++) {
+                for (int k = j + 1; k < elo.length; k++) {
+                    groups.add(MadeUpGroup.many(natural(elo[i], elo[j], elo[k]), false, push / RatingFit.ELO, i, j,
+                        k));
+                }
+            }
+        }
+        return of(name, elo.length, false, groups);
+    }
+
+    /** Games of two of these pairs, all on one list of seeds. */
+    static MadeUpLeague sharing(String name, double push, double[] elo, int[]... pairs) {
+        return of(name, elo.length, false,
+            List.of(MadeUpGroup.sharing(natural(elo), push / RatingFit.ELO, pairs)));
+    }
+
+    /** All alone on the same maps. */
+    static MadeUpLeague alone(String name, double... elo) {
+        int[] bots = new int[elo.length];
+        for (int k = 0; k < bots.length; k++) {
+            bots[k] = k;
+        }
+        return of(name, elo.length, true, List.of(MadeUpGroup.many(natural(elo), true, 0, bots)));
+    }
+
+    private static double[] natural(double... elo) {
+        double[] strengths = elo.clone();
+        for (int k = 0; k < elo.length; k++) {
+            strengths[k] /= RatingFit.ELO;
+        }
+        return strengths;
+    }
+
+    /** Strengths the same distance apart, the strongest first. */
+    static double[] spaced(int bots, double step) {
+        double[] elo = new double[bots];
+        for (int k = 0; k < bots; k++) {
+            elo[k] = -step * k;
+        }
+        return elo;
+    }
+}

@@ -1,0 +1,114 @@
+package steward.lab.timing;
+
+import java.util.Arrays;
+import steward.numerics.Median;
+
+/** The measured rounds of some kinds of turns, and what is said of them: medians, and ratios of the same medians. */
+public final class TimingSamples {
+
+    /** Four rounds in five lie between {@link #low} and {@link #high}. */
+    private static final double LOW = 0.1;
+    private static final double HIGH = 0.9;
+
+    private final double[][][] nanos;
+    private final double[] bytes;
+    private int unsteady;
+
+    /** @param jobs how many kinds */
+    TimingSamples(int jobs, int repeats, int rounds) {
+        nanos = new double[jobs][repeats][rounds];
+        bytes = new double[jobs];
+        Arrays.fill(bytes, Double.POSITIVE_INFINITY);
+    }
+
+    void add(int job, int repeat, int round, Stretch stretch) {
+        nanos[job][repeat][round] = stretch.nanos();
+        bytes[job] = Double.isNaN(stretch.bytes()) ? Double.NaN : Math.min(bytes[job], stretch.bytes());
+    }
+
+    synchronized void warmed(boolean steady) {
+        unsteady += steady ? 0 : 1;
+    }
+
+    /** How many warm-ups ended before times were steady. */
+    public synchronized int unsteady() {
+        return unsteady;
+    }
+
+    /** How many rounds each kind has, of all repeats together. */
+    public int rounds() {
+        return nanos.length == 0 ? 0 : nanos[0].length * nanos[0][0].length;
+    }
+
+    /** How many repeats there are, each in places of its own. */
+    public int repeats() {
+        return nanos.length == 0 ? 0 : nanos[0].length;
+    }
+
+    private double[] all(int job) {
+        return Arrays.stream(nanos[job]).flatMapToDouble(Arrays::stream).sorted().toArray();
+    }
+
+    /** Nanoseconds of a turn: the median of all rounds. */
+    public double median(int job) {
+        return Median.of(all(job));
+    }
+
+    /** One round in ten is faster than this, in nanoseconds a turn. */
+    public double low(int job) {
+        return quantile(all(job), LOW);
+    }
+
+    /** One round in ten is slower than this, in nanoseconds a turn. */
+    public double high(int job) {
+        return quantile(all(job), HIGH);
+    }
+
+    /** The time of a turn as a multiple of another kind's: of the medians. */
+    public double ratio(int job, int other) {
+        return median(job) / median(other);
+    }
+
+    /**
+     * Bytes that a turn allocates, in the round with the fewest: the JVM's own work (a growing buffer) is no cost of a
+     * turn. NaN where the JVM does not tell.
+     */
+    public double bytes(int job) {
+        return bytes[job];
+    }
+
+    /** What a round gives when two kinds are compared in it. */
+    @FunctionalInterface
+    public interface OfRound {
+
+        /** @param nanos of a turn of each kind in this round */
+        double value(double[] nanos);
+    }
+
+    /**
+     * A figure of all repeats: for each the median over its rounds.
+     *
+     * @param value computed in each round from the times of all kinds in it
+     */
+    public double[] perRepeat(OfRound value) {
+        double[] medians = new double[repeats()];
+        for (int repeat = 0; repeat < medians.length; repeat++) {
+            int of = repeat;
+            double[] values = new double[nanos[0][repeat].length];
+            for (int round = 0; round < values.length; round++) {
+                int at = round;
+                values[round] = value.value(Arrays.stream(nanos).mapToDouble(job -> job[of][at]).toArray());
+            }
+            medians[repeat] = Median.of(values);
+        }
+        return medians;
+    }
+
+    /** Between the two nearest of the sorted values. */
+    static double quantile(double[] sorted, double share) {
+        double place = share * (sorted.length - 1);
+        int below = (int) Math.floor(place);
+        int above = Math.min(sorted.length - 1, below + 1);
+        return sorted[below] + (place - below) * (sorted[above] - sorted[below]);
+    }
+}

@@ -1,0 +1,51 @@
+package steward.lab.capacity;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import steward.machines.serve.RemoteGames;
+
+/** What the manual says of how many workers a league can serve follows from the prices that it prints. */
+class CapacityDocsTest {
+
+    private static final int WORKERS = 1000;
+    private static final double PER_SECOND = 20;
+    private static final String BEGIN = "<!-- capacity -->\n";
+
+    private static String printed() throws IOException {
+        String page = Files.readString(Path.of("docs/machines.md"));
+        return page.substring(page.indexOf(BEGIN) + BEGIN.length(), page.indexOf("<!-- /capacity -->"));
+    }
+
+    private static double figure(String text, String pattern) {
+        Matcher matcher = Pattern.compile(pattern).matcher(text);
+        assertTrue(matcher.find(), () -> "found nothing like " + pattern + " in " + text);
+        return Double.parseDouble(matcher.group(1).replace(",", ""));
+    }
+
+    private static double price(String text, int row) {
+        return figure(text, "(?m)^\\| " + Pattern.quote(CapacityText.PRICES.get(row)) + "[^|]*\\| ([0-9,]+) \\|$");
+    }
+
+    @Test
+    @Tag("slow")
+    void theTablesFollowFromThePrices() throws IOException {
+        String text = printed();
+        LeagueCosts costs = new LeagueCosts(price(text, 0), price(text, 1), price(text, 2), price(text, 3),
+            figure(text, "in ([0-9.]+)% of the games") / 100, price(text, 4), price(text, 5));
+        int processors = (int) figure(text, "a machine with ([0-9]+) processors");
+        List<String> lines = CapacityText.simulation(SaturationTable.of(costs, processors, WORKERS, PER_SECOND,
+            RemoteGames.MOST, () -> { }));
+        String expected = String.join("\n", lines);
+        assertTrue(text.contains(expected), () -> "found\n" + text + "\nexpected\n" + expected);
+        assertEquals(Math.rint(costs.total()), figure(text, "together, for a game on average \\| ([0-9,]+)"));
+    }
+}

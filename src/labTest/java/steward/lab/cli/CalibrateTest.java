@@ -1,0 +1,247 @@
+package steward.lab.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.DataInputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Set;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import steward.cli.Cli;
+import steward.cli.ShellBots;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Games;
+import steward.cli.shared.Streams;
+import steward.game.GameSetup;
+import steward.game.Pilot;
+import steward.lab.calibration.Calibration;
+import steward.lab.calibration.SeededPlay;
+import steward.lab.timing.RungJob;
+import steward.lab.timing.Stretch;
+import steward.lab.timing.TimedPlace;
+import steward.lab.timing.Timing;
+import steward.lab.timing.TimingEffort;
+import steward.lab.timing.TurnTimer;
+import steward.scene.Accuracy;
+import steward.scene.AccuracyFigures;
+import steward.scene.SceneFiles;
+import steward.scene.SceneKey;
+
+/** {@code steward tradeoff --calibrate SCENE}, and scenes that state the error they tolerate. */
+@Timeout(600)
+@Execution(ExecutionMode.CONCURRENT)
+class CalibrateTest {
+
+    /** Scenes whose truth is slow to compute. */
+    private static final Map<String, Integer> FEWER_STATES = Map.of("fantastic-bits-contest", 50_000,
+        "poker-chip-race", 10_000);
+    /**
+     * Scenes with figures of the first laws of {@code compensated} and {@code exact}, which are passed over until they
+     * are measured anew; those of the other rungs hold.
+     */
+    private static final Set<String> OF_OLDER_LAWS = Set.of("mean-max", "poker-chip-race", "fantastic-bits",
+        "fantastic-bits-contest");
+    /** Times the rungs in this JVM, and as briefly as can be. */
+    static final Timing HERE = new Timing(new TimingEffort(1, 1, 0, 0, 0), bytes -> {
+        try (DataInputStream job = new DataInputStream(new ByteArrayInputStream(bytes))) {
+            return new TurnTimer(TimingMain.open(job));
+        } catch (IOException impossible) {
+            throw new UncheckedIOException(impossible);
+        }
+    });
+
+    /** A rung costs the more the farther up it stands, from step/1 on. */
+    private static final Timing MADE_TIMES = new Timing(new TimingEffort(1, 1, 0, 0, 0), bytes -> {
+        try (DataInputStream job = new DataInputStream(new ByteArrayInputStream(bytes))) {
+            job.readUTF();
+            int nanos = 30 + 30 * Accuracy.ladder().indexOf(RungJob.read(job).rung());
+            return new TimedPlace() {
+                @Override
+                public boolean warmUp(double least, double most) {
+                    return true;
+                }
+
+                @Override
+                public Stretch round(double least) {
+                    return new Stretch(nanos, 0);
+                }
+            };
+        } catch (IOException impossible) {
+            throw new UncheckedIOException(impossible);
+        }
+    });
+
+    @TempDir
+    private Path folder;
+
+    /** The duel over two laps, which has no stored calibration. */
+    private Path scene(String demand) throws IOException {
+        return Files.writeString(folder.resolve("mine.json"), SceneFiles.load("duel").text()
+            .replace("\"laps\": 1", "\"laps\": 2").replaceFirst("\"accuracy\": \\{[^}]*}", "\"accuracy\": " + demand));
+    }
+
+    @Test
+    @Tag("process")
+    void aSceneThatStatesAnErrorIsCalibratedAndPlayed() throws IOException {
+        assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
+        Path scene = scene("{ \"maxPositionError\": 0.01, \"share\": 0.99 }");
+        Cli uncalibrated = Cli.run("explain", scene.toString(), "--no-prices");
+        assertEquals(ExitStatus.UNUSABLE, uncalibrated.status());
+        assertTrue(uncalibrated.err().endsWith("steward tradeoff --calibrate " + scene + "\n"), uncalibrated.err());
+
+        Cli calibrated = Cli.run("tradeoff", "--calibrate", scene.toString(), "--states", "1000");
+        Path figures = folder.resolve("mine.accuracy.json");
+        assertEquals(ExitStatus.DONE, calibrated.status(), calibrated.err());
+        assertTrue(calibrated.out().contains("\nwritten to " + figures + "\n"), calibrated.out());
+        assertTrue(calibrated.out().lines().allMatch(line -> line.length() <= 100 || line.startsWith("written to ")),
+            calibrated.out());
+        assertFalse(Files.exists(folder.resolve("mine.accuracy.json.part")));
+
+        String explained = Cli.run("explain", scene.toString(), "--no-prices").out().replaceAll("\\s+", " ");
+        assertTrue(explained.matches(".*Accuracy: event/[a-z]+, the cheapest that is off by at most 0.01 u in 99% "
+            + "of states: by .*"), explained);
+        assertTrue(explained.contains("shown by 1000 (" + figures + "), at "), explained);
+
+        ShellBots bots = new ShellBots(folder);
+        Path replay = folder.resolve("x.jsonl");
+        Cli match = Cli.run("match", "--scene", scene.toString(), "--no-deadline", "--quiet",
+            "--out", replay.toString(),
+            "--bot", bots.driver("a", ShellBots.NOWHERE), "--bot", bots.driver("b", ShellBots.NOWHERE));
+        assertEquals(ExitStatus.DONE, match.status(), match.err());
+        Files.delete(figures);
+        assertEquals("verified: states of 51 of 51 turns and the result\n",
+            Cli.run("replay", replay.toString(), "--verify").out());
+    }
+
+    /** Where a step costs less than exact times. */
+    @Test
+    void aRougherDemandHasACheaperRung() throws Exception {
+        Path scene = scene("{ \"maxPositionError\": 400, \"share\": 0.99 }");
+        CalibrationRun.of(new Streams(new ByteArrayOutputStream(), new ByteArrayOutputStream(), false, false),
+            Games.open(scene.toString(), Calibration.PLAYED_ON), folder.resolve("mine.accuracy.json"), 1000,
+            MADE_TIMES).run();
+        String explained = Cli.run("explain", scene.toString(), "--no-prices").out();
+        assertTrue(explained.contains("\nAccuracy: step/1, the cheapest"), explained);
+        assertTrue(explained.contains("\n  accuracy: advance step, steps 1, arithmetic double\n"), explained);
+    }
+
+    @Test
+    @Tag("process")
+    void figuresThatExistAreKeptUnlessTheyAreToBeReplaced() throws IOException {
+        Path scene = scene("{ \"maxPositionError\": 400, \"share\": 0.99 }");
+        Path figures = Files.writeString(folder.resolve("mine.accuracy.json"), "old");
+        refused("exists already, and is kept", "tradeoff --calibrate " + scene);
+        assertEquals("old", Files.readString(figures));
+        Cli cli = Cli.run("--cli", "tradeoff --calibrate " + scene + " --states 10 --overwrite");
+        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        assertEquals(10, AccuracyFigures.read(Files.readString(figures), "new").states());
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "--calibrate nowhere | found no such file, expected a scene file",
+        "--calibrate duel | comes with the program, its figures too; expected a scene file, or --out",
+        "--calibrate duel --quick | --calibrate: found --quick with it",
+        "--calibrate duel --scene duel | --calibrate: found --scene with it",
+        "--states 100 | --states: expected --calibrate with it",
+        "--calibrate duel --states 0 | --states: found 0, expected 1 to 10000000",
+        "--calibrate duel --states x | found 'x', expected a whole number",
+        "--calibrate duel --calibrate duel --out somewhere | found two scenes for somewhere/duel.accuracy.json",
+        "--calibrate duel --out /proc/none | /proc/none: cannot be made"})
+    void aWrongCallIsRefused(String arguments, String message) {
+        refused(message, "tradeoff " + arguments);
+    }
+
+    private static void refused(String message, String call) {
+        Cli.run("--cli", call).assertRefused(message);
+    }
+
+    @Test
+    void anInterruptedRunKeepsWhatWasMeasured() throws Exception {
+        ByteArrayOutputStream err = new ByteArrayOutputStream();
+        Path file = folder.resolve("d.accuracy.json");
+        CalibrationRun calibrating = CalibrationRun.of(new Streams(new ByteArrayOutputStream(), err, false, false),
+            Games.open("duel"), file, 1200, HERE);
+        calibrating.interrupted();
+        assertEquals("steward: interrupted before anything was measured\n", err.toString(StandardCharsets.UTF_8));
+        assertFalse(Files.exists(file));
+        err.reset();
+        calibrating.run();
+        calibrating.interrupted();
+        assertEquals("steward: interrupted; the figures of 1200 states are in " + file + "\n",
+            err.toString(StandardCharsets.UTF_8));
+        assertEquals(1200, AccuracyFigures.read(Files.readString(file), "d").states());
+    }
+
+    private static SeededPlay race(GameSetup setup, long seed) {
+        return new SeededPlay(setup, setup.pilot(Pilot.Aim.WIN), seed);
+    }
+
+    /** Figures of fewer states do not replace older figures of more states. */
+    @Test
+    void anInterruptedRunLeavesOlderFiguresWhereTheyAre() throws Exception {
+        Path file = Files.writeString(folder.resolve("d.accuracy.json"), "older");
+        ByteArrayOutputStream err = new ByteArrayOutputStream();
+        Calibration calibration = new Calibration(Games.open("duel"),
+            seed -> race(Games.open("duel"), seed), 1000);
+        calibration.time(HERE, () -> { });
+        calibration.run(1, () -> { });
+        new CalibrationRun(new Streams(new ByteArrayOutputStream(), err, false, false), Games.open("duel"), file,
+            calibration, HERE).interrupted();
+        assertEquals("older", Files.readString(file));
+        assertEquals("steward: interrupted; the figures of 1000 states are in " + file + ".part, the older ones still "
+            + "in " + file + "\n", err.toString(StandardCharsets.UTF_8));
+        assertEquals(1000, AccuracyFigures.read(Files.readString(Path.of(file + ".part")), "d").states());
+    }
+
+    /**
+     * The shipped figures are those of the present physics and scenes. If they are not:
+     * {@code steward tradeoff --calibrate config/scenes/NAME.json --overwrite}.
+     */
+    @ParameterizedTest
+    @MethodSource("steward.scene.SceneFiles#shipped")
+    void theFiguresOfAShippedSceneHold(String name) throws Exception {
+        GameSetup setup = Games.open(name, Calibration.PLAYED_ON);
+        AccuracyFigures figures = shipped(name);
+        assertEquals(FEWER_STATES.getOrDefault(name, Calibration.STATES), figures.states());
+        assertEquals(SceneKey.of(setup.scene()), figures.key());
+        assertEquals(!OF_OLDER_LAWS.contains(name), figures.rungs().equals(figures.holding().rungs()));
+        assertFalse(figures.holding().rungs().isEmpty());
+    }
+
+    /** The first states of them, played and measured again. */
+    @ParameterizedTest
+    @Tag("slow")
+    @MethodSource("steward.scene.SceneFiles#shipped")
+    void aSampleOfTheFiguresIsMeasuredAnew(String name) throws Exception {
+        GameSetup setup = Games.open(name, Calibration.PLAYED_ON);
+        AccuracyFigures figures = shipped(name);
+        Calibration sample = new Calibration(setup, seed -> race(setup, seed), Calibration.BLOCK);
+        sample.time(MADE_TIMES, () -> { });
+        sample.run(2, () -> { });
+        assertEquals(sample.figures().sample(), figures.sample());
+    }
+
+    private static AccuracyFigures shipped(String name) throws IOException {
+        String source = AccuracyFigures.resource(name);
+        return AccuracyFigures.read(
+            new String(SceneFiles.class.getResourceAsStream(source).readAllBytes(), StandardCharsets.UTF_8), source);
+    }
+}

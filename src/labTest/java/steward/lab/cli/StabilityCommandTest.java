@@ -1,0 +1,194 @@
+package steward.lab.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.cli.Cli;
+import steward.cli.Main;
+import steward.cli.shared.ExitStatus;
+import steward.lab.trial.Rung;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/** {@code steward stability}: the table, its files, and the golden hash under other JVM flags. */
+@Execution(ExecutionMode.CONCURRENT)
+class StabilityCommandTest {
+
+    /** The number of the signal that {@code Process.destroy} sends; Ctrl-C is 2. */
+    private static final int TERMINATED = 15;
+
+    @TempDir
+    private Path folder;
+
+    private static Cli stability(String... more) {
+        List<String> words = new ArrayList<>(List.of("stability", "--quick"));
+        words.addAll(List.of(more));
+        return Cli.run(words.toArray(new String[0]));
+    }
+
+    @Test
+    void theTableSaysWhatWasDemandedAndSeen() {
+        Cli cli = stability("--case", "rounding", "--case", "Newton's cradle");
+        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        assertTrue(cli.out().startsWith("Newton's cradle\n  demanded "), cli.out());
+        for (Rung rung : Rung.all()) {
+            assertEquals(2, cli.out().lines().filter(line -> line.startsWith("  " + rung.name() + " ")).count());
+        }
+        assertTrue(cli.out().lines().allMatch(line -> line.length() <= 100), cli.out());
+        assertTrue(cli.out().contains(" demands are met, 0 are not\n"), cli.out());
+        assertEquals("", cli.err());
+    }
+
+    /** A crowd is played for the given number of impacts. */
+    @Test
+    void rungsAndTheImpactsOfCrowdsCanBeChosen() {
+        Cli cli = stability("--case", "crowd of 100, 10%", "--rung", "double", "--rung", "exact", "--impacts", "3000");
+        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        List<String> rows = cli.out().lines().filter(line -> line.contains(" holds ")).toList();
+        assertEquals(2, rows.size(), cli.out());
+        for (String row : rows) {
+            assertTrue(row.matches("  (double|exact) +holds +3\\d{3} impacts in \\d turns: 0 overlaps, .*"), row);
+        }
+    }
+
+    /** An interrupted run prints the figures so far of an unfinished row; a busy machine needs time to have some. */
+    @Test
+    @Tag("process")
+    void theUnfinishedRowIsTold() throws IOException, InterruptedException {
+        String expected = "steward: interrupted; the rows so far are above; unfinished: crowd of 100, 10%, "
+            + "double, [.0-9]+%: [1-9]\\d* impacts in \\d+ turns: 0 overlaps, (?s:.*)";
+        String said = "";
+        for (int seconds = 3; seconds < 100 && !said.matches(expected); seconds *= 5) {
+            said = interruptedAfter(seconds);
+        }
+        assertTrue(said.matches(expected), said);
+    }
+
+    private String interruptedAfter(int seconds) throws IOException, InterruptedException {
+        Path errors = folder.resolve("errors");
+        Process run = child(List.of(), "stability", "--case", "crowd of 100, 10%", "--rung", "double", "--impacts",
+            "1000000000000").redirectError(errors.toFile()).redirectOutput(folder.resolve("table").toFile()).start();
+        try {
+            run.waitFor(seconds, TimeUnit.SECONDS);
+        } finally {
+            run.destroy();
+            run.waitFor();
+        }
+        return Files.readString(errors);
+    }
+
+    @Test
+    void aTerminalSeesHowFarItIs() {
+        Cli cli = Cli.run(true, "stability", "--quick", "--case", "rounding");
+        assertTrue(cli.err().contains("1 of " + Rung.all().size() + ": rounding, "), cli.err());
+    }
+
+    /** A table of a second is not announced. */
+    @Test
+    void aLongRunSaysBeforehandHowLongItTakes() {
+        assertFalse(Cli.run(true, "stability", "--quick", "--case", "rounding").err().contains("This takes"));
+        Cli golden = Cli.run(true, "stability", "--golden", "--quick");
+        assertTrue(golden.err().startsWith("This takes about "), golden.err());
+        assertTrue(golden.err().contains("golden"), golden.err());
+    }
+
+    @Test
+    void theFilesHoldTheTable() throws IOException {
+        Path out = folder.resolve("results");
+        assertEquals(ExitStatus.DONE, stability("--case", "rounding", "--out", out.toString()).status());
+        List<String> csv = Files.readAllLines(out.resolve("stability.csv"));
+        assertEquals("case,rung,verdict,seconds,seen,demand", csv.get(0));
+        assertEquals(1 + Rung.all().size(), csv.size());
+        JsonNode json = JsonMapper.shared().readTree(Files.readString(out.resolve("stability.json")));
+        assertEquals("small", json.get("size").asString());
+        assertEquals(Rung.all().size(), json.get("rows").size());
+        assertEquals("holds", json.get("rows").get(0).get("verdict").asString());
+        Cli again = stability("--case", "rounding", "--out", out.toString());
+        assertEquals(ExitStatus.UNUSABLE, again.status());
+        assertTrue(again.err().contains("exists already, and is kept"), again.err());
+        assertEquals(ExitStatus.DONE,
+            stability("--case", "rounding", "--out", out.toString(), "--overwrite").status());
+    }
+
+    @Test
+    void aWrongCallIsRefusedBeforeTheWork() throws IOException {
+        Path file = Files.writeString(folder.resolve("file"), "precious");
+        refused("found a file, expected a folder", "--out", file.toString());
+        refused("there is no folder", "--out", folder + "/no/such");
+        refused("exclude each other", "--long");
+        refused("did you mean 'rounding'?", "--case", "roundin");
+        refused("--rung: found 'exakt', expected one of step/1; ", "--rung", "exakt");
+        refused("did you mean 'exact'?", "--rung", "exakt");
+        refused("--impacts: found 0, expected 1 to ", "--impacts", "0");
+        refused("expected --out", "--overwrite");
+        refused("--golden is about everything", "--golden", "--case", "rounding");
+        assertEquals("precious", Files.readString(file));
+    }
+
+    private static void refused(String message, String... more) {
+        stability(more).assertRefused(message);
+    }
+
+    /** An interrupted run leaves the rows that were measured, in files that are whole. */
+    @Test
+    @Tag("process")
+    void whatWasMeasuredIsKept() throws IOException, InterruptedException {
+        Path out = folder.resolve("results");
+        Path errors = folder.resolve("errors");
+        Process run = child(List.of("-Xint"), "stability", "--quick", "--out", out.toString())
+            .redirectError(errors.toFile()).redirectOutput(folder.resolve("table").toFile()).start();
+        try {
+            Path csv = out.resolve("stability.csv");
+            for (int k = 0; k < 600 && (!Files.exists(csv) || Files.readAllLines(csv).size() < 4); k++) {
+                Thread.sleep(50);
+            }
+        } finally {
+            run.destroy();
+            assertEquals(128 + TERMINATED, run.waitFor());
+        }
+        int lines = Files.readAllLines(out.resolve("stability.csv")).size();
+        assertTrue(lines >= 4, "lines " + lines);
+        JsonNode rows = JsonMapper.shared().readTree(Files.readString(out.resolve("stability.json"))).get("rows");
+        assertTrue(rows.size() >= lines - 2 && rows.size() < 100, rows.size() + " rows, " + lines + " lines");
+        String said = Files.readString(errors);
+        assertTrue(said.contains("interrupted; the rows so far are in " + out), said);
+    }
+
+    /** Interpreted, and without the machine's fused multiply-add: the same bits. */
+    @Test
+    @Tag("process")
+    void theGoldenHashIsTheSameUnderOtherFlags() throws IOException, InterruptedException {
+        Cli here = Cli.run("stability", "--quick", "--golden");
+        assertEquals(ExitStatus.DONE, here.status(), here.err());
+        assertFalse(here.out().isBlank());
+        for (String flag : List.of("-Xint", "-XX:-UseFMA")) {
+            Process other = child(List.of("-XX:+IgnoreUnrecognizedVMOptions", flag), "stability", "--quick",
+                "--golden").start();
+            String out = new String(other.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+            assertEquals(0, other.waitFor(), flag);
+            assertEquals(here.out(), out, flag);
+        }
+    }
+
+    private static ProcessBuilder child(List<String> flags, String... arguments) {
+        List<String> command = new ArrayList<>();
+        command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+        command.addAll(flags);
+        command.addAll(List.of("-cp", System.getProperty("java.class.path"), Main.class.getName()));
+        command.addAll(List.of(arguments));
+        return new ProcessBuilder(command);
+    }
+}

@@ -1,0 +1,163 @@
+package steward.lab.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
+import picocli.CommandLine;
+import steward.cli.Cli;
+import steward.cli.Main;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Games;
+import steward.cli.shared.Streams;
+import steward.lab.tradeoff.TradeoffScene;
+import steward.lab.tradeoff.report.TradeoffReport;
+import steward.physics.Bodies;
+import steward.scene.Accuracy;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/** {@code steward tradeoff}: the table, its files, and what is refused. */
+@Execution(ExecutionMode.CONCURRENT)
+class TradeoffCommandTest {
+
+    /** The number of the signal that {@code Process.destroy} sends; Ctrl-C is 2. */
+    private static final int TERMINATED = 15;
+
+    @TempDir
+    private Path folder;
+
+    private static Cli tradeoff(boolean terminal, String... more) {
+        List<String> words = new ArrayList<>(List.of("tradeoff", "--quick"));
+        words.addAll(List.of(more));
+        return Cli.run(terminal, words.toArray(new String[0]));
+    }
+
+    @Test
+    @Tag("slow")
+    @Tag("process")
+    void theTableAndTheFilesHoldEveryRung() throws IOException {
+        Path out = folder.resolve("results");
+        Cli cli = tradeoff(true, "--scene", "duel", "--scene", "headings", "--out", out.toString());
+        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        assertTrue(cli.out().startsWith("duel: "), cli.out());
+        for (Accuracy rung : Accuracy.ladder()) {
+            assertEquals(1, cli.out().lines().filter(line -> line.startsWith("  " + rung + " ")).count(), cli.out());
+        }
+        assertTrue(cli.out().contains("headings, axis-aligned: "), cli.out());
+        assertTrue(cli.out().lines().allMatch(line -> line.length() <= 120), cli.out());
+        assertTrue(cli.out().endsWith("--quick: few states, and one JVM a rung. These figures may not be quoted.\n"),
+            cli.out());
+        assertTrue(Files.readString(out.resolve("tradeoff.md")).contains("\nMeasured with --quick: few states, one JVM "
+            + "a rung. These figures may not be quoted.\n"), "the page");
+        assertTrue(cli.err().contains("1 of 3: duel"), "progress: " + cli.err());
+        for (String name : TradeoffReport.ALL) {
+            assertTrue(Files.size(out.resolve(name)) > 0, name);
+        }
+        assertEquals(1 + Accuracy.ladder().size(), Files.readAllLines(out.resolve("tradeoff.csv")).size());
+        Cli again = tradeoff(false, "--scene", "duel", "--out", out.toString());
+        assertEquals(ExitStatus.UNUSABLE, again.status());
+        assertTrue(again.err().contains("exists already, and is kept"), again.err());
+        assertEquals("", again.out());
+    }
+
+    @Test
+    void aWrongCallIsRefusedBeforeTheWork() throws IOException {
+        Path file = Files.writeString(folder.resolve("file"), "precious");
+        refused("did you mean 'grazing'?", "--scene", "grasing");
+        refused("did you mean 'official-race'?", "--scene", "oficial-race");
+        refused("no such file", "--scene", folder + "/none.json");
+        refused("found a file, expected a folder", "--out", file.toString());
+        refused("there is no folder", "--out", folder + "/no/such");
+        refused("expected --out", "--overwrite");
+        refused("--parts: found --quick with it", "--parts", "x", "--quick");
+        refused("--parts: found --out with it", "--parts", "x", "--out", "y");
+        refused("--parts: found --scene with it", "--parts", "x", "--scene", "duel");
+        refused("--parts: found --calibrate with it", "--parts", "x", "--calibrate", "duel");
+        refused("cannot be written", "--parts", folder + "/no/such");
+        Path broken = Files.writeString(folder.resolve("scene.json"), "{ \"name\": 3 }");
+        refused(broken.toString(), "--scene", broken.toString());
+        assertEquals("precious", Files.readString(file));
+    }
+
+    private static void refused(String message, String... more) {
+        List<String> words = new ArrayList<>(List.of("tradeoff"));
+        words.addAll(List.of(more));
+        Cli.run(false, words.toArray(new String[0])).assertRefused(message);
+    }
+
+    /** What explain prints is made scene by scene, and replaced when all of it is there. */
+    @Test
+    @Tag("slow")
+    void partsAreMeasuredForTheShippedScenes() throws IOException {
+        Path file = Files.writeString(folder.resolve("parts.csv"), "old");
+        refused("exists already, and is kept", "--parts", file.toString());
+        PartsOption option = CommandLine.populateCommand(new PartsOption(), "--parts", file.toString());
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        option.run(new Streams(out, new ByteArrayOutputStream(), false, false), true, List.of("duel", "mean-max"),
+            CalibrateTest.HERE);
+        List<String> lines = Files.readAllLines(file);
+        assertEquals("scene;game;key;rung;part;in;share;error;date;machine", lines.get(0));
+        assertTrue(lines.stream().anyMatch(line -> line.matches(
+            "duel;pod-race;[0-9a-f]{16};event/official;headings;true;-?[0-9]+\\.[0-9]{4};0\\.0000;20.*;.*JDK.*")),
+            String.join("\n", lines));
+        assertTrue(lines.stream().anyMatch(line -> line.startsWith("mean-max;")), String.join("\n", lines));
+        assertFalse(Files.exists(folder.resolve("parts.csv.part")));
+        String said = out.toString(StandardCharsets.UTF_8);
+        assertTrue(said.endsWith("written to " + file + "\n"), said);
+    }
+
+    /** An interrupted run leaves the scenes that were measured, in files that are whole. */
+    @Test
+    @Tag("process")
+    void whatWasMeasuredIsKept() throws IOException, InterruptedException {
+        Path out = folder.resolve("results");
+        Path errors = folder.resolve("errors");
+        Process run = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
+            System.getProperty("java.class.path"), Main.class.getName(), "tradeoff", "--quick", "--scene", "grazing",
+            "--scene", "gas", "--out", out.toString()).redirectError(errors.toFile())
+            .redirectOutput(folder.resolve("table").toFile()).start();
+        try {
+            Path json = out.resolve("tradeoff.json");
+            for (int k = 0; k < 1200 && (!Files.exists(json) || !Files.readString(json).contains("grazing")); k++) {
+                Thread.sleep(50);
+            }
+        } finally {
+            run.destroy();
+            assertEquals(128 + TERMINATED, run.waitFor());
+        }
+        assertEquals(1 + Accuracy.ladder().size(), Files.readAllLines(out.resolve("tradeoff.csv")).size());
+        JsonNode rows = JsonMapper.shared().readTree(Files.readString(out.resolve("tradeoff.json"))).get("rows");
+        assertEquals("grazing", rows.get(0).get("scene").asString());
+        String said = Files.readString(errors);
+        assertTrue(said.contains("interrupted; the scenes so far are in " + out), said);
+        assertFalse(Files.exists(out.resolve("tradeoff.png")), "only in the end");
+    }
+
+    /** In a brawl the pods meet more often than in a race; both are of the official scene. */
+    @Test
+    void aBrawlIsACrowd() {
+        double[] spread = new double[2];
+        for (int k = 0; k < 2; k++) {
+            TradeoffScene scene = TradeoffScenes.of(List.of("official-race", "brawl"), Games::open).get(k);
+            assertEquals(List.of("official-race", "brawl").get(k), scene.name());
+            for (int n = 0; n < 400; n++) {
+                Bodies bodies = scene.source().get();
+                spread[k] += Math.abs(bodies.x[0] - bodies.x[3]) + Math.abs(bodies.y[0] - bodies.y[3]);
+            }
+        }
+        assertTrue(spread[1] < spread[0] / 2, spread[1] + " against " + spread[0]);
+    }
+}

@@ -1,0 +1,116 @@
+package steward.lab.cli.bench;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import steward.cli.Cli;
+import steward.lab.bench.Section;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/** What {@code steward bench} prints, writes and refuses; no test depends on how fast anything is. */
+class BenchCommandTest {
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void theSameRowsInTheTableAndInTheFiles() throws IOException {
+        Cli cli = Cli.run("bench", "--quick", "--only", "crowds", "--bodies", "20", "--only", "frames", "--out",
+            folder.resolve("out").toString());
+
+        assertEquals(0, cli.status(), cli.err());
+        List<String> csv = Files.readAllLines(folder.resolve("out/bench.csv"));
+        JsonNode rows = JsonMapper.shared().readTree(Files.readString(folder.resolve("out/bench.json"))).get("rows");
+        assertEquals(7, rows.size());
+        assertEquals(8, csv.size());
+        String page = Files.readString(folder.resolve("out/performance.md"));
+        for (int k = 0; k < rows.size(); k++) {
+            String name = rows.get(k).get("name").stringValue();
+            assertTrue(csv.get(k + 1).contains("\"" + name + "\""), name);
+            assertTrue(cli.out().contains("  " + name), name);
+            assertTrue(page.contains("| " + name + " |"), name);
+            assertTrue(rows.get(k).get("perSecond").doubleValue() > 0, name);
+        }
+    }
+
+    /**
+     * Five ways, a race and a brawl; an implementation that played another game than the textbook would have ended the
+     * part.
+     */
+    @Test
+    @Tag("slow")
+    void podTurnsAreMeasuredInEveryWay() throws IOException {
+        Cli cli = Cli.run("bench", "--quick", "--only", "pods", "--threads", "2", "--out",
+            folder.resolve("pods").toString());
+
+        assertEquals(0, cli.status(), cli.err());
+        JsonNode rows = JsonMapper.shared().readTree(Files.readString(folder.resolve("pods/bench.json"))).get("rows");
+        List<String> ways = List.of("textbook", "engine of matches", "simulator", "batch",
+            "batch, 2 threads, wall clock");
+        assertEquals(2 * ways.size(), rows.size());
+        for (int k = 0; k < rows.size(); k++) {
+            JsonNode row = rows.get(k);
+            assertEquals((k < ways.size() ? "race, " : "brawl, ") + ways.get(k % ways.size()),
+                row.get("name").stringValue());
+            assertEquals("turns", row.get("unit").stringValue());
+            double base = rows.get(k - k % ways.size()).get("perSecond").doubleValue();
+            assertEquals(row.get("perSecond").doubleValue() / base, row.get("ratio").doubleValue(), 1e-3);
+        }
+    }
+
+    @Test
+    void whatIsThereStays() throws IOException {
+        Files.writeString(folder.resolve("bench.json"), "mine");
+        Cli cli = Cli.run("bench", "--quick", "--only", "frames", "--out", folder.toString());
+
+        assertEquals(2, cli.status());
+        assertTrue(cli.err().contains("exists already"), cli.err());
+        assertEquals("mine", Files.readString(folder.resolve("bench.json")));
+        assertEquals("", cli.out(), "nothing was measured before");
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "--games 0          | --games: found 0, expected 1 to 1000000",
+        "--threads 0        | --threads: found 0, expected 1 to 256",
+        "--threads 100000   | --threads: found 100000, expected 1 to 256",
+        "--bodies 0         | --bodies: found 0, expected 1 to 10000000",
+        "--bodies 20000000  | --bodies: found 20000000, expected 1 to 10000000",
+        "--only frame       | did you mean 'frames'?",
+        "--quick --long     | --long and --quick exclude each other",
+        "--overwrite        | --overwrite: expected --out",
+        "--out /dev/null/x  | /dev/null"})
+    void badInputIsRefusedBeforeAnyWork(String words, String said) {
+        Cli cli = Cli.run(("bench " + words).split(" "));
+
+        assertEquals(2, cli.status());
+        assertTrue(cli.err().contains(said), cli.err());
+        assertEquals("", cli.out());
+    }
+
+    @Test
+    void everyPartIsThere() {
+        Map<String, Integer> names = new java.util.TreeMap<>();
+        BenchSuite.all(1, 1, List.of(10)).forEach(section -> names.merge(section.name(), 1, Integer::sum));
+
+        assertTrue(names.keySet().containsAll(List.of("pods", "games", "matches", "growth", "frames", "verify",
+            "processes", "start", "crowds")), names::toString);
+        assertTrue(names.values().stream().allMatch(count -> count == 1), names::toString);
+    }
+
+    @Test
+    void theNamesThatAreCompletedAreThoseOfTheParts() {
+        assertEquals(BenchCommand.Parts.ALL, BenchSuite.all(1, 1, List.of(1)).stream().map(Section::name).toList());
+    }
+}

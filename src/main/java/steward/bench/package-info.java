@@ -1,8 +1,0 @@
-/**
- * Measuring whole matches and crowds: sections of contenders, rows of results, meters, and the files and page that
- * store them.
- */
-@Internal
-package steward.bench;
-
-import steward.Internal;

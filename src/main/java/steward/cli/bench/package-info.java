@@ -1,7 +1,0 @@
-/**
- * The command {@code bench}, and the contenders for the pod race.
- */
-@Internal
-package steward.cli.bench;
-
-import steward.Internal;

@@ -1,0 +1,128 @@
+package steward.cli.explain;
+
+import java.io.PrintStream;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import steward.cli.options.AccuracyOption;
+import steward.cli.options.CallCheck;
+import steward.cli.options.ShippedScenes;
+import steward.cli.shared.Colour;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Json;
+import steward.cli.shared.Lab;
+import steward.cli.shared.Streams;
+import steward.game.GameSetup;
+import steward.physics.Arithmetic;
+import steward.scene.Accuracy;
+import steward.scene.AccuracyChoice;
+import steward.scene.PlanTable;
+import steward.scene.Scene;
+import steward.text.TextFormat;
+
+/** {@code steward explain}: what a scene contains, and which parts of the engine it needs. */
+@Command(name = "explain", description = "Prints what a scene says, which parts of the engine it needs and why, and "
+    + "what each adds to the time of a turn.",
+    footer = {"", "Examples:", "  steward explain walled-race", "  steward explain my-scene.json --measure",
+        "  steward explain my-scene.json --json --no-prices"})
+public final class ExplainCommand implements Callable<Integer> {
+
+    private static final int WIDTH = 100;
+    private static final String WARNING = "Warning:";
+
+    private final Streams streams;
+
+    @Parameters(index = "0", paramLabel = "SCENE", completionCandidates = ShippedScenes.class,
+        description = "A file, - for the standard input, or one of ${COMPLETION-CANDIDATES}.")
+    private String scene;
+
+    @Mixin
+    private final AccuracyOption accuracy = new AccuracyOption();
+
+    @Option(names = "--no-prices", description = "Leaves out what the parts cost.")
+    private boolean noPrices;
+
+    @Option(names = "--measure", description = "Measures on this machine what the parts cost, in place of the stored "
+        + "shares: takes about half a minute.")
+    private boolean measure;
+
+    @Option(names = "--json", description = "Prints one JSON object instead: parts, accuracy, warnings.")
+    private boolean json;
+
+    public ExplainCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() {
+        CallCheck.brief().that(!measure || !noPrices, "--measure: found --no-prices with it, expected one of them");
+        GameSetup setup = accuracy.open(scene, streams);
+        PriceList prices = noPrices ? null : measure
+            ? PriceList.measured(setup, Lab.of("--measure").measurePrices(streams, setup)) : PriceList.stored(setup);
+        if (json) {
+            ExplainJson.print(streams, setup, prices);
+            return ExitStatus.DONE;
+        }
+        PrintStream out = streams.out();
+        warnings(out, streams.outColour(), setup.check());
+        out.println("Parts of the engine that " + setup.scene().name() + " needs, and those left out:");
+        out.println();
+        Colour colour = streams.outColour();
+        out.print(PlanTable.of(setup.plan(), part -> noPrices ? "" : prices.of(part), (part, line) -> {
+            String wrapped = TextFormat.wrap(line, ", ", WIDTH, " ".repeat(line.length() - part.why().length()));
+            return part.in() ? wrapped : colour.faint(wrapped);
+        }));
+        out.println();
+        if (!noPrices) {
+            out.println(TextFormat.wrap(prices.legend(), " ", WIDTH, ""));
+            out.println();
+        }
+        AccuracyChoice choice = setup.plan().accuracy();
+        out.println(TextFormat.wrap("Accuracy: " + choice.rung() + ", " + choice.why(), " ", WIDTH, "  "));
+        if (choice.rung().equals(Accuracy.event(Arithmetic.EXACT))) {
+            out.println("  its decisions are right within a turn; the state is rounded at its end as on every rung:");
+            out.println("  steward stability --case 'true path' counts the impacts until each has left the true path");
+        }
+        out.println();
+        settings(out, setup.scene());
+        return ExitStatus.DONE;
+    }
+
+    private static void warnings(PrintStream out, Colour colour, List<String> warnings) {
+        for (String warning : warnings) {
+            String wrapped = TextFormat.wrap(WARNING + " " + TextFormat.plain(warning), " ", WIDTH, "  ");
+            out.println(colour.warning(WARNING) + wrapped.substring(WARNING.length()));
+        }
+        if (!warnings.isEmpty()) {
+            out.println();
+        }
+    }
+
+    private static void settings(PrintStream out, Scene read) {
+        out.println("What the scene says:");
+        out.println();
+        out.println("  game " + read.gameId() + " for " + TextFormat.count(read.players(), "player"));
+        out.println("  first answer within " + read.time().firstAnswerMs() + " ms, the others within "
+            + read.time().answerMs() + " ms");
+        for (Map.Entry<String, Object> block : Json.object(read.json()).entrySet()) {
+            if (block.getValue() instanceof Map<?, ?> fields && !block.getKey().equals("time")) {
+                List<String> items = new ArrayList<>();
+                fields.forEach((name, value) -> items.add(name + " " + word(value)));
+                out.println(TextFormat.wrap("  " + block.getKey() + ": " + String.join(", ", items), ", ", WIDTH,
+                    "    "));
+            }
+        }
+    }
+
+    private static String word(Object value) {
+        if (value instanceof List<?> list) {
+            return "(" + list.size() + " of them)";
+        }
+        return value instanceof Map<?, ?> ? "(more)" : Json.word(value, 9);
+    }
+}

@@ -1,0 +1,57 @@
+package steward.cli.explain;
+
+import java.util.Locale;
+import steward.cli.shared.Json;
+import steward.cli.shared.Streams;
+import steward.game.GameSetup;
+import steward.scene.AccuracyChoice;
+import steward.scene.Part;
+import steward.scene.Scene;
+import tools.jackson.core.JsonGenerator;
+
+/** A scene explained to programs: one JSON object on one line. */
+final class ExplainJson {
+
+    private ExplainJson() {
+    }
+
+    /**
+     * @param prices {@code null} for none; otherwise each part that has one has a field, {@code nanosPerTurn} if they
+     *               were measured here, {@code shareOfTurn} if they are stored
+     */
+    static void print(Streams streams, GameSetup setup, PriceList prices) {
+        Scene scene = setup.scene();
+        Json.print(streams, out -> {
+            out.writeStringProperty("scene", scene.name());
+            out.writeStringProperty("game", scene.gameId());
+            out.writeNumberProperty("players", scene.players());
+            out.writeArrayPropertyStart("parts");
+            for (Part part : setup.plan().parts()) {
+                part(out, part, prices);
+            }
+            out.writeEndArray();
+            AccuracyChoice choice = setup.plan().accuracy();
+            out.writeObjectPropertyStart("accuracy");
+            out.writeStringProperty("rung", choice.rung().text());
+            out.writeBooleanProperty("stated", choice.stated());
+            out.writeStringProperty("why", choice.why());
+            out.writeEndObject();
+            out.writeArrayPropertyStart("warnings");
+            setup.check().forEach(out::writeString);
+            out.writeEndArray();
+        });
+    }
+
+    private static void part(JsonGenerator out, Part part, PriceList prices) {
+        out.writeStartObject();
+        out.writeStringProperty("name", part.name());
+        out.writeBooleanProperty("in", part.in());
+        out.writeStringProperty("why", part.why());
+        out.writeStringProperty("when", part.when().name().toLowerCase(Locale.ROOT));
+        double price = prices == null ? Double.NaN : prices.number(part);
+        if (!Double.isNaN(price)) {
+            out.writeNumberProperty(prices.isMeasured() ? "nanosPerTurn" : "shareOfTurn", price);
+        }
+        out.writeEndObject();
+    }
+}

@@ -1,0 +1,72 @@
+package steward.cli.shared;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.ServiceLoader;
+import java.util.concurrent.Callable;
+import java.util.function.Consumer;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Unmatched;
+import steward.files.InputException;
+import steward.game.GameSetup;
+import steward.scene.price.MeasuredPrices;
+
+/** Commands and measurements that the lab's jar offers; the program works without that jar. */
+public interface Lab {
+
+    /** Creates one of the lab's commands: stability, tradeoff, bench or league capacity. */
+    Object command(String name, Streams streams);
+
+    /** Measures what the parts of a scene add to a turn, each in JVMs of its own; shows progress on a terminal. */
+    MeasuredPrices measurePrices(Streams streams, GameSetup setup);
+
+    /**
+     * Plays made-up leagues and prints tables of how often bars and tests held.
+     *
+     * @param parts   of {@code docs/rating.md}, in the order in which they are printed
+     * @param leagues of each configuration
+     * @param out     takes the lines, as soon as they are known
+     */
+    void selfCheck(List<String> parts, long leagues, int threads, Consumer<String> out) throws InterruptedException;
+
+    /** Finds the lab on the class path. */
+    static Optional<Lab> find() {
+        return ServiceLoader.load(Lab.class).findFirst();
+    }
+
+    /**
+     * Returns the lab.
+     *
+     * @param asked command or option that needs it
+     * @throws InputException if its jar is not on the class path
+     */
+    static Lab of(String asked) {
+        return find().orElseThrow(() -> new InputException(asked
+            + ": found no lab, expected steward-lab.jar on the class path (an installation has it in lib)"));
+    }
+
+    /** Creates one of the lab's commands, or without the lab one in its place that only says so. */
+    static Object commandOrMissing(String name, Streams streams) {
+        return find().map(lab -> lab.command(name, streams)).orElseGet(() -> new Missing(name));
+    }
+
+    /** Command of a lab that is not there. */
+    @Command(description = "Comes with steward-lab.jar, which is missing.")
+    final class Missing implements Callable<Integer> {
+
+        private final String name;
+
+        @Unmatched
+        private List<String> words;
+
+        private Missing(String name) {
+            this.name = name;
+        }
+
+        @Override
+        public Integer call() {
+            of(name);
+            throw new IllegalStateException(name);
+        }
+    }
+}

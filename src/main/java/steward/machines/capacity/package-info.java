@@ -1,5 +1,0 @@
-/** What workers cost the league's process, measured; and how many it could serve, simulated in virtual time. */
-@Internal
-package steward.machines.capacity;
-
-import steward.Internal;

@@ -1,0 +1,60 @@
+package steward.architecture;
+
+import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import java.net.URI;
+import java.net.URISyntaxException;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import steward.cli.Main;
+import steward.cli.shared.Lab;
+import steward.game.Game;
+import steward.match.TestScenes;
+
+/** The classes of the three parts, wherever they were compiled to. */
+final class HouseClasses {
+
+    private HouseClasses() {
+    }
+
+    /** A class of each part, lowest first, by the name of the part's source set. */
+    static Map<String, Class<?>> parts() {
+        Map<String, Class<?>> parts = new LinkedHashMap<>();
+        parts.put("engine", Game.class);
+        parts.put("main", Main.class);
+        parts.put("lab", Lab.of("the test").getClass());
+        return parts;
+    }
+
+    /** The source folders of the three parts. */
+    static List<Path> sources() {
+        return parts().keySet().stream().map(part -> Path.of("src", part, "java")).toList();
+    }
+
+    /** All classes of the three parts. */
+    static JavaClasses all() {
+        return new ClassFileImporter().importPaths(parts().values().stream().map(HouseClasses::home).map(Path::of)
+            .toList());
+    }
+
+    /** True if a class file belongs to tests of any part. */
+    static boolean isOfTests(URI file) {
+        try {
+            Class<?> ofLab = Class.forName("steward.lab.cli.LabCommandsTest");
+            return List.of(TestScenes.class, HouseClasses.class, ofLab).stream()
+                .anyMatch(type -> file.getPath().startsWith(home(type).getPath()));
+        } catch (ClassNotFoundException missing) {
+            throw new IllegalStateException(missing);
+        }
+    }
+
+    static URI home(Class<?> type) {
+        try {
+            return type.getProtectionDomain().getCodeSource().getLocation().toURI();
+        } catch (URISyntaxException problem) {
+            throw new IllegalStateException(problem);
+        }
+    }
+}
