@@ -139,11 +139,12 @@ final class GameRecordingReader {
         if (agent == null || agent.isNull()) {
             return false;
         }
-        if (!agent.isInt() || agent.intValue() >= 0 && agent.intValue() != player) {
+        boolean referee = agent.isInt() && agent.intValue() == -1 && said(frame, number).isEmpty();
+        if (!referee && !(agent.isInt() && agent.intValue() == player)) {
             throw wrong(number, "agentId", agent.toString(), player + ", because " + (player == 0
                 ? "a turn begins with player 0" : "player 0 has answered"));
         }
-        return agent.intValue() < 0;
+        return referee;
     }
 
     private List<String> said(JsonNode frame, int number) {
