@@ -21,8 +21,8 @@ class ShownSeedTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"", "seed", "seed=", "seed=1.5", "seed=x", "sneed=1", "seed=1 2", "seed=9223372036854775808",
-        "seed=99999999999999999999"})
+    @ValueSource(strings = {"", "seed", "seed=", "seed=1.5", "seed=x", "sneed=1", "seed=1 2",
+        "seed=9223372036854775808", "seed=99999999999999999999"})
     void everythingElseIsNone(String input) {
         assertEquals(OptionalLong.empty(), ShownSeed.of(input));
     }
