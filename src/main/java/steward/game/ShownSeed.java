@@ -15,7 +15,11 @@ public final class ShownSeed {
     private ShownSeed() {
     }
 
-    /** The seed; empty if there is none. @param input field {@code refereeInput} of a recording */
+    /**
+     * Reads the seed; empty if there is none.
+     *
+     * @param input field {@code refereeInput} of a recording
+     */
     public static OptionalLong of(String input) {
         Matcher matcher = LINE.matcher(input);
         try {
@@ -25,7 +29,12 @@ public final class ShownSeed {
         }
     }
 
-    /** As {@link #of}. @throws IllegalArgumentException if there is none */
+    /**
+     * Reads the seed as {@link #of} does.
+     *
+     * @param source name of the file, for errors
+     * @throws IllegalArgumentException if there is none
+     */
     public static long required(String input, String source) {
         return of(input).orElseThrow(() -> new IllegalArgumentException(source + ": refereeInput: found "
             + (input.isBlank() ? "nothing" : ViewLines.quote(input)) + ", expected a line seed=NUMBER"));

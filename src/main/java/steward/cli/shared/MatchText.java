@@ -98,7 +98,7 @@ public final class MatchText {
         }
     }
 
-    /** A time; none is 0, which an imported game has not. */
+    /** Writes a time; 0 is none, as in an imported game. */
     private static String ms(long nanos) {
         return nanos == 0 ? "-" : TextFormat.ms(nanos);
     }
