@@ -4,8 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
+import steward.game.ShownSeed;
 import tools.jackson.databind.JsonNode;
 
 /**
@@ -21,7 +20,6 @@ import tools.jackson.databind.JsonNode;
 record GameFacts(List<String> names, long seed, Map<String, String> data, List<Map<String, String>> players,
                  double[] scores) {
 
-    private static final Pattern SEED = Pattern.compile("(?m)^seed=(-?[0-9]{1,18})\\s*$");
     private static final int LONGEST_NAME = 60;
 
     static GameFacts of(JsonNode result, int players) {
@@ -46,14 +44,13 @@ record GameFacts(List<String> names, long seed, Map<String, String> data, List<M
         }
         Map<String, String> game = new TreeMap<>();
         put(game, "game", result.path("gameId"));
-        Matcher seed = SEED.matcher(result.path("refereeInput").asString(""));
         List<Double> scores = new ArrayList<>();
         for (JsonNode score : result.path("scores")) {
             if (score.isNumber()) {
                 scores.add(score.asDouble());
             }
         }
-        return new GameFacts(names, seed.find() ? Long.parseLong(seed.group(1)) : 0, game, data,
+        return new GameFacts(names, ShownSeed.of(result.path("refereeInput").asString("")).orElse(0), game, data,
             scores.stream().mapToDouble(score -> score).toArray());
     }
 

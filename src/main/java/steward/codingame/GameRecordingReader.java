@@ -59,11 +59,11 @@ final class GameRecordingReader {
             throw wrong(0, "view", view == null ? "nothing" : "null", "a text");
         }
         JsonNode agent = frame.get("agentId");
-        if (agent != null && agent.isInt() && agent.intValue() >= 0) {
+        if (agent != null && !(agent.isInt() && agent.intValue() == -1)) {
             throw wrong(0, "agentId", agent.toString(), "-1: the first frame is the referee's");
         }
         JsonNode key = frame.get("keyframe");
-        if (key != null && !key.asBoolean(true)) {
+        if (key != null && !(key.isBoolean() && key.booleanValue())) {
             throw wrong(0, "keyframe", key.toString(), "true: the first frame shows the start");
         }
     }
@@ -139,11 +139,12 @@ final class GameRecordingReader {
         if (agent == null || agent.isNull()) {
             return false;
         }
-        if (!agent.isInt() || agent.intValue() >= 0 && agent.intValue() != player) {
+        boolean referee = agent.isInt() && agent.intValue() == -1 && said(frame, number).isEmpty();
+        if (!referee && !(agent.isInt() && agent.intValue() == player)) {
             throw wrong(number, "agentId", agent.toString(), player + ", because " + (player == 0
                 ? "a turn begins with player 0" : "player 0 has answered"));
         }
-        return agent.intValue() < 0;
+        return referee;
     }
 
     private List<String> said(JsonNode frame, int number) {

@@ -126,10 +126,17 @@ final class LineRecordingImport implements RecordingImport {
 
         @Override
         public Ending ask(byte[] frame, int length, int answerLines, long limitNanos, Answer answer) {
-            if (answered == answers.size()) {
+            boolean ends = answered == answers.size();
+            if (!ends || heard < sent.size()) {
+                hear(frame, length);
+            }
+            if (ends && heard < sent.size()) {
+                throw new DifferentGameException(source + ": stdin[" + heard + "]: found \"" + sent.get(heard)
+                    + "\", expected the end: turn " + (answered + 1) + " has no answer");
+            }
+            if (ends) {
                 throw new RecordingEnds();
             }
-            hear(frame, length);
             answer.clear();
             byte[] bytes = answers.get(answered++).getBytes(StandardCharsets.UTF_8);
             answer.append(bytes, 0, bytes.length);

@@ -93,6 +93,9 @@ final class ServerFrames {
             int agent = agent(k);
             ViewLines view = view(k);
             shown.add(ShownFrame.of(frame(k)));
+            if (agent < 0 && !said(k).isEmpty()) {
+                throw wrong(k, "agentId", "-1", "the number of the player whose answer the frame has");
+            }
             if (agent >= 0) {
                 if (agent < next) {
                     throw wrong(k, "agentId", Integer.toString(agent),

@@ -87,6 +87,30 @@ class EveryWordIsComparedTest {
         assertEquals(Set.of(), missed.keySet());
     }
 
+    /** Lines of a game of the server; after the last answer no more is shown. */
+    @Test
+    void ofTheLinesOfASearchRace(TestReporter report) throws IOException {
+        ObjectNode game = (ObjectNode) JsonMapper.shared().readTree(Files.readString(
+            GroundTruth.RECORDINGS.files("search-race", "game1.json").get(0)));
+        assertNull(difference(game), "as it is");
+        for (String name : List.of("stdin", "stdout")) {
+            ArrayNode lines = (ArrayNode) game.get(name);
+            for (int line = 0; line < lines.size(); line++) {
+                String text = lines.get(line).stringValue();
+                Matcher word = WORD.matcher(text);
+                while (word.find()) {
+                    lines.set(line, text.substring(0, word.start()) + other("view", word.group())
+                        + text.substring(word.end()));
+                    look(game, name + (line == lines.size() - 1 ? ", the last line" : ""));
+                }
+                lines.set(line, text);
+            }
+        }
+        GroundTruth.tell(report, "search-race, lines: " + changed + " numbers and words changed one at a time, not "
+            + "found: " + missed);
+        assertEquals(Set.of("stdout, the last line"), missed.keySet());
+    }
+
     /** Turn played here: the form is that of the published referee. */
     @Test
     void ofFantasticBits(TestReporter report) {
@@ -194,7 +218,7 @@ class EveryWordIsComparedTest {
             ByteArrayOutputStream replay = new ByteArrayOutputStream();
             RecordingImport.of(game.toString(), "game.json", TestScenes.TYPES).write(replay);
             return Objects.toString(TextMatches.verify(replay.toByteArray()).difference(), null);
-        } catch (IllegalArgumentException refused) {
+        } catch (IllegalArgumentException | DifferentGameException refused) {
             return refused.getMessage();
         } catch (InterruptedException nobodyDoes) {
             throw new AssertionError(nobodyDoes);

@@ -111,6 +111,19 @@ class GameRecordingImportTest {
     }
 
     @Test
+    void textsThatTheRecordingLacksAreTold() {
+        List<String> all = verified(GAME.json()).views().notCompared();
+        ObjectNode game = GAME.gameResult();
+        ((ObjectNode) game.get("frames").get(4)).remove("summary");
+        ((ObjectNode) game.get("frames").get(5)).remove("view");
+        Verification verification = verified(game.toString());
+        assertNull(verification.difference());
+        List<String> more = new ArrayList<>(all);
+        more.add("2 texts of frames that the recording lacks");
+        assertEquals(more, verification.views().notCompared());
+    }
+
+    @Test
     void severalGamesVerify() {
         Set<String> endings = new TreeSet<>();
         for (long seed = 11; seed < 17; seed++) {

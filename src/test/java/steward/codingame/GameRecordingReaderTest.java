@@ -83,6 +83,8 @@ class GameRecordingReaderTest {
         "false},{\"stdout\" | true},{\"stdout\" | frame 1, keyframe: found true, expected false, because player 1",
         "\"keyframe\":true, | \"keyframe\":false, | frame 2, keyframe: found false, expected true, because both",
         "\"keyframe\":false | \"keyframe\":\"no\" | frame 1, keyframe: found \"no\", expected true or false",
+        "\"keyframe\":true} | \"keyframe\":2} | frame 0, keyframe: found 2, expected true: the first frame shows",
+        "\"keyframe\":true} | \"keyframe\":true,\"agentId\":\"x\"} | frame 0, agentId: found \"x\", expected -1: the",
         "false},{\"stdout\":\"1 2 3\\n1 2 3\\n\" | false},{\"stdout\":5 | frame 2, stdout: found 5, expected a text",
         "true,\"view\":       | true,\"view\":[1],\"v\": | frame 2, view: found [1], expected a text",
         "\"ranks\":[0,1] | \"ranks\":[\"a\",1] | ranks: found \"[\"a\",1]\", expected an array of 2 whole numbers",
@@ -94,6 +96,7 @@ class GameRecordingReaderTest {
         "9000 1000 5000 | 9000d 1000 5000 | frame 0, view line 3: found \"9000d\", expected a finite number",
         "{\"stdout\":\"1 2 3\\n1 2 3\\n\",\"keyframe\":false} | 5 | frame 1: found 5, expected an object",
         "\"frames\" | \"frame\" | found no frames: the object has frame, ranks, expected CodinGame's game result",
+        "\"keyframe\":false | \"keyframe\":false,\"agentId\":-1 | frame 1, agentId: found -1, expected 0, because a",
         "\"keyframe\":false | \"keyframe\":false,\"agentId\":1 | frame 1, agentId: found 1, expected 0, because a turn",
         "1000 2000 -0 4 100 0 5 6 null 1 2 0 | 1000 2000 -0 4 100 0 5 6 null 1 2 | frame 0, view line 5: found \"1000",
         "0\\n\\\"message \\\"\\n1:98 | 0\\nmessage\\n1:98 | frame 2, view line 8: found "

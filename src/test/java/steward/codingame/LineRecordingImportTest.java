@@ -74,6 +74,21 @@ class LineRecordingImportTest {
             assertThrows(DifferentGameException.class, () -> imported(new ByteArrayOutputStream())).getMessage());
     }
 
+    /** The car did not answer in the last turn: what it was sent there is compared, and there can be no more. */
+    @Test
+    void linesBehindTheLastAnswerAreCompared() throws InterruptedException {
+        play(20);
+        answers.remove(19);
+        assertEquals(new RecordingImport.Imported(19, null), imported(new ByteArrayOutputStream()));
+        String ours = sent.set(25 + 19, "0 1 2 3 4 5");
+        assertEquals("g.json: stdin[44], turn 20: found \"0 1 2 3 4 5\", by these rules \"" + ours + "\"",
+            assertThrows(DifferentGameException.class, () -> imported(new ByteArrayOutputStream())).getMessage());
+        sent.set(25 + 19, ours);
+        answers.remove(18);
+        assertEquals("g.json: stdin[44]: found \"" + ours + "\", expected the end: turn 19 has no answer",
+            assertThrows(DifferentGameException.class, () -> imported(new ByteArrayOutputStream())).getMessage());
+    }
+
     @Test
     void linesOfNoKnownGameAreRefused() {
         sent.addAll(List.of("3", "1 2", "3 4"));

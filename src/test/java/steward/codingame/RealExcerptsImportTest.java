@@ -3,7 +3,6 @@ package steward.codingame;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -14,8 +13,10 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import steward.game.GroundTruth;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.protocol.PodRaceType;
 import steward.match.TestScenes;
@@ -35,23 +36,19 @@ class RealExcerptsImportTest {
 
     private final ByteArrayOutputStream replay = new ByteArrayOutputStream();
 
-    private static Path file(String name) {
-        Path file = Path.of(System.getProperty("steward.replays", "../shared/replays")).resolve(name);
-        assumeTrue(Files.isRegularFile(file),
-            () -> "skipped: there is no " + file.toAbsolutePath() + " (set -Dsteward.replays)");
-        return file;
-    }
-
     private Verification verified(String json, String name) throws InterruptedException {
         GameRecordingImport.of(json, name, TestScenes.TYPES).write(replay);
         return TextMatches.verify(replay.toByteArray());
     }
 
     @Test
-    void theSitesOwnJsonVerifies() throws IOException, InterruptedException {
-        Verification verification = verified(Files.readString(file("game_870230020_excerpt.json")), "excerpt");
+    void theSitesOwnJsonVerifies(TestReporter report) throws IOException, InterruptedException {
+        Path file = GroundTruth.replay("game_870230020_excerpt.json");
+        Verification verification = verified(Files.readString(file), "excerpt");
         assertNull(verification.difference());
         assertEquals(1, verification.turns());
+        new GroundTruth.Report(report, "pod-race of 2026").add(file.getFileName().toString(), 1,
+            verification.views().values(), null, verification.views().notCompared());
         String text = replay.toString(StandardCharsets.UTF_8);
         assertTrue(text.contains("\"turnsLeft\":[99,99]},\"ranks\":[0,1]"), text);
         assertTrue(text.contains("\"ax\":11574,\"ay\":3374,\"bx\":10884,\"by\":3778,") && text.contains(
@@ -62,7 +59,7 @@ class RealExcerptsImportTest {
     @ParameterizedTest
     @CsvSource({"turns_870230020.txt, 12, 3", "turns_888655750.txt, 8, 3"})
     void theFirstTurnsOfAGameVerify(String name, int turns, int impacts) throws IOException, InterruptedException {
-        String json = json(Files.readAllLines(file(name)), turns);
+        String json = json(Files.readAllLines(GroundTruth.replay(name)), turns);
         Verification verification = verified(json, name);
         assertNull(verification.difference());
         assertEquals(turns, verification.turns());

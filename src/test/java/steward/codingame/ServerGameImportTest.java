@@ -168,6 +168,7 @@ class ServerGameImportTest {
         "\" 4\\n\" | \" 5\\n\" | frame 4, view line 0: found \" 5\", expected the number of the frame, 4: frames are "
             + "missing",
         "\"agentId\":2 | \"agentId\":1 | frame 3, agentId: found 1, expected a player behind 1, or a key frame before",
+        "\"agentId\":2 | \"agentId\":-1 | frame 3, agentId: found -1, expected the number of the player whose answer",
         "\"agentId\":2 | \"agentId\":3 | found answers of 4 players, expected 3 of mean-max",
         "\"agentId\":2 | \"agentId\":\"2\" | frame 3, agentId: found \"2\", expected the number of a player "
             + "0..7, or -1",

@@ -11,6 +11,9 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.zip.GZIPInputStream;
@@ -29,20 +32,70 @@ class FantasticBitsRecordingsTest {
     private static final Pattern ENTITY = Pattern.compile("(\\d+) ([A-Z_]+) (-?\\d+) (-?\\d+) (-?\\d+) (-?\\d+) (\\d)");
     private static final Pattern STANDING = Pattern.compile(".* Score: (-?\\d+) \\| Magic: (\\d+)");
     private static final Pattern CAUGHT = Pattern.compile("\\w+ (\\d) caught snaffle (\\d+)");
-    private static final Pattern TOLD = Pattern.compile("\\w+: Wizard (\\d) (\\w+) .*");
+    private static final Pattern TOLD = Pattern.compile("\\w+: Wizard (\\d) (.*)");
+    private static final String TURN = "Sortie d'erreur :";
+    private static final Pattern WORD = Pattern.compile("[^\\s():,]+");
 
     @Test
     void everyTurnThatTheConsoleShowsIsReproduced(TestReporter report) throws IOException {
         GroundTruth.Report all = new GroundTruth.Report(report, "fantastic-bits");
         for (Path file : GroundTruth.RECORDINGS.files("fantastic-bits", ".txt.gz")) {
-            Console console = new Console(file);
+            Console console = new Console(file.getFileName().toString(), lines(file));
             console.compare();
             all.add(file.getFileName().toString(), console.game.turn(), console.comparison.values(),
-                console.comparison.differences().stream().findFirst().orElse(null),
-                List.of("places, thrusts and targets in words"));
+                console.comparison.differences().stream().findFirst().orElse(null), List.of("names, line numbers"));
         }
         assertTrue(all.values() > 0, "the folder holds games");
         assertEquals(List.of(), all.differences().stream().limit(20).toList());
+    }
+
+    /** Changes each number and word of a turn in which wizards throw, and of one in which one casts, one at a time. */
+    @Test
+    void everyWordOfATurnIsCompared(TestReporter report) throws IOException {
+        List<String> lines = lines(GroundTruth.RECORDINGS.files("fantastic-bits", "sample3-turns1-60.txt.gz").get(0));
+        Set<String> missed = new TreeSet<>();
+        int changed = 0;
+        for (String deed : List.of("throws", "casts")) {
+            int at = lines.indexOf(lines.stream().filter(line -> line.contains(deed)).findFirst().orElseThrow());
+            int from = lines.subList(0, at).lastIndexOf(TURN);
+            int to = at + lines.subList(at, lines.size()).indexOf(TURN);
+            int echo = from + lines.subList(from, to).indexOf("Sortie standard :");
+            for (int line = from; line < to; line++) {
+                String text = lines.get(line);
+                boolean shown = line < echo ? ENTITY.matcher(text).matches() : text.matches("[A-Z].* -?\\d.*");
+                Matcher word = WORD.matcher(shown ? text : "");
+                while (word.find()) {
+                    List<String> other = new ArrayList<>(lines.subList(0, to));
+                    int last = word.end() - 1;
+                    String end = Character.isDigit(text.charAt(last)) ? "" + (text.charAt(last) - '0' + 5) % 10
+                        : text.charAt(last) + "x";
+                    other.set(line, text.substring(0, last) + end + text.substring(word.end()));
+                    changed++;
+                    if (!isFound(other)) {
+                        missed.add(word.group());
+                    }
+                }
+            }
+        }
+        GroundTruth.tell(report, "fantastic-bits, console: " + changed + " numbers and words changed one at a time, "
+            + "not found: " + missed);
+        assertEquals(Set.of("DumbleBoss", "Storm", "Wizard"), missed);
+    }
+
+    private static boolean isFound(List<String> lines) {
+        try {
+            Console console = new Console("changed", lines);
+            console.compare();
+            return !console.comparison.differences().isEmpty();
+        } catch (NumberFormatException | IndexOutOfBoundsException refused) {
+            return true;
+        }
+    }
+
+    private static List<String> lines(Path file) throws IOException {
+        try (InputStream in = new GZIPInputStream(Files.newInputStream(file))) {
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8).lines().toList();
+        }
     }
 
     /** One game, played again while its console is read. */
@@ -55,11 +108,9 @@ class FantasticBitsRecordingsTest {
         private int at;
         private int answers;
 
-        Console(Path file) throws IOException {
-            try (InputStream in = new GZIPInputStream(Files.newInputStream(file))) {
-                lines = new String(in.readAllBytes(), StandardCharsets.UTF_8).lines().toList();
-            }
-            comparison = new Comparison(file.getFileName().toString());
+        Console(String name, List<String> lines) {
+            this.lines = lines;
+            comparison = new Comparison(name);
             List<String> first = lines.subList(1, lines.indexOf("Sortie standard :")).stream()
                 .filter(line -> line.contains(" SNAFFLE ")).toList();
             Pitch pitch = new Pitch(first.size(), 2);
@@ -76,7 +127,7 @@ class FantasticBitsRecordingsTest {
         void compare() {
             while (at < lines.size()) {
                 switch (lines.get(at++)) {
-                    case "Sortie d'erreur :" -> compareInput();
+                    case TURN -> compareInput();
                     case "Sortie standard :" -> answer();
                     case "R\u00e9sum\u00e9 du jeu :" -> compareStanding();
                     default -> compareTold(lines.get(at - 1));
@@ -87,15 +138,17 @@ class FantasticBitsRecordingsTest {
         /** What the server says of an answer names the wizard and what it does. */
         private void compareTold(String line) {
             Matcher told = TOLD.matcher(line);
-            if (told.matches()) {
-                int wizard = Integer.parseInt(told.group(1));
-                WizardCommand command = game.command(wizard / 2, wizard % 2);
-                String verb = switch (command.action()) {
-                    case MOVE -> "moves";
-                    case THROW -> "throws";
-                    case CAST -> "casts";
+            int wizard = told.matches() ? Integer.parseInt(told.group(1)) : 0;
+            WizardCommand command = game.command(wizard / 2, wizard % 2);
+            if (told.matches() && command != null) {
+                String place = " coordinate (" + (long) command.x() + ", " + (long) command.y() + ") with ";
+                String ours = switch (command.action()) {
+                    case MOVE -> "moves towards" + place + "thrust " + (long) command.power();
+                    case THROW -> "throws the snaffle to" + place + "power " + (long) command.power();
+                    case CAST -> "casts " + command.spell().name().charAt(0) + command.spell().name().substring(1)
+                        .toLowerCase(Locale.ROOT) + " on entity " + command.target();
                 };
-                comparison.same("turn " + (game.turn() + 1) + " wizard " + wizard, told.group(2), verb);
+                compareWords("turn " + (game.turn() + 1) + " wizard " + wizard + " ", told.group(2), ours);
             }
         }
 

@@ -92,10 +92,15 @@ public final class MatchText {
                 + TextFormat.left(TextFormat.plain(TextFormat.shorten(player.name(), names)), names)
                 + TextFormat.right(Integer.toString(player.rank() + 1), 6)
                 + TextFormat.right(TextFormat.number(player.score(), 2), 8)
-                + TextFormat.right(TextFormat.ms(player.averageNanos()), 13)
-                + TextFormat.right(TextFormat.ms(player.worstNanos()), 11)
-                + TextFormat.right(TextFormat.ms(player.firstNanos()), 11));
+                + TextFormat.right(ms(player.averageNanos()), 13)
+                + TextFormat.right(ms(player.worstNanos()), 11)
+                + TextFormat.right(ms(player.firstNanos()), 11));
         }
+    }
+
+    /** Writes a time; 0 is none, as in an imported game. */
+    private static String ms(long nanos) {
+        return nanos == 0 ? "-" : TextFormat.ms(nanos);
     }
 
     private static void note(PrintStream out, Colour colour, PlayerResult player, Failure failure) {

@@ -8,6 +8,7 @@ import steward.game.ViewWriter;
 import steward.replay.JsonLine;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayReader;
+import steward.text.TextFormat;
 
 /** The frames of a server beside those that it would have written of ours: line by line, word by word. */
 final class ViewComparison {
@@ -20,13 +21,21 @@ final class ViewComparison {
     private final ViewWriter writer;
     private boolean any;
     private long values;
+    private int missing;
 
     ViewComparison(ViewWriter writer) {
         this.writer = writer;
     }
 
     ViewCounts counts() {
-        return any ? new ViewCounts(values, writer.notCompared()) : ViewCounts.NONE;
+        if (!any) {
+            return ViewCounts.NONE;
+        }
+        List<String> notCompared = new ArrayList<>(writer.notCompared());
+        if (missing > 0) {
+            notCompared.add(TextFormat.count(missing, "text") + " of frames that the recording lacks");
+        }
+        return new ViewCounts(values, notCompared);
     }
 
     /** @return the first difference, or {@code null} */
@@ -83,6 +92,7 @@ final class ViewComparison {
     private Difference compare(int turn, JsonLine frame, String name, List<String> found, boolean mayEnd) {
         List<String> recorded = lines(frame, name);
         if (!frame.has(name)) {
+            missing += name.equals("scores") || found.isEmpty() ? 0 : 1;
             return null;
         }
         any = true;

@@ -70,6 +70,13 @@ class ImportCommandTest {
     }
 
     @Test
+    void aGameThatWasImportedHasNoAnswerTimes() throws IOException {
+        imported(GAME.json());
+        String out = replay().out();
+        assertTrue(out.lines().anyMatch(line -> line.matches(" *0  player 0 .* -  +-  +-")), out);
+    }
+
+    @Test
     void aWholeGameIsImportedAndVerified() {
         Cli cli = Cli.run("import", recording.toString(), "--out", replay.toString());
         assertEquals("imported: " + GAME.turns() + " turns, finished after 3 laps\n  steward replay " + replay
@@ -121,7 +128,8 @@ class ImportCommandTest {
     void aSketchIsShownToo() throws IOException {
         imported(GAME.sketch(SKETCHED));
         assertEquals("verified: states of 26 of 33 turns, as another referee saw them, and the result\n"
-            + VIEWS, withoutCount(replay("--verify").out()));
+            + VIEWS.stripTrailing() + "; 14 texts of frames that the recording lacks\n",
+            withoutCount(replay("--verify").out()));
         String table = replay().out();
         assertTrue(table.contains("player 1 failed: no answer in the recording"), table);
         assertTrue(table.contains("player 0 wins: the other player is out, 33 turns"), table);

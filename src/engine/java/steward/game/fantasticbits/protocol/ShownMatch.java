@@ -2,10 +2,9 @@ package steward.game.fantasticbits.protocol;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import steward.game.JsonNumbers;
 import steward.game.ServerView;
+import steward.game.ShownSeed;
 import steward.game.fantasticbits.EntityKind;
 import steward.game.fantasticbits.Pitch;
 import steward.scene.SceneFiles;
@@ -29,7 +28,6 @@ import tools.jackson.core.JsonGenerator;
  */
 final class ShownMatch implements ServerView.Shown {
 
-    private static final Pattern SEED = Pattern.compile("seed=(-?[0-9]{1,18})");
     private static final int FIRST_LINE_OF_START = 6;
     private static final int MOST = 1000;
 
@@ -45,12 +43,7 @@ final class ShownMatch implements ServerView.Shown {
     }
 
     ShownMatch(ViewLines first, String input) {
-        Matcher matcher = SEED.matcher(input.strip());
-        if (!matcher.matches()) {
-            throw new IllegalArgumentException(first.source() + ": refereeInput: found "
-                + (input.isBlank() ? "nothing" : ViewLines.quote(input)) + ", expected the line seed=NUMBER");
-        }
-        seed = Long.parseLong(matcher.group(1));
+        seed = ShownSeed.required(input, first.source());
         start = read(first, FIRST_LINE_OF_START);
     }
 

@@ -5,9 +5,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import steward.game.ServerView;
+import steward.game.ShownSeed;
 import steward.game.meanmax.MeanMaxSettings;
 import steward.game.meanmax.Skill;
 import steward.game.meanmax.UnitKind;
@@ -32,7 +31,6 @@ import tools.jackson.core.JsonGenerator;
 final class ShownGame implements ServerView.Shown {
 
     private static final String SCENE = "mean-max";
-    private static final Pattern SEED = Pattern.compile("(?m)^seed=(-?[0-9]{1,18})$");
     private static final int PLAYERS_LINE = 2;
     private static final int FIRST_SCORE_OF_START = 6;
     private static final int FIRST_SCORE = 1;
@@ -51,12 +49,7 @@ final class ShownGame implements ServerView.Shown {
     private final Map<Integer, ShownTurn.Effect> effects = new TreeMap<>();
 
     ShownGame(ViewLines first, String input) {
-        Matcher matcher = SEED.matcher(input.replace("\r", ""));
-        if (!matcher.find()) {
-            throw new IllegalArgumentException(first.source() + ": refereeInput: found "
-                + (input.isBlank() ? "nothing" : ViewLines.quote(input)) + ", expected a line seed=NUMBER");
-        }
-        seed = Long.parseLong(matcher.group(1));
+        seed = ShownSeed.required(input, first.source());
         if (!first.line(PLAYERS_LINE).strip().equals(Integer.toString(PLAYERS))) {
             throw first.wrong(PLAYERS_LINE, PLAYERS + ", the number of players");
         }

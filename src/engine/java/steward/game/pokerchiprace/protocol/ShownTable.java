@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import steward.game.ServerView;
+import steward.game.ShownSeed;
 import steward.game.pokerchiprace.ChipSettings;
 import steward.game.pokerchiprace.ChipTable;
 import steward.scene.SceneFiles;
@@ -28,7 +29,6 @@ final class ShownTable implements ServerView.Shown {
     private static final Map<String, String> SETTINGS = Map.of("player_initial_radius", "radius",
         "chips_count_per_player", "perPlayer", "symmetric", "symmetric", "max_neutral_count", "neutral");
     private static final String VALUE = "-?[0-9]{1,18}(\\.[0-9]{1,9})?|true|false";
-    private static final String SEED = "-?[0-9]{1,18}";
     private static final int SIZES_LINE = 2;
     private static final int SIZES = 4;
     private static final int FIRST_LINE_OF_START = 3;
@@ -38,7 +38,7 @@ final class ShownTable implements ServerView.Shown {
 
     private final int players;
     private final StringBuilder fields = new StringBuilder();
-    private long seed;
+    private final long seed;
     private final Turn start;
     private final List<Turn> shown = new ArrayList<>();
 
@@ -53,27 +53,20 @@ final class ShownTable implements ServerView.Shown {
         }
         players = first.whole(sizes[0], ChipSettings.MOST_PLAYERS, SIZES_LINE);
         readInput(first.source(), input);
+        seed = ShownSeed.required(input, first.source());
         start = read(first, FIRST_LINE_OF_START);
     }
 
     private void readInput(String source, String input) {
-        boolean seeded = false;
         for (String line : input.strip().lines().toList()) {
             String[] property = line.strip().split("=", 2);
             String value = property.length < 2 ? "" : property[1];
-            if (property[0].equals("seed") && value.matches(SEED)) {
-                seed = Long.parseLong(value);
-                seeded = true;
-            } else if (SETTINGS.containsKey(property[0]) && value.matches(VALUE)) {
+            if (SETTINGS.containsKey(property[0]) && value.matches(VALUE)) {
                 fields.append(", \"").append(SETTINGS.get(property[0])).append("\": ").append(value);
-            } else {
+            } else if (ShownSeed.of(line).isEmpty()) {
                 throw new IllegalArgumentException(source + ": refereeInput: found " + ViewLines.quote(line)
                     + ", expected seed=NUMBER or a setting of the start with its value");
             }
-        }
-        if (!seeded) {
-            throw new IllegalArgumentException(source + ": refereeInput: found "
-                + (input.isBlank() ? "nothing" : ViewLines.quote(input)) + ", expected a line seed=NUMBER");
         }
     }
 
