@@ -5,7 +5,7 @@ import java.util.Optional;
 import steward.Internal;
 import steward.scene.Scene;
 
-/** A kind of game, stateless; the command line lists them all. */
+/** A kind of game, stateless, with a public constructor without parameters; found as a service. */
 public interface GameType {
 
     /** The most players of any game. */
@@ -53,6 +53,11 @@ public interface GameType {
     @Internal
     default Optional<ViewWriter> viewWriter() {
         return Optional.empty();
+    }
+
+    /** The weakest bundled bot of the game, or {@code null} if there is none. */
+    default String weakestBot() {
+        return null;
     }
 
     /** The fewest players that a scene of this game can have. */

@@ -1,23 +1,64 @@
 package steward.game;
 
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import steward.Internal;
 import steward.scene.Scene;
 import steward.scene.SceneReader;
 import steward.text.NearestName;
 
 /**
- * The known games; created by the command line, the only place that lists them.
+ * The known games: those of the program, which are listed as services of {@link GameType}, and those of jars.
  *
  * @param types each with its own id
  */
 public record GameTypes(List<GameType> types) {
 
-    /** Copies the list. */
+    /** Name of the list of services. */
+    private static final String SERVICES = "/META-INF/services/" + GameType.class.getName();
+
+    /** Copies the list. @throws IllegalArgumentException if two games have the same id */
     public GameTypes {
         types = List.copyOf(types);
+        Set<String> ids = new HashSet<>();
+        for (GameType type : types) {
+            if (!ids.add(type.id())) {
+                throw new IllegalArgumentException("found two games \"" + type.id() + "\", expected one");
+            }
+        }
+    }
+
+    /**
+     * The games that come with the program, and those of jars if the context class loader of this thread is a {@link
+     * GameJars}.
+     *
+     * @throws IllegalArgumentException if a game of a jar cannot be loaded, or has the id of another
+     */
+    public static GameTypes installed() {
+        List<GameType> types = new ArrayList<>();
+        // A ServiceLoader would open every jar of the class path, at every start, for the list of this one.
+        try (InputStream in = GameTypes.class.getResourceAsStream(SERVICES)) {
+            for (String name : new String(in.readAllBytes(), StandardCharsets.UTF_8).lines().toList()) {
+                types.add((GameType) Class.forName(name).getConstructor().newInstance());
+            }
+        } catch (IOException | ReflectiveOperationException problem) {
+            throw new IllegalStateException(problem);
+        }
+        if (Thread.currentThread().getContextClassLoader() instanceof GameJars jars) {
+            types.addAll(jars.types());
+        }
+        return new GameTypes(types);
+    }
+
+    /** The game of an id, if it is known. */
+    public Optional<GameType> of(String gameId) {
+        return types.stream().filter(type -> type.id().equals(gameId)).findFirst();
     }
 
     /**
@@ -52,21 +93,20 @@ public record GameTypes(List<GameType> types) {
     /** A scene by the rules of a league of the site, see {@link GameType#inLeague}; the setup itself if it has them. */
     public GameSetup inLeague(GameSetup setup, int league) {
         Scene scene = setup.scene();
-        GameType type = types.stream().filter(each -> each.id().equals(scene.gameId())).findFirst().orElseThrow();
-        String text = type.inLeague(scene, league);
+        String text = of(scene.gameId()).orElseThrow().inLeague(scene, league);
         return text.equals(scene.json()) ? setup : open(text, scene.root().source());
     }
 
     /** How the site's server shows a game; empty also for an unknown one. */
     @Internal
     public Optional<ServerView> serverView(String gameId) {
-        return types.stream().filter(type -> type.id().equals(gameId)).findFirst().flatMap(GameType::serverView);
+        return of(gameId).flatMap(GameType::serverView);
     }
 
     /** A new writer of what the site's server would show; empty also for an unknown game. */
     @Internal
     public Optional<ViewWriter> viewWriter(String gameId) {
-        return types.stream().filter(type -> type.id().equals(gameId)).findFirst().flatMap(GameType::viewWriter);
+        return of(gameId).flatMap(GameType::viewWriter);
     }
 
     private static void checkPlayers(GameType type, Scene scene) {

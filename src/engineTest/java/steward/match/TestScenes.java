@@ -3,20 +3,13 @@ package steward.match;
 import java.util.List;
 import steward.game.GameSetup;
 import steward.game.GameTypes;
-import steward.game.fantasticbits.protocol.FantasticBitsType;
-import steward.game.meanmax.protocol.MeanMaxType;
-import steward.game.podrace.protocol.PodRaceType;
-import steward.game.pokerchiprace.protocol.PokerChipRaceType;
-import steward.game.searchrace.protocol.SearchRaceType;
 import steward.scene.SceneFiles;
 
 /** The scenes that tests play: the shipped ones, and the duel changed a little. */
 public final class TestScenes {
 
     /** The games that tests know. */
-    public static final GameTypes TYPES =
-        new GameTypes(List.of(new PodRaceType(), new SearchRaceType(), new MeanMaxType(), new FantasticBitsType(),
-            new PokerChipRaceType()));
+    public static final GameTypes TYPES = GameTypes.installed();
 
     /** Every shipped scene of a two-player pod race that is worth a whole match: official, walled, small. */
     public static final List<String> SHIPPED = List.of("mad-pod-racing", "walled-race", "duel");

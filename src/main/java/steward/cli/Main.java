@@ -33,6 +33,7 @@ import steward.cli.shared.NumberConverter;
 import steward.cli.shared.OutOfMemory;
 import steward.cli.shared.Streams;
 import steward.cli.tournament.TournamentCommand;
+import steward.files.InputException;
 
 /** The program. See {@link ExitStatus} for its exit statuses. */
 @Command(name = "steward", synopsisSubcommandLabel = "COMMAND",
@@ -95,6 +96,15 @@ public final class Main {
                 return ExitStatus.UNUSABLE;
             }
         }
+        try (GamesPath games = GamesPath.of(words)) {
+            return execute(streams, games.words());
+        } catch (InputException problem) {
+            streams.err().println("steward: " + problem.getMessage());
+            return ExitStatus.UNUSABLE;
+        }
+    }
+
+    private static int execute(Streams streams, List<String> words) {
         CommandLine program = program(streams, words.isEmpty() ? null : words.get(0));
         int status = ExitStatus.DONE;
         if (words.isEmpty()) {

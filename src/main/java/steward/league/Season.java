@@ -1,5 +1,6 @@
 package steward.league;
 
+import steward.game.GameJars;
 import steward.game.GameSetup;
 import steward.scene.Scene;
 import steward.scene.SceneKey;
@@ -11,7 +12,8 @@ import steward.scene.SceneKey;
  * @param sceneName the scene's name
  * @param sceneKey  of all in the scene that decides what happens
  * @param limits    the time limits and what they are limits of
- * @param rules     the key of its rung's law, its rung and the word of its angles, which seasons began with
+ * @param rules     the key of its rung's law, its rung, the word of its angles, and the digest of the game's jar where
+ *                  it has one
  * @param players   of a game
  * @param lowerScoreIsBetter where each plays alone: whether the lower of two scores on a map is the better one
  */
@@ -24,7 +26,8 @@ public record Season(String key, String sceneName, String sceneKey, String limit
         String sceneKey = SceneKey.of(scene);
         String limits = scene.time().firstAnswerMs() + " ms, " + scene.time().answerMs() + " ms, "
             + settings.limits();
-        String rules = setup.plan().law().key() + " " + scene.accuracy().text() + " CORRECTLY_ROUNDED";
+        String rules = setup.plan().law().key() + " " + scene.accuracy().text() + " CORRECTLY_ROUNDED"
+            + (GameJars.digestOf(setup) == null ? "" : " " + GameJars.digestOf(setup));
         return of(scene.name(), sceneKey, limits, rules, scene.players(), setup.create(0).lowerScoreIsBetter());
     }
 
@@ -35,6 +38,11 @@ public record Season(String key, String sceneName, String sceneKey, String limit
             rules, players, lowerScoreIsBetter);
     }
 
+    private String jar() {
+        int at = rules.indexOf(" sha256:");
+        return at < 0 ? "" : rules.substring(at);
+    }
+
     /** What differs from another season, for a person. */
     public String difference(Season other) {
         if (!sceneKey.equals(other.sceneKey)) {
@@ -43,6 +51,9 @@ public record Season(String key, String sceneName, String sceneKey, String limit
         }
         if (!limits.equals(other.limits)) {
             return "the time limits are " + other.limits + ", were " + limits;
+        }
+        if (!jar().equals(other.jar())) {
+            return "the game's jar is another one";
         }
         String rung = rules.substring(rules.indexOf(' ') + 1);
         return other.rules.endsWith(" " + rung) ? "the law of " + rung.replaceFirst(" .*", "") + " is another version"

@@ -11,7 +11,8 @@ import steward.text.TextFormat;
  */
 enum LineFields {
     /** The first line. */
-    HEADER(List.of("type", "format", LineFields.LAW, "angles", "game", "seed", "players", "timeFactor", "signer",
+    HEADER(List.of("type", "format", LineFields.LAW, "angles", "game",
+        LineFields.JAR, "seed", "players", "timeFactor", "signer",
         "imported", "scene", "drawing", "start", LineFields.HEADER_HASH, LineFields.TIMES)),
     /** A turn. */
     TURN(List.of("type", "turn", "commands", "faults", "outcome", "messages", "stderr", LineFields.TURN_HASH,
@@ -23,6 +24,8 @@ enum LineFields {
 
     /** The version of the law of the scene's rung; absent for 1. */
     static final String LAW = "law";
+    /** The digest of the jar that the game is from; absent for a game of the program. */
+    static final String JAR = "jar";
     static final String HEADER_HASH = "headerHash";
     static final String TURN_HASH = "turnHash";
     static final String RESULT_HASH = "resultHash";

@@ -20,9 +20,10 @@ import steward.match.Protocol;
  *                   {@code null}
  * @param sandbox    at which level bots were kept apart, or {@code null} where that is not known; it is written with
  *                   what was measured, is neither hashed nor signed, and is not read
+ * @param jar        digest of the jar that the game is from, or {@code null} for a game of the program
  */
 public record ReplayHeader(String game, String scene, long seed, List<String> names, List<String> bots,
-                           List<Protocol> protocols, double timeFactor, int law, String signer, String sandbox) {
+                           List<Protocol> protocols, double timeFactor, int law, String signer, String sandbox, String jar) {
 
     /** The version of the format. */
     public static final int FORMAT = 3;
@@ -45,23 +46,29 @@ public record ReplayHeader(String game, String scene, long seed, List<String> na
     @Internal
     public ReplayHeader(String game, String scene, long seed, List<String> names, List<String> bots,
                         List<Protocol> protocols, double timeFactor, int law, String signer) {
-        this(game, scene, seed, names, bots, protocols, timeFactor, law, signer, null);
+        this(game, scene, seed, names, bots, protocols, timeFactor, law, signer, null, null);
     }
 
     /** An unsigned match by law 1. */
     public ReplayHeader(String game, String scene, long seed, List<String> names, List<String> bots,
                         List<Protocol> protocols, double timeFactor) {
-        this(game, scene, seed, names, bots, protocols, timeFactor, 1, null, null);
+        this(game, scene, seed, names, bots, protocols, timeFactor, 1, null, null, null);
     }
 
     /** The same, signed; or unsigned for {@code null}. */
     ReplayHeader signedBy(String key) {
-        return new ReplayHeader(game, scene, seed, names, bots, protocols, timeFactor, law, key, sandbox);
+        return new ReplayHeader(game, scene, seed, names, bots, protocols, timeFactor, law, key, sandbox,
+            jar);
     }
 
-    /** The same, played by a version of the law: that of the scene's plan, where it is not the first. */
+    /** Returns this header for a version of the law: that of the scene's plan, where it is not the first. */
     public ReplayHeader ofLaw(int version) {
-        return new ReplayHeader(game, scene, seed, names, bots, protocols, timeFactor, version, signer, sandbox);
+        return new ReplayHeader(game, scene, seed, names, bots, protocols, timeFactor, version, signer, sandbox, jar);
+    }
+
+    /** Returns this header for a game that is from a jar, or from the program for {@code null}. */
+    public ReplayHeader ofJar(String digest) {
+        return new ReplayHeader(game, scene, seed, names, bots, protocols, timeFactor, law, signer, sandbox, digest);
     }
 
     /** A match between players that all use JSON. */

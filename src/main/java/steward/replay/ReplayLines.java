@@ -76,6 +76,9 @@ public final class ReplayLines {
         }
         out.writeStringProperty("angles", ReplayHeader.ANGLES);
         out.writeStringProperty("game", header.game());
+        if (header.jar() != null) {
+            out.writeStringProperty(LineFields.JAR, header.jar());
+        }
         out.writeStringProperty("seed", Long.toString(header.seed()));
         out.writeArrayPropertyStart("players");
         for (int player = 0; player < header.names().size(); player++) {

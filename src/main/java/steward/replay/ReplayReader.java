@@ -136,7 +136,7 @@ public final class ReplayReader implements AutoCloseable {
         return new ReplayHeader(line.text("game"), new String(line.object("scene"), StandardCharsets.UTF_8), seed,
             List.of(names), List.of(bots), protocols(line, names.length),
             line.number("timeFactor", Double.POSITIVE_INFINITY),
-            law(line), signer(line));
+            law(line), signer(line)).ofJar(line.has(LineFields.JAR) ? line.text(LineFields.JAR) : null);
     }
 
     private static int law(JsonLine line) {

@@ -1,15 +1,9 @@
 package steward.cli.shared;
 
 import java.util.List;
-import java.util.Map;
 import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.GameTypes;
-import steward.game.fantasticbits.protocol.FantasticBitsType;
-import steward.game.meanmax.protocol.MeanMaxType;
-import steward.game.podrace.protocol.PodRaceType;
-import steward.game.pokerchiprace.protocol.PokerChipRaceType;
-import steward.game.searchrace.protocol.SearchRaceType;
 import steward.scene.Accuracy;
 import steward.scene.Scene;
 import steward.scene.SceneFiles;
@@ -25,16 +19,14 @@ public final class Games {
     private Games() {
     }
 
-    /** All games. */
+    /** All games: those of the program, and those of the user's jars. */
     public static GameTypes types() {
-        return new GameTypes(List.of(new PodRaceType(), new SearchRaceType(), new MeanMaxType(),
-            new FantasticBitsType(), new PokerChipRaceType()));
+        return GameTypes.installed();
     }
 
     /** The weakest bundled bot of a game, or {@code null} if it has none. */
     public static String weakestBot(String game) {
-        return Map.of("pod-race", "racer", "search-race", "driver", "mean-max", "gatherer", "fantastic-bits", "chaser",
-            "poker-chip-race", "nibbler").get(game);
+        return types().of(game).map(GameType::weakestBot).orElse(null);
     }
 
     /** The ids of all games. */
@@ -66,8 +58,7 @@ public final class Games {
     /** What the official scene of a game is, in a few words: the game itself says it. */
     public static String about(String scene) {
         Scene of = open(scene).scene();
-        return types().types().stream().filter(type -> type.id().equals(of.gameId())).findFirst().orElseThrow()
-            .about(of);
+        return types().of(of.gameId()).orElseThrow().about(of);
     }
 
     /** Prints what is odd about a scene; once per call of the program. */

@@ -12,6 +12,7 @@ import java.util.Set;
 import steward.contest.Contest;
 import steward.contest.GameFacts;
 import steward.game.Game;
+import steward.game.GameJars;
 import steward.game.JsonNumbers;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
@@ -157,7 +158,8 @@ public final class TranscriptCheck {
             }
             header = new ReplayHeader(contest.setup().scene().gameId(), scene,
                 expected.seed(), expected.names(), List.of(bots), expected.protocols(), contest.timeFactor(),
-                contest.setup().plan().lawVersion(), null, head.text("sandbox"));
+                contest.setup().plan().lawVersion(), null, head.text("sandbox"),
+                GameJars.digestOf(contest.setup()));
             listener = replay == null ? null : new ReplayWriter(replay, header);
         }
 

@@ -99,7 +99,7 @@ public final class Takeover {
         List<Protocol> protocols = new ArrayList<>(recorded.protocols());
         protocols.set(player, protocol);
         return new ReplayHeader(recorded.game(), recorded.scene(), recorded.seed(), names, bots, protocols,
-            Double.POSITIVE_INFINITY, recorded.law(), null);
+            Double.POSITIVE_INFINITY, recorded.law(), null).ofJar(recorded.jar());
     }
 
     /**

@@ -1,9 +1,12 @@
 package steward.replay.verify;
 
 import java.util.Arrays;
+import java.util.Objects;
 import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJars;
 import steward.game.GameSetup;
+import steward.game.GameType;
 import steward.game.GameTypes;
 import steward.game.JsonNumbers;
 import steward.game.LineParser;
@@ -53,6 +56,7 @@ public final class Resimulation {
      */
     Resimulation(ReplayHeader header, GameTypes types, String source, ViewWriter views) {
         this.views = views;
+        checkJar(header, types, source);
         Scene scene = SceneReader.read(header.scene(), source + " (scene)");
         setup = types.open(views == null ? scene : views.observed(scene));
         if (!header.game().equals(setup.scene().gameId())) {
@@ -71,6 +75,18 @@ public final class Resimulation {
         if (game.players() != header.names().size()) {
             throw new ReplayException(source + ":1: players: found " + header.names().size() + ", expected "
                 + game.players() + " as in the scene");
+        }
+    }
+
+    /** Refuses a game of another jar than the one that is here: it need not have the same rules. */
+    private static void checkJar(ReplayHeader header, GameTypes types, String source) {
+        GameType type = types.of(header.game()).orElse(null);
+        String installed = type == null ? null : GameJars.digestOf(type);
+        if (!Objects.equals(header.jar(), installed) && (type != null || header.jar() != null)) {
+            throw new ReplayException(source + ":1: jar: found " + (header.jar() == null ? "none"
+                : TextFormat.beginning(header.jar(), SHOWN + 20)) + ", expected " + (type == null
+                ? "that of a game that is installed: put its jar into the folder of games" : installed == null
+                ? "none: the game comes with the program" : installed + ", which is installed"));
         }
     }
 

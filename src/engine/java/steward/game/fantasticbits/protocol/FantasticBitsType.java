@@ -39,6 +39,11 @@ public final class FantasticBitsType implements GameType {
     }
 
     @Override
+    public String weakestBot() {
+        return "chaser";
+    }
+
+    @Override
     public String about() {
         return "Fantastic Bits, the official rules, two players";
     }

@@ -40,6 +40,11 @@ public final class MeanMaxType implements GameType {
     }
 
     @Override
+    public String weakestBot() {
+        return "gatherer";
+    }
+
+    @Override
     public String about() {
         return "Mean Max, the official rules, three players";
     }

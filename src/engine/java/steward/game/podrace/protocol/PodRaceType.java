@@ -33,6 +33,11 @@ public final class PodRaceType implements GameType {
     }
 
     @Override
+    public String weakestBot() {
+        return "racer";
+    }
+
+    @Override
     public PodRaceSetup open(Scene scene) {
         PodRaceSettings settings = PodRaceSettings.read(scene);
         checkRoom(scene, settings);

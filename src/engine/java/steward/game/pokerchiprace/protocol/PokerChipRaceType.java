@@ -34,6 +34,11 @@ public final class PokerChipRaceType implements GameType {
     }
 
     @Override
+    public String weakestBot() {
+        return "nibbler";
+    }
+
+    @Override
     public String about() {
         return "Poker Chip Race, the official rules, two to four players";
     }

@@ -29,6 +29,11 @@ public final class SearchRaceType implements GameType {
     }
 
     @Override
+    public String weakestBot() {
+        return "driver";
+    }
+
+    @Override
     public String about() {
         return "the official rules and maps, one car alone against the clock";
     }

@@ -1,0 +1,96 @@
+package steward.game;
+
+import java.io.IOException;
+import java.net.URL;
+import java.net.URLClassLoader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.CodeSource;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Map;
+import java.util.ServiceConfigurationError;
+import java.util.ServiceLoader;
+import java.util.stream.Stream;
+
+/**
+ * Class loader of games that lie as jars in a folder. A game of such a jar is another one whenever a byte of the jar
+ * is: its digest stands in the seasons and replays of the game.
+ */
+public final class GameJars extends URLClassLoader {
+
+    static {
+        registerAsParallelCapable();
+    }
+
+    private final Map<String, String> digests;
+
+    private GameJars(List<URL> jars, Map<String, String> digests, ClassLoader parent) {
+        super(jars.toArray(new URL[0]), parent);
+        this.digests = digests;
+    }
+
+    /**
+     * Opens the jars of a folder, in the order of their names.
+     *
+     * @return {@code null} if the folder has none, or is not there
+     * @throws IOException if a jar cannot be read
+     */
+    public static GameJars open(Path folder, ClassLoader parent) throws IOException {
+        if (!Files.isDirectory(folder)) {
+            return null;
+        }
+        List<URL> jars = new ArrayList<>();
+        Map<String, String> digests = new HashMap<>();
+        List<Path> files;
+        try (Stream<Path> all = Files.list(folder)) {
+            files = all.filter(file -> file.getFileName().toString().endsWith(".jar")).sorted().toList();
+        }
+        for (Path file : files) {
+            URL jar = file.toUri().toURL();
+            jars.add(jar);
+            digests.put(jar.toString(), digest(file));
+        }
+        return jars.isEmpty() ? null : new GameJars(jars, digests, parent);
+    }
+
+    private static String digest(Path file) throws IOException {
+        try {
+            return "sha256:" + HexFormat.of()
+                .formatHex(MessageDigest.getInstance("SHA-256").digest(Files.readAllBytes(file)));
+        } catch (NoSuchAlgorithmException impossible) {
+            throw new IllegalStateException(impossible);
+        }
+    }
+
+    /** Digest of the jar that an object's class is from; {@code null} for what comes with the program. */
+    public static String digestOf(Object of) {
+        CodeSource source = of.getClass().getProtectionDomain().getCodeSource();
+        return of.getClass().getClassLoader() instanceof GameJars jars && source != null
+            ? jars.digests.get(source.getLocation().toString()) : null;
+    }
+
+    /**
+     * The games of the jars, in the order of the jars.
+     *
+     * @throws IllegalArgumentException if a jar names a game that cannot be loaded
+     */
+    List<GameType> types() {
+        List<GameType> types = new ArrayList<>();
+        try {
+            for (GameType type : ServiceLoader.load(GameType.class, this)) {
+                if (type.getClass().getClassLoader() == this) {
+                    types.add(type);
+                }
+            }
+        } catch (ServiceConfigurationError | LinkageError problem) {
+            throw new IllegalArgumentException("found a jar whose game cannot be loaded (" + problem.getMessage()
+                + "), expected one made for this version");
+        }
+        return types;
+    }
+}

@@ -1,0 +1,64 @@
+package example;
+
+import java.util.List;
+import steward.game.FrameCodec;
+import steward.game.Game;
+import steward.game.GameSetup;
+import steward.game.GameType;
+import steward.game.Pilot;
+import steward.physics.Contacts;
+import steward.scene.Part;
+import steward.scene.Plan;
+import steward.scene.Scene;
+import steward.scene.json.Block;
+
+/** Sumo as a game that scenes can name. */
+public final class SumoType implements GameType {
+
+    @Override
+    public String id() {
+        return "sumo";
+    }
+
+    @Override
+    public int fewestPlayers() {
+        return 2;
+    }
+
+    @Override
+    public int mostPlayers() {
+        return 2;
+    }
+
+    @Override
+    public GameSetup open(Scene scene) {
+        Block sumo = scene.root().block("sumo");
+        Sumo.Settings settings = new Sumo.Settings(sumo.positive("ring"), sumo.positive("push"),
+            sumo.integer("maximumTurns", 1, 10_000));
+        scene.root().done();
+        return new Setup(scene, settings, Plan.of(scene, new Contacts(1), 1, false,
+            List.of(new Part("ring", true, "who leaves it has lost", Part.When.OUTCOME))));
+    }
+
+    /** Sumo with the settings of one scene. */
+    record Setup(Scene scene, Sumo.Settings settings, Plan plan) implements GameSetup {
+
+        @Override
+        public Sumo create(long seed) {
+            return new Sumo(settings, scene.drag(), plan, seed);
+        }
+
+        @Override
+        public FrameCodec codec(Game game) {
+            SumoJson json = new SumoJson((Sumo) game, settings);
+            return new FrameCodec(json, json, json);
+        }
+
+        /** Pushes at random, whatever the aim. */
+        @Override
+        public Pilot pilot(Pilot.Aim aim) {
+            return (game, player, random) -> "{\"x\":" + random.nextInt(-5, 5) + ",\"y\":" + random.nextInt(-5, 5)
+                + "}";
+        }
+    }
+}

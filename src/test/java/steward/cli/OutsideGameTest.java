@@ -1,0 +1,138 @@
+package steward.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.jar.JarEntry;
+import java.util.jar.JarOutputStream;
+import java.util.stream.Stream;
+import javax.tools.ToolProvider;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import steward.cli.shared.ExitStatus;
+import steward.game.GameTypes;
+import tools.jackson.core.JsonGenerator;
+
+/** A game that is no part of the program: four files, compiled against the engine's jar alone, in a folder of jars. */
+@Tag("process")
+class OutsideGameTest {
+
+    private static final Path SOURCES = Path.of("src/examples/games/sumo");
+
+    @TempDir
+    static Path folder;
+
+    private static Path games;
+    private static Path scene;
+
+    @BeforeAll
+    static void buildJar() throws IOException {
+        Path classes = Files.createDirectories(folder.resolve("classes"));
+        String engine = GameTypes.class.getProtectionDomain().getCodeSource().getLocation().getPath();
+        String jackson = JsonGenerator.class.getProtectionDomain().getCodeSource().getLocation().getPath();
+        List<String> call = Stream.concat(Stream.of("-d", classes.toString(), "-proc:none", "-cp", engine + ":" + jackson),
+            sources(".java").map(Path::toString)).toList();
+        assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, call.toArray(new String[0])));
+        games = Files.createDirectories(folder.resolve("games"));
+        pack(games.resolve("sumo.jar"), classes, "");
+        scene = Files.copy(SOURCES.resolve("sumo.json"), folder.resolve("sumo.json"));
+    }
+
+    private static Stream<Path> sources(String suffix) throws IOException {
+        return Files.walk(SOURCES).filter(file -> file.toString().endsWith(suffix)).sorted();
+    }
+
+    /** @param comment makes another jar of the same classes */
+    private static void pack(Path jar, Path classes, String comment) throws IOException {
+        try (OutputStream file = Files.newOutputStream(jar); JarOutputStream out = new JarOutputStream(file);
+             Stream<Path> all = Files.walk(classes)) {
+            out.setComment(comment);
+            for (Path each : all.filter(Files::isRegularFile).sorted().toList()) {
+                out.putNextEntry(new JarEntry(classes.relativize(each).toString()));
+                Files.copy(each, out);
+            }
+            out.putNextEntry(new JarEntry("META-INF/services/steward.game.GameType"));
+            Files.copy(SOURCES.resolve("META-INF/services/steward.game.GameType"), out);
+        }
+    }
+
+    private static Cli call(Path gamesPath, String... words) {
+        return Cli.run(Stream.concat(Stream.of("--games-path", gamesPath.toString()), Stream.of(words))
+            .toArray(String[]::new));
+    }
+
+    private static Path play(String name) {
+        Path replay = folder.resolve(name);
+        Cli match = call(games, "match", "--scene", scene.toString(), "--bot", bot(1), "--bot", bot(-3), "--seed", "4",
+            "--out", replay.toString(), "--view", replay + ".html");
+        assertEquals(ExitStatus.DONE, match.status(), match.err());
+        return replay;
+    }
+
+    /** Pushes in one direction in every turn. */
+    private static String bot(int x) {
+        return "sh -c 'while read line; do echo \"{\\\"x\\\":" + x + ",\\\"y\\\":-2}\"; done'";
+    }
+
+    @Test
+    void isPlayedDrawnAndVerified() throws IOException {
+        Path replay = play("played.jsonl");
+        String header = Files.readAllLines(replay).get(0);
+        assertTrue(header.contains("\"game\":\"sumo\",\"jar\":\"sha256:"), header);
+        assertTrue(Files.readString(Path.of(replay + ".html")).contains("wrestler"));
+        Cli verified = call(games, "replay", replay.toString(), "--verify");
+        assertEquals(ExitStatus.DONE, verified.status(), verified.err());
+        assertTrue(verified.out().contains("verified"), verified.out());
+    }
+
+    @Test
+    void anotherJarOrNoneIsRefusedByName() throws IOException {
+        Path replay = play("refused.jsonl");
+        Path others = Files.createDirectories(folder.resolve("others"));
+        pack(others.resolve("sumo.jar"), folder.resolve("classes"), "another");
+        Cli other = call(others, "replay", replay.toString(), "--verify");
+        assertEquals(ExitStatus.UNUSABLE, other.status());
+        assertTrue(other.err().matches("steward: .*refused.jsonl:1: jar: found sha256:\\w+.*, expected sha256:\\w+, "
+            + "which is installed\n"), other.err());
+        Cli none = Cli.run("replay", replay.toString(), "--verify");
+        assertEquals(ExitStatus.UNUSABLE, none.status());
+        assertTrue(none.err().contains("put its jar into the folder of games"), none.err());
+        Cli noFolder = call(folder.resolve("nowhere"), "scene");
+        assertEquals(ExitStatus.UNUSABLE, noFolder.status());
+        assertTrue(noFolder.err().startsWith("steward: --games-path: found no folder "), noFolder.err());
+    }
+
+    @Test
+    void aLeagueEndsItsSeasonWithTheJar() throws IOException {
+        String league = folder.resolve("league").toString();
+        assertEquals("", call(games, "league", "init", league, "--scene", scene.toString()).err());
+        call(games, "league", "add", league, "one=" + bot(1));
+        call(games, "league", "add", league, "two=" + bot(2));
+        Cli run = call(games, "league", "run", league, "--games", "4");
+        assertEquals(ExitStatus.DONE, run.status(), run.err());
+        Path others = Files.createDirectories(folder.resolve("changed"));
+        pack(others.resolve("sumo.jar"), folder.resolve("classes"), "changed");
+        Cli ended = call(others, "league", "run", league, "--games", "8");
+        assertEquals(ExitStatus.UNUSABLE, ended.status());
+        assertTrue(ended.err().contains("the game's jar is another one"), ended.err());
+    }
+
+    @Test
+    void aJarThatIsNoGameIsRefused() throws IOException {
+        Path broken = Files.createDirectories(folder.resolve("broken"));
+        try (JarOutputStream out = new JarOutputStream(Files.newOutputStream(broken.resolve("x.jar")))) {
+            out.putNextEntry(new JarEntry("META-INF/services/steward.game.GameType"));
+            out.write("no.such.Type\n".getBytes());
+        }
+        Cli cli = call(broken, "scene");
+        assertEquals(ExitStatus.UNUSABLE, cli.status());
+        assertTrue(cli.err().contains("whose game cannot be loaded"), cli.err());
+    }
+}
