@@ -50,7 +50,8 @@ class LauncherTest {
         Process process = shell.start();
         String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         assertEquals(0, process.waitFor(), said);
-        assertTrue(said.endsWith("steward.cli.Main\n" + String.join("\n", words) + (words.length == 0 ? "" : "\n")), said);
+        String tail = String.join("\n", words) + (words.length == 0 ? "" : "\n");
+        assertTrue(said.endsWith("steward.cli.Main\n" + tail), said);
         return said;
     }
 
