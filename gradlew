@@ -8,7 +8,8 @@
 #   1. It finds a JDK 17 or newer: JAVA_HOME, then java on the PATH, then Debian's folder of JDK 17.
 #   2. It runs the gradle on the PATH if that runs on the JDK: 7.3 or newer, or Debian's 4.4.1, patched to do so.
 #   3. Otherwise it downloads the distribution named in gradle/wrapper/gradle-wrapper.properties (IDEs read the
-#      same file), once, checks its SHA-256 before anything of it runs, and keeps it under the Gradle user home.
+#      same file), or for a JDK too new for that in gradle-wrapper-jdk22.properties, once, checks its SHA-256 before
+#      anything of it runs, and keeps it under the Gradle user home.
 #   4. If that cannot be had, or does not run on the JDK: as root on Debian or Ubuntu it installs their packages,
 #      anywhere else it says what to type.
 #
@@ -199,18 +200,25 @@ say_what_to_type() {
 
 # ---- in this order -----------------------------------------------------------------------------
 
-properties=$(folder "$(dirname "$(resolve "$0")")")/gradle/wrapper/gradle-wrapper.properties
-url=$(property distributionUrl)
-name=${url##*/}
-name=${name%.zip}                                         # gradle-8.6-bin
-version=${name#gradle-}
-version=${version%-*}                                     # 8.6
+wrapper=$(folder "$(dirname "$(resolve "$0")")")/gradle/wrapper
+
+# Reads the name of the distribution from the properties file $1.
+choose() {
+    properties=$wrapper/$1
+    url=$(property distributionUrl)
+    name=${url##*/}
+    name=${name%.zip}                                     # gradle-8.6-bin
+    version=${name#gradle-}
+    version=${version%-*}                                 # 8.6
+}
 
 debian=''                                                 # the folder of Debian's Gradle, where that is used
 
 # Sets gradle to one that runs on the JDK found. False, having said why, if there is none.
 find_gradle() {
     if has gradle && installed "$(command -v gradle)"; then return; fi
+    choose gradle-wrapper.properties
+    if ! fits_jdk "$version"; then choose gradle-wrapper-jdk22.properties; fi
     if fits_jdk "$version"; then
         distribution
     else

@@ -25,14 +25,16 @@ import java.util.Set;
 final class House {
 
     /** Lowest first; the root package itself, which holds only what marks the others, is the lowest of all. */
-    static final List<String> ROOMS = List.of("", "numerics", "text", "files",
+    static final List<String> ROOMS = List.of("", "numerics", "text",
         "physics", "physics.time", "physics.impulse", "physics.event", "physics.queue",
-        "scene.json", "scene", "scene.price", "game", "game.fantasticbits", "game.fantasticbits.protocol", "game.meanmax",
+        "scene.json", "scene", "scene.price",
+        "game", "game.fantasticbits", "game.fantasticbits.protocol", "game.meanmax",
         "game.meanmax.protocol", "game.podrace", "game.podrace.simulator", "game.podrace.protocol",
         "game.pokerchiprace", "game.pokerchiprace.protocol", "game.searchrace", "game.searchrace.protocol",
-        "bot", "bot.command", "bot.accounting", "bot.hold", "bot.isolation", "bot.process", "match",
+        "files", "bot", "bot.command", "bot.accounting", "bot.hold", "bot.isolation", "bot.process", "match",
         "replay.sign", "replay", "replay.verify", "replay.feed", "replay.page", "contest", "live", "codingame",
-        "league", "league.rating", "league.sequential", "league.pairing", "league.tune", "league.store", "league.play", "league.page",
+        "league", "league.rating", "league.sequential", "league.pairing",
+        "league.tune", "league.store", "league.play", "league.page",
         "machines.check", "machines.part", "machines.token", "machines.wire", "machines.bundle", "machines.broker",
         "machines.serve", "machines.worker",
         "cli.shared", "cli.options", "cli.explain", "cli.replay", "cli.play", "cli.sequential",

@@ -28,7 +28,7 @@ import steward.Internal;
 import steward.examples.MatchInside;
 import steward.examples.SimulatorBot;
 
-/** The lists that people read are the lists that the code keeps: rooms in the README, types in docs/api.md. */
+/** The lists that people read are the lists that the code keeps: rooms in CONTRIBUTING, types in docs/api.md. */
 class PublishedListsTest {
 
     private static final Pattern QUOTED = Pattern.compile("`([^`]+)`");
@@ -67,9 +67,9 @@ class PublishedListsTest {
     }
 
     @Test
-    void theReadmeListsTheRoomsInTheirOrder() throws IOException {
-        String readme = Files.readString(Path.of("README.md"));
-        String section = readme.substring(readme.indexOf("## Where things are"));
+    void contributingListsTheRoomsInTheirOrder() throws IOException {
+        String page = Files.readString(Path.of("CONTRIBUTING.md"));
+        String section = page.substring(page.indexOf("## Where things are"));
         int end = section.indexOf("\n## ", 1);
 
         assertEquals(House.ROOMS.subList(1, House.ROOMS.size()), rooms(end < 0 ? section : section.substring(0, end)));

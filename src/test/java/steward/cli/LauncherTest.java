@@ -1,6 +1,7 @@
 package steward.cli;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
@@ -8,6 +9,8 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -33,15 +36,22 @@ class LauncherTest {
 
     /** @param linux the file by which the script knows Linux */
     private String started(String version, String linux) throws IOException, InterruptedException {
+        return started(version, linux, "help");
+    }
+
+    private String started(String version, String linux, String... words) throws IOException, InterruptedException {
         Files.writeString(folder.resolve("java/release"), "JAVA_VERSION=\"" + version + "\"\n");
         Path script = Files.writeString(folder.resolve("steward"),
             Files.readString(Path.of("src/launcher/steward")).replace(LINUX, linux));
-        ProcessBuilder shell = new ProcessBuilder("/bin/sh", script.toString(), "help").redirectErrorStream(true);
+        List<String> command = new ArrayList<>(List.of("/bin/sh", script.toString()));
+        command.addAll(List.of(words));
+        ProcessBuilder shell = new ProcessBuilder(command).redirectErrorStream(true);
         shell.environment().put("JAVA_HOME", folder.resolve("java").toString());
         Process process = shell.start();
         String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         assertEquals(0, process.waitFor(), said);
-        assertTrue(said.endsWith("steward.cli.Main\nhelp\n"), said);
+        String tail = String.join("\n", words) + (words.length == 0 ? "" : "\n");
+        assertTrue(said.endsWith("steward.cli.Main\n" + tail), said);
         return said;
     }
 
@@ -53,5 +63,19 @@ class LauncherTest {
         assertTrue(started("24", there).contains(VFORK));
         assertEquals(-1, started("25", there).indexOf(VFORK));
         assertEquals(-1, started("17.0.1", folder + "/no/such/file").indexOf(VFORK));
+    }
+
+    /** A longer class path slows down every start. */
+    @Test
+    void theLabStandsLastAndOnlyWhereItIsNeeded() throws IOException, InterruptedException {
+        String lab = "/lib/steward-lab.jar\nsteward.cli.Main\n";
+        for (String call : List.of("bench --quick", "stability", "tradeoff --calibrate duel", "explain duel --measure",
+            "league --self-check", "league capacity", "help", "--help", "completion", "--cli bench", "")) {
+            assertTrue(started("17", LINUX, call.isEmpty() ? new String[0] : call.split(" ")).contains(lab), call);
+        }
+        for (String call : List.of("match --games 5", "explain duel", "league run night", "worker --join x:1",
+            "replay x --help", "demo")) {
+            assertFalse(started("17", LINUX, call.split(" ")).contains("steward-lab"), call);
+        }
     }
 }

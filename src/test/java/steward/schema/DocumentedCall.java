@@ -125,7 +125,8 @@ final class DocumentedCall {
     private static String filterProblem(String filter) {
         Pattern pattern = Pattern.compile("\\Q" + filter.replace("*", "\\E.*\\Q") + "\\E");
         boolean known = Stream.of("engineTest", "test", "labTest")
-            .flatMap(part -> classes("src/" + part + "/java").stream()).anyMatch(name -> pattern.matcher(name).matches());
+            .flatMap(part -> classes("src/" + part + "/java").stream())
+            .anyMatch(name -> pattern.matcher(name).matches());
         return known ? null : "no class of tests is called " + filter;
     }
 

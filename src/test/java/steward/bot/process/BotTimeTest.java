@@ -68,7 +68,8 @@ class BotTimeTest {
     private static String secondQuestion(String bot, long limitMs) throws Exception {
         String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
         Process referee = new ProcessBuilder(java, "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-cp",
-            home(Internal.class) + ":" + home(BotProcess.class) + ":" + home(StoppedReferee.class), StoppedReferee.class.getName(), bot,
+            home(Internal.class) + ":" + home(BotProcess.class) + ":"
+                + home(StoppedReferee.class), StoppedReferee.class.getName(), bot,
             Long.toString(limitMs)).redirectError(ProcessBuilder.Redirect.INHERIT).start();
         String said = new String(referee.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         assertEquals(0, referee.waitFor());
