@@ -4,6 +4,7 @@ import steward.league.rating.RatingFit;
 import steward.league.sequential.ExpectedLength;
 import steward.league.sequential.Gsprt;
 import steward.league.sequential.ScoreCounts;
+import steward.league.sequential.SequentialBar;
 import steward.numerics.SplitMix64;
 
 /**
@@ -31,8 +32,9 @@ record SprtCheck(Gsprt test, double at, double ties, double push, int alike) {
      * @param accepted share of the tests that accepted H1
      * @param mean     observations until they ended
      * @param theory   what was expected
+     * @param held     share of the tests at whose end the truth was in the range
      */
-    record Outcome(double accepted, double mean, ExpectedLength theory) {
+    record Outcome(double accepted, double mean, ExpectedLength theory, double held) {
     }
 
     /** Observations that surely decide nothing, and one: half of those that would be needed if all went one way. */
@@ -68,7 +70,7 @@ record SprtCheck(Gsprt test, double at, double ties, double push, int alike) {
         }
         MadeUpGroup group = group((low + high) / 2);
         double[] scores = group.scores();
-        long[] sums = Counted.play(threads, leagues, 2, () -> (number, counts) -> {
+        long[] sums = Counted.play(threads, leagues, 3, () -> (number, counts) -> {
             SplitMix64 random = new SplitMix64(seed + number);
             ScoreCounts counted = new ScoreCounts(2);
             counted.add(HALF, alike);
@@ -81,12 +83,15 @@ record SprtCheck(Gsprt test, double at, double ties, double push, int alike) {
             }
             counts[0] += state == Gsprt.State.H1 ? 1 : 0;
             counts[1] += counted.observations();
+            SequentialBar range = test.range(counted);
+            counts[2] += range.low() <= at && at <= range.high() ? 1 : 0;
         });
         ScoreCounts truth = new ScoreCounts(2);
         double[] chances = group.chances();
         for (int k = 0; k < chances.length; k++) {
             truth.add(scores[k], Math.round(chances[k] * MANY));
         }
-        return new Outcome((double) sums[0] / leagues, (double) sums[1] / leagues, ExpectedLength.of(test, truth, 0));
+        return new Outcome((double) sums[0] / leagues, (double) sums[1] / leagues, ExpectedLength.of(test, truth, 0),
+            (double) sums[2] / leagues);
     }
 }

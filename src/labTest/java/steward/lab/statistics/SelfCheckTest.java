@@ -174,6 +174,7 @@ class SelfCheckTest {
                 double wrong = at == 0 ? found.accepted() : 1 - found.accepted();
                 assertTrue(wrong <= 0.05 + FOUR_DEVIATIONS, found::toString);
                 assertEquals(1, found.mean() / found.theory().observations(), 0.1, found::toString);
+                assertTrue(found.held() >= 0.95, found::toString);
             }
         }
     }
@@ -203,6 +204,7 @@ class SelfCheckTest {
         double wrong = never ? found.accepted() : 1 - found.accepted();
         assertTrue(wrong <= atMost + (atMost > 0 ? FOUR_DEVIATIONS : 0), () -> check + ": " + found);
         assertEquals(1, found.mean() / found.theory().observations(), 0.1, () -> check + ": " + found);
+        assertTrue(found.held() >= 0.95, () -> check + ": " + found);
     }
 
     @Test

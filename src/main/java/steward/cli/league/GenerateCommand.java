@@ -27,7 +27,7 @@ import steward.text.TextFormat;
         "", "Example:", "  steward league init big && steward league generate big --games 1000000"})
 final class GenerateCommand implements Callable<Integer> {
 
-    private static final int MOST_BOTS = 100;
+    private static final int MOST_BOTS = 1000;
     private static final int MOST_GAMES = 100_000_000;
 
     private final Streams streams;

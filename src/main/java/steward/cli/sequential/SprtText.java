@@ -9,13 +9,14 @@ import steward.game.JsonNumbers;
 import steward.league.sequential.ExpectedLength;
 import steward.league.sequential.Gsprt;
 import steward.league.sequential.ScoreCounts;
+import steward.league.sequential.SequentialBar;
 import steward.text.TextFormat;
 import tools.jackson.core.JsonGenerator;
 
 /** How a test stands, for people and for programs. */
 final class SprtText {
 
-    /** Half the width of a bar that says nothing: a score at its end could be even. */
+    /** Width of a range of scores that says nothing: a bot that has won all may be the worse one. */
     private static final double VOID = 0.5;
 
     private final Gsprt test;
@@ -97,25 +98,30 @@ final class SprtText {
             .map(each -> TextFormat.number(each.getKey(), 3) + " " + each.getValue() + " times")
             .collect(Collectors.joining(", ")));
         if (scores.observations() > 1) {
-            double mean = scores.mean();
-            double bar = Gsprt.anytimeBar(scores);
-            String score = "Score " + TextFormat.fixed(mean, 4);
-            lines.add(isVoid(scores) ? score + ", of too few seeds for a bar" : score + " ± "
-                + TextFormat.fixed(bar, 4) + ", " + model() + " Elo " + elo(mean, scores) + " ("
-                + elo(Math.max(0, mean - bar), scores) + " to " + elo(Math.min(1, mean + bar), scores)
-                + "), 95% at any time");
+            lines.add("Score " + TextFormat.fixed(scores.mean(), 4) + (isVoid(scores)
+                ? ", of too few seeds for a bar"
+                : " (" + range(SequentialBar.ofMean(scores), "%.4f") + "), " + elo(scores) + ", 95% at any time"));
         }
         return lines;
     }
 
-    /** True if the bar is too wide to say anything. */
+    /** True if the range of scores is too wide to say anything. */
     private static boolean isVoid(ScoreCounts scores) {
-        return Gsprt.anytimeBar(scores) >= VOID;
+        SequentialBar bar = SequentialBar.ofMean(scores);
+        return Math.min(1, bar.high()) - Math.max(0, bar.low()) > VOID;
     }
 
-    private String elo(double mean, ScoreCounts scores) {
-        double elo = test.elo(mean, scores);
-        return Double.isInfinite(elo) ? elo > 0 ? "+∞" : "-∞" : String.format(Locale.ROOT, "%+.1f", elo);
+    private static String range(SequentialBar bar, String format) {
+        String low = String.format(Locale.ROOT, format, bar.low());
+        String high = String.format(Locale.ROOT, format, bar.high());
+        return bar.isOpenAbove() ? "> " + low : bar.isOpenBelow() ? "< " + high : low + " to " + high;
+    }
+
+    private String elo(ScoreCounts scores) {
+        SequentialBar bar = test.range(scores);
+        String range = range(bar, "%+.1f");
+        return model() + " Elo " + (bar.isOpenAbove() || bar.isOpenBelow() ? range
+            : String.format(Locale.ROOT, "%+.1f (%s)", test.elo(scores.mean(), scores), range));
     }
 
     /** The fields of JSON. */
@@ -142,15 +148,19 @@ final class SprtText {
         out.writeEndArray();
         if (scores.observations() > 1) {
             out.writeNumberProperty("score", scores.mean());
-            JsonNumbers.writeOrNull(out, "bar", isVoid(scores) ? Double.NaN : Gsprt.anytimeBar(scores));
-            JsonNumbers.writeOrNull(out, "elo", finite(test.elo(scores.mean(), scores)));
+            json(out, "score", SequentialBar.ofMean(scores), isVoid(scores));
+            SequentialBar elo = test.range(scores);
+            JsonNumbers.writeOrNull(out, "elo", elo.isOpenAbove() || elo.isOpenBelow() ? Double.NaN
+                : test.elo(scores.mean(), scores));
+            json(out, "elo", elo, isVoid(scores));
             if (test.state(scores) == Gsprt.State.OPEN) {
                 out.writeNumberProperty("gamesLeft", expectedGames(scores));
             }
         }
     }
 
-    private static double finite(double value) {
-        return Double.isInfinite(value) ? Double.NaN : value;
+    private static void json(JsonGenerator out, String name, SequentialBar bar, boolean isVoid) {
+        JsonNumbers.writeOrNull(out, name + "Low", isVoid || bar.isOpenBelow() ? Double.NaN : bar.low());
+        JsonNumbers.writeOrNull(out, name + "High", isVoid || bar.isOpenAbove() ? Double.NaN : bar.high());
     }
 }

@@ -106,7 +106,7 @@ public final class LeagueJson {
                 out.writeNull();
             }
         }
-        JsonNumbers.write(out, table.difference(row, column).superiority());
+        JsonNumbers.write(out, (difference.isOneSided() ? table.difference(row, column) : difference).superiority());
         if (difference.isOneSided()) {
             JsonNumbers.write(out, difference.boundElo());
         } else {

@@ -41,13 +41,17 @@ public final class AnytimeBar {
      * @param alpha    the probability with which the truth may ever be outside
      */
     public static double of(double variance, double freedom, double alpha) {
+        return Math.sqrt(variance) * Normal.student(deviations(variance, alpha), freedom);
+    }
+
+    /** Half the width in standard deviations of an estimate whose variance is known. */
+    public static double deviations(double variance, double alpha) {
         double narrowest = Double.POSITIVE_INFINITY;
         for (int k = 0; k < SCALES.length; k++) {
             double scale = RatingFit.ELO / SCALES[k];
             double ratio = scale * scale * variance;
-            double z = Math.sqrt((1 + ratio)
-                * (StrictMath.log1p(1 / ratio) - 2 * StrictMath.log(alpha * PARTS[k])));
-            narrowest = Math.min(narrowest, Math.sqrt(variance) * Normal.student(z, freedom));
+            narrowest = Math.min(narrowest, Math.sqrt((1 + ratio)
+                * (StrictMath.log1p(1 / ratio) - 2 * StrictMath.log(alpha * PARTS[k]))));
         }
         return narrowest;
     }

@@ -1,7 +1,6 @@
 package steward.league.sequential;
 
 import java.util.Arrays;
-import steward.league.rating.AnytimeBar;
 
 /**
  * The generalized sequential probability ratio test (M. Van den Bergh, "A practical introduction to the GSPRT" and
@@ -124,22 +123,17 @@ public record Gsprt(double elo0, double elo1, double alpha, double beta, Model m
     public double elo(double mean, ScoreCounts scores) {
         return model == Model.NORMALIZED
             ? (mean - 0.5) / Math.sqrt(scores.variance() * scores.games()) * NORMALIZED
-            : mean <= 0 ? Double.NEGATIVE_INFINITY : mean >= 1 ? Double.POSITIVE_INFINITY
-            : LOGISTIC * StrictMath.log(mean / (1 - mean));
+            : logistic(mean);
     }
 
-    /**
-     * Half the width of the bar of the mean score that holds at all looks, and so where the test has stopped; infinite
-     * with fewer than two observations.
-     */
-    public static double anytimeBar(ScoreCounts scores) {
-        long n = scores.observations();
-        if (n < 2) {
-            return Double.POSITIVE_INFINITY;
-        }
-        return AnytimeBar.of(scores.variance() / (n - 1) / (SLOPE * SLOPE), n - 1, AnytimeBar.ALPHA) * SLOPE;
+    /** The range of the difference in Elo of this model that holds at all looks. Expects observations. */
+    public SequentialBar range(ScoreCounts scores) {
+        return model == Model.NORMALIZED
+            ? SequentialBar.ofDeviations(scores).map(t -> t * NORMALIZED / Math.sqrt(scores.games()))
+            : SequentialBar.ofMean(scores).map(Gsprt::logistic);
     }
 
-    /** Of the score by the natural rating, where both bots are even. */
-    private static final double SLOPE = 0.25;
+    private static double logistic(double mean) {
+        return LOGISTIC * StrictMath.log(mean / (1 - mean));
+    }
 }

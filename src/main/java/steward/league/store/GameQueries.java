@@ -287,7 +287,8 @@ public final class GameQueries {
         database.with(() -> {
             long first = number("SELECT coalesce(min(id), 0) FROM game WHERE season = ?", season);
             long last = number("SELECT coalesce(max(id), 0) FROM game WHERE season = ?", season);
-            long step = Math.max(1, (last - first + RatingPath.MOST) / RatingPath.MOST);
+            long points = RatingPath.points(entries.size());
+            long step = Math.max(1, (last - first + points) / points);
             if (last == 0) {
                 return null;
             }

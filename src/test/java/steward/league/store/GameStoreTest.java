@@ -157,6 +157,8 @@ class GameStoreTest {
             RatingPath path = queries.path(entries);
             RatingPath.Point last = path.points().get(path.points().size() - 1);
             assertEquals(RatingPath.MOST, path.points().size());
+            assertEquals(RatingPath.MOST, RatingPath.points(100));
+            assertEquals(4, RatingPath.points(500), "a fit takes more than a hundred times as long");
             assertEquals(3000, last.games());
             assertEquals(table.rows().get(0).rating(), last.ratings()[0], 1e-9);
             Path copy = path().resolve("copy.db");
