@@ -114,12 +114,21 @@ public final class OutputFiles {
         }
     }
 
-    /** Warning that others than its owner can use a folder, with what to type; empty where they cannot. */
-    public static String privacyWarning(Path folder) {
+    /** Takes the permissions of others away from a folder. @return what was done or is left to do; empty if nothing */
+    public static String closeToOthers(Path folder) {
         try {
-            Set<PosixFilePermission> mine = PosixFilePermissions.fromString("rwx------");
-            return mine.containsAll(Files.getPosixFilePermissions(folder)) ? ""
-                : folder + " is open to other users of this machine, with its keys and replays: chmod 700 " + folder;
+            Set<PosixFilePermission> before = Files.getPosixFilePermissions(folder);
+            if (PosixFilePermissions.fromString("rwx------").containsAll(before)) {
+                return "";
+            }
+            String open = folder + " was open to other users of this machine, with its keys and replays ("
+                + PosixFilePermissions.toString(before) + ")";
+            try {
+                privateFolder(folder);
+                return open + ": now it is its owner's alone";
+            } catch (InputException notOurs) {
+                return open + " and still is, because it is not yours: its owner can chmod 700 " + folder;
+            }
         } catch (IOException | UnsupportedOperationException unknown) {
             return "";
         }

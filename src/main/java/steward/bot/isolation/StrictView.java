@@ -137,7 +137,7 @@ record StrictView(Map<Path, Entry> entries) {
                 if (!seen) {
                     view.put(path, Treatment.SHOW, null);
                 }
-            } else if (hidden.contains(path)) {
+            } else if (hidden.contains(path) && (seen || !folders.contains(path))) {
                 if (seen) {
                     view.put(path, Files.isDirectory(path) ? Treatment.HIDE_FOLDER : Treatment.HIDE_FILE, null);
                 }

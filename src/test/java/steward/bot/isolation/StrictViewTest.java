@@ -102,6 +102,14 @@ class StrictViewTest {
         assertEquals(Map.of(mine.getParent(), StrictView.Treatment.SHOW), made(view(mine, other)));
     }
 
+    /** A bot is started in the present folder, which has to be there, also where that is another bot's own. */
+    @Test
+    void thePresentFolderIsEmptyWhereItIsAnothersOwn() {
+        assertEquals(StrictView.Treatment.EMPTY_FOLDER, StrictView.of(List.of("/usr/bin/env"),
+            List.of(List.of("sh", "build.gradle")), Isolation.at(SandboxLevel.STRICT)).entries()
+            .get(Path.of("").toAbsolutePath()).treatment());
+    }
+
     @Test
     void foldersOfOtherBotsAreHiddenInWhatIsShown() throws IOException {
         Path mine = program("bots/mine/bot", "");

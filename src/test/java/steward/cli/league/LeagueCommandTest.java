@@ -149,23 +149,26 @@ class LeagueCommandTest {
     }
 
     @Test
-    void aRunSaysThatItsFolderIsOpenToOthersAndHowBurnersAreHeld() throws IOException {
+    void aRunTakesItsFolderFromOthersAndSaysHowBurnersAreHeld() throws IOException {
         assumeTrue(folder.getFileSystem().supportedFileAttributeViews().contains("posix"), "skipped: no POSIX files");
         done("init", "TMP/a", "--scene", "duel", "--seed", "1");
         done("add", "TMP/a", "one=builtin:racer");
         done("add", "TMP/a", "two=builtin:regular");
         String[] run = {"run", "TMP/a", "--games", "10"};
         Path league = folder.resolve("a");
-        String open = league + " is open to other users";
+        String open = league + " was open to other users";
         assertFalse(league(run).done().err().contains(open), "as it was made");
         Files.setPosixFilePermissions(league, PosixFilePermissions.fromString("rwxr-x---"));
         String said = league(run).done().err();
-        assertTrue(said.contains("steward: " + open + " of this machine, with its keys and replays: chmod 700 "
-            + league), said);
+        assertTrue(said.contains("steward: " + open + " of this machine, with its keys and replays (rwxr-x---): "
+            + "now it is its owner's alone"), said);
+        assertEquals("rwx------", PosixFilePermissions.toString(Files.getPosixFilePermissions(league)));
         String held = LeagueOpening.contest(new LeagueFolder(league), new LeagueFolder(league).read(),
             new Streams(OutputStream.nullOutputStream(), OutputStream.nullOutputStream(), false, false)).hold();
         assertTrue(said.contains(held), said);
+        Files.setPosixFilePermissions(league, PosixFilePermissions.fromString("rwxr-xr-x"));
         assertEquals("", league("run", "TMP/a", "--games", "10", "--quiet").done().err());
+        assertEquals("rwx------", PosixFilePermissions.toString(Files.getPosixFilePermissions(league)));
     }
 
     @Test

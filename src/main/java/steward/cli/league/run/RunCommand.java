@@ -212,8 +212,9 @@ public final class RunCommand implements Callable<Integer> {
             }
             screen.set(streams.errTerminal() && !quiet ? new LiveTable(streams.err(),
                 () -> progress.lines(run, machines, streams::errColour)) : null);
+            String closed = OutputFiles.closeToOthers(folder.path());
             if (!quiet) {
-                Stream.of(OutputFiles.privacyWarning(folder.path()), contest.hold()).filter(text -> !text.isEmpty())
+                Stream.of(closed, contest.hold()).filter(text -> !text.isEmpty())
                     .forEach(text -> say(screen.get(), text));
                 say(screen.get(), RoundText.length(settings, roster.versions(), season.players(),
                     settings.gauntlet() == null ? -1 : roster.versionOf(settings.gauntlet()).orElse(-1)));
