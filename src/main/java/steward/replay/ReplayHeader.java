@@ -23,7 +23,8 @@ import steward.match.Protocol;
  * @param jar        digest of the jar that the game is from, or {@code null} for a game of the program
  */
 public record ReplayHeader(String game, String scene, long seed, List<String> names, List<String> bots,
-                           List<Protocol> protocols, double timeFactor, int law, String signer, String sandbox, String jar) {
+                           List<Protocol> protocols, double timeFactor, int law, String signer, String sandbox,
+                           String jar) {
 
     /** The version of the format. */
     public static final int FORMAT = 3;
