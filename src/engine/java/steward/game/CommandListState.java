@@ -1,6 +1,5 @@
 package steward.game;
 
-import steward.Internal;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.JsonParser;
 
@@ -9,7 +8,6 @@ import tools.jackson.core.JsonParser;
  *
  * @param <C> a command
  */
-@Internal
 public abstract class CommandListState<C> implements StateCodec {
 
     private final CommandsAnswer<C> commands;

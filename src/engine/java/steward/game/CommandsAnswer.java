@@ -3,7 +3,6 @@ package steward.game;
 import java.util.Arrays;
 import java.util.Set;
 import java.util.TreeSet;
-import steward.Internal;
 import steward.text.NearestName;
 import steward.text.TextFormat;
 import tools.jackson.core.JsonParser;
@@ -16,7 +15,6 @@ import tools.jackson.core.JsonToken;
  *
  * @param <C> a command
  */
-@Internal
 public abstract class CommandsAnswer<C> extends JsonAnswer {
 
     /** Greatest coordinate of a target in most answers, in u. */

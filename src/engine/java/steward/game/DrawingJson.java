@@ -1,11 +1,9 @@
 package steward.game;
 
-import steward.Internal;
 import steward.physics.Bodies;
 import tools.jackson.core.JsonGenerator;
 
 /** The shapes of a drawing and of a state, for any game to write; walls are written by {@link WallJson}. */
-@Internal
 public final class DrawingJson {
 
     private DrawingJson() {

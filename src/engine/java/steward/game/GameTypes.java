@@ -4,10 +4,12 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.ServiceConfigurationError;
+import java.util.ServiceLoader;
 import java.util.Set;
+import java.util.TreeSet;
 import steward.Internal;
 import steward.scene.Scene;
 import steward.scene.SceneReader;
@@ -26,7 +28,7 @@ public record GameTypes(List<GameType> types) {
     /** Copies the list. @throws IllegalArgumentException if two games have the same id */
     public GameTypes {
         types = List.copyOf(types);
-        Set<String> ids = new HashSet<>();
+        Set<String> ids = new TreeSet<>();
         for (GameType type : types) {
             if (!ids.add(type.id())) {
                 throw new IllegalArgumentException("found two games \"" + type.id() + "\", expected one");
@@ -35,8 +37,7 @@ public record GameTypes(List<GameType> types) {
     }
 
     /**
-     * The games that come with the program, and those of jars if the context class loader of this thread is a {@link
-     * GameJars}.
+     * The games that come with the program, and those that the context class loader of this thread adds as services.
      *
      * @throws IllegalArgumentException if a game of a jar cannot be loaded, or has the id of another
      */
@@ -50,10 +51,24 @@ public record GameTypes(List<GameType> types) {
         } catch (IOException | ReflectiveOperationException problem) {
             throw new IllegalStateException(problem);
         }
-        if (Thread.currentThread().getContextClassLoader() instanceof GameJars jars) {
-            types.addAll(jars.types());
+        ClassLoader context = Thread.currentThread().getContextClassLoader();
+        if (context != null && context != GameTypes.class.getClassLoader()) {
+            addServices(context, types);
         }
         return new GameTypes(types);
+    }
+
+    private static void addServices(ClassLoader loader, List<GameType> types) {
+        try {
+            for (GameType type : ServiceLoader.load(GameType.class, loader)) {
+                if (type.getClass().getClassLoader() == loader) {
+                    types.add(type);
+                }
+            }
+        } catch (ServiceConfigurationError | LinkageError problem) {
+            throw new IllegalArgumentException("found a jar whose game cannot be loaded (" + problem.getMessage()
+                + "), expected one made for this version");
+        }
     }
 
     /** The game of an id, if it is known. */

@@ -2,7 +2,6 @@ package steward.game;
 
 import java.util.Set;
 import java.util.TreeSet;
-import steward.Internal;
 import steward.scene.json.JsonProblem;
 import steward.text.NearestName;
 import steward.text.TextFormat;
@@ -16,7 +15,6 @@ import tools.jackson.core.ObjectReadContext;
  * returned as a sentence, because a wrong answer is frequent and not an exception: the field, what was found and what
  * was expected. A valid answer without a message allocates nothing.
  */
-@Internal
 public abstract class JsonAnswer {
 
     private static final int SHOWN = 40;

@@ -2,12 +2,10 @@ package steward.game;
 
 import java.io.ByteArrayOutputStream;
 import java.util.function.Consumer;
-import steward.Internal;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.ObjectWriteContext;
 
 /** Writes a JSON object from its first brace to its last. */
-@Internal
 public final class JsonObject {
 
     private JsonObject() {

@@ -1,7 +1,6 @@
 package steward.game;
 
 import java.util.List;
-import steward.Internal;
 import steward.physics.Arena;
 import steward.physics.HalfPlane;
 import steward.physics.Segment;
@@ -9,7 +8,6 @@ import steward.physics.Wall;
 import tools.jackson.core.JsonGenerator;
 
 /** Walls in a drawing, in the shapes of scene files, for any game to use. */
-@Internal
 public final class WallJson {
 
     private WallJson() {

@@ -1,7 +1,6 @@
 package steward.physics;
 
 import java.util.Arrays;
-import steward.Internal;
 
 /**
  * All bodies of a scene: circles with a position, a velocity and a few properties. One array per quantity, indexed
@@ -258,7 +257,6 @@ public final class Bodies {
     }
 
     /** The pairs that pass through each other because a {@link Reaction} answered {@code PASS}; part of the state. */
-    @Internal
     public PassingPairs passing() {
         return passing;
     }

@@ -1,13 +1,11 @@
 package steward.physics;
 
 import java.util.Arrays;
-import steward.Internal;
 
 /**
  * The pairs that pass through each other: a {@link Reaction} answered {@code PASS}, and they have not separated yet.
  * Usually empty; a short unsorted list of packed ids.
  */
-@Internal
 public final class PassingPairs {
 
     private long[] pairs = new long[8];

@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import steward.files.InputException;
-import steward.game.GameJars;
+import steward.files.JarFolder;
 import steward.game.GameTypes;
 
 /**
@@ -18,7 +18,7 @@ import steward.game.GameTypes;
  * @param before the context class loader of this thread before
  * @param jars   of the folder, or {@code null} if there are none
  */
-record GamesPath(List<String> words, ClassLoader before, GameJars jars) implements AutoCloseable {
+record GamesPath(List<String> words, ClassLoader before, JarFolder jars) implements AutoCloseable {
 
     /** The option; it stands before or behind any command. */
     static final String OPTION = "--games-path";
@@ -38,7 +38,7 @@ record GamesPath(List<String> words, ClassLoader before, GameJars jars) implemen
         }
         ClassLoader before = Thread.currentThread().getContextClassLoader();
         try {
-            GameJars jars = GameJars.open(folder, GameTypes.class.getClassLoader());
+            JarFolder jars = JarFolder.open(folder, GameTypes.class.getClassLoader());
             if (jars != null) {
                 Thread.currentThread().setContextClassLoader(jars);
                 check(folder, jars, before);
@@ -49,7 +49,7 @@ record GamesPath(List<String> words, ClassLoader before, GameJars jars) implemen
         }
     }
 
-    private static void check(Path folder, GameJars jars, ClassLoader before) throws IOException {
+    private static void check(Path folder, JarFolder jars, ClassLoader before) throws IOException {
         try {
             GameTypes.installed();
         } catch (IllegalArgumentException problem) {

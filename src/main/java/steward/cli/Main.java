@@ -38,7 +38,9 @@ import steward.files.InputException;
 /** The program. See {@link ExitStatus} for its exit statuses. */
 @Command(name = "steward", synopsisSubcommandLabel = "COMMAND",
     description = "Referees matches between bot programs in games with exact physics.",
-    footer = {"", "Examples:",
+    footer = {"", "--games-path DIR with any command: the folder with the jars of further games, in place of",
+        "steward/games in your folder for data (~/.local/share). docs/new-game.md tells how to make one.",
+        "", "Examples:",
         "  steward demo",
         "  steward new python mybot",
         "  steward match --bot builtin:veteran --bot 'python3 bot.py' --out match.jsonl",

@@ -17,7 +17,7 @@ import steward.bot.isolation.Isolation;
 import steward.bot.isolation.Launch;
 import steward.bot.process.BotProcess;
 import steward.files.InputException;
-import steward.game.GameJars;
+import steward.files.JarFolder;
 import steward.game.GameSetup;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
@@ -340,6 +340,6 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
             protocols.add(entrant.protocol());
         }
         return new ReplayHeader(setup.scene().gameId(), setup.scene().json(), seed, names, bots, protocols,
-            timeFactor, setup.plan().lawVersion(), null, sandbox(), GameJars.digestOf(setup));
+            timeFactor, setup.plan().lawVersion(), null, sandbox(), JarFolder.digestOf(setup));
     }
 }

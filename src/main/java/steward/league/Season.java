@@ -1,6 +1,6 @@
 package steward.league;
 
-import steward.game.GameJars;
+import steward.files.JarFolder;
 import steward.game.GameSetup;
 import steward.scene.Scene;
 import steward.scene.SceneKey;
@@ -27,7 +27,7 @@ public record Season(String key, String sceneName, String sceneKey, String limit
         String limits = scene.time().firstAnswerMs() + " ms, " + scene.time().answerMs() + " ms, "
             + settings.limits();
         String rules = setup.plan().law().key() + " " + scene.accuracy().text() + " CORRECTLY_ROUNDED"
-            + (GameJars.digestOf(setup) == null ? "" : " " + GameJars.digestOf(setup));
+            + (JarFolder.digestOf(setup) == null ? "" : " " + JarFolder.digestOf(setup));
         return of(scene.name(), sceneKey, limits, rules, scene.players(), setup.create(0).lowerScoreIsBetter());
     }
 

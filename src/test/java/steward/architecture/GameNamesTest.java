@@ -23,7 +23,7 @@ class GameNamesTest {
     private static final String FIRST = "podrace";
 
     /** Where every game has a line. */
-    private static final List<String> LISTS = List.of("java/steward/cli/shared/Games.java",
+    private static final List<String> LISTS = List.of("resources/META-INF/services/steward.game.GameType",
         "java/steward/scene/SceneFiles.java", "java/steward/replay/page/PageTemplate.java",
         "resources/steward/part-prices.csv");
 
@@ -42,7 +42,7 @@ class GameNamesTest {
 
     private static boolean isOwn(String file, String game) {
         return file.startsWith("java/steward/game/" + game + "/")
-            || file.startsWith("resources/") && nameOf(game).matcher(file).find();
+            || file.matches("(resources|schemas)/.*") && nameOf(game).matcher(file).find();
     }
 
     private static List<String> filesThatName(String game) throws IOException {

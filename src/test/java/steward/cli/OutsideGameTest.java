@@ -86,7 +86,8 @@ class OutsideGameTest {
         Path replay = play("played.jsonl");
         String header = Files.readAllLines(replay).get(0);
         assertTrue(header.contains("\"game\":\"sumo\",\"jar\":\"sha256:"), header);
-        assertTrue(Files.readString(Path.of(replay + ".html")).contains("wrestler"));
+        assertTrue(header.contains("\"kind\":\"wrestler\""), header);
+        assertTrue(Files.readString(Path.of(replay + ".html")).contains("<canvas"));
         Cli verified = call(games, "replay", replay.toString(), "--verify");
         assertEquals(ExitStatus.DONE, verified.status(), verified.err());
         assertTrue(verified.out().contains("verified"), verified.out());

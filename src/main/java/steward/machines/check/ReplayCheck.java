@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import steward.contest.Contest;
 import steward.contest.GameFacts;
-import steward.game.GameJars;
+import steward.files.JarFolder;
 import steward.game.GameTypes;
 import steward.game.JsonNumbers;
 import steward.match.Protocol;
@@ -120,7 +120,8 @@ public final class ReplayCheck {
         }
         ReplayHeader wanted = new ReplayHeader(contest.setup().scene().gameId(), contest.setup().scene().json(),
             expected.seed(), expected.names(), header.bots(), expected.protocols(), contest.timeFactor(),
-            contest.setup().plan().lawVersion(), header.signer(), header.sandbox(), GameJars.digestOf(contest.setup()));
+            contest.setup().plan().lawVersion(), header.signer(), header.sandbox(),
+            JarFolder.digestOf(contest.setup()));
         String wrong = replay.imported() ? "imported"
             : !header.game().equals(wanted.game()) ? "game" : !header.scene().equals(wanted.scene()) ? "scene"
             : header.seed() != wanted.seed() ? "seed" : !header.names().equals(wanted.names()) ? "players"

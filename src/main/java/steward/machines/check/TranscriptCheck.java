@@ -11,8 +11,8 @@ import java.util.Map;
 import java.util.Set;
 import steward.contest.Contest;
 import steward.contest.GameFacts;
+import steward.files.JarFolder;
 import steward.game.Game;
-import steward.game.GameJars;
 import steward.game.JsonNumbers;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
@@ -159,7 +159,7 @@ public final class TranscriptCheck {
             header = new ReplayHeader(contest.setup().scene().gameId(), scene,
                 expected.seed(), expected.names(), List.of(bots), expected.protocols(), contest.timeFactor(),
                 contest.setup().plan().lawVersion(), null, head.text("sandbox"),
-                GameJars.digestOf(contest.setup()));
+                JarFolder.digestOf(contest.setup()));
             listener = replay == null ? null : new ReplayWriter(replay, header);
         }
 

@@ -2,9 +2,9 @@ package steward.replay.verify;
 
 import java.util.Arrays;
 import java.util.Objects;
+import steward.files.JarFolder;
 import steward.game.FrameCodec;
 import steward.game.Game;
-import steward.game.GameJars;
 import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.GameTypes;
@@ -81,7 +81,7 @@ public final class Resimulation {
     /** Refuses a game of another jar than the one that is here: it need not have the same rules. */
     private static void checkJar(ReplayHeader header, GameTypes types, String source) {
         GameType type = types.of(header.game()).orElse(null);
-        String installed = type == null ? null : GameJars.digestOf(type);
+        String installed = type == null ? null : JarFolder.digestOf(type);
         if (!Objects.equals(header.jar(), installed) && (type != null || header.jar() != null)) {
             throw new ReplayException(source + ":1: jar: found " + (header.jar() == null ? "none"
                 : TextFormat.beginning(header.jar(), SHOWN + 20)) + ", expected " + (type == null

@@ -1,4 +1,4 @@
-package steward.game;
+package steward.files;
 
 import java.io.IOException;
 import java.net.URL;
@@ -13,15 +13,13 @@ import java.util.HashMap;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
-import java.util.ServiceConfigurationError;
-import java.util.ServiceLoader;
 import java.util.stream.Stream;
 
 /**
- * Class loader of games that lie as jars in a folder. A game of such a jar is another one whenever a byte of the jar
- * is: its digest stands in the seasons and replays of the game.
+ * Class loader of the jars of a folder. What is loaded from a jar is another thing whenever a byte of the jar is: its
+ * digest stands in the seasons and replays of a game that is from there.
  */
-public final class GameJars extends URLClassLoader {
+public final class JarFolder extends URLClassLoader {
 
     static {
         registerAsParallelCapable();
@@ -29,7 +27,7 @@ public final class GameJars extends URLClassLoader {
 
     private final Map<String, String> digests;
 
-    private GameJars(List<URL> jars, Map<String, String> digests, ClassLoader parent) {
+    private JarFolder(List<URL> jars, Map<String, String> digests, ClassLoader parent) {
         super(jars.toArray(new URL[0]), parent);
         this.digests = digests;
     }
@@ -40,7 +38,7 @@ public final class GameJars extends URLClassLoader {
      * @return {@code null} if the folder has none, or is not there
      * @throws IOException if a jar cannot be read
      */
-    public static GameJars open(Path folder, ClassLoader parent) throws IOException {
+    public static JarFolder open(Path folder, ClassLoader parent) throws IOException {
         if (!Files.isDirectory(folder)) {
             return null;
         }
@@ -55,7 +53,7 @@ public final class GameJars extends URLClassLoader {
             jars.add(jar);
             digests.put(jar.toString(), digest(file));
         }
-        return jars.isEmpty() ? null : new GameJars(jars, digests, parent);
+        return jars.isEmpty() ? null : new JarFolder(jars, digests, parent);
     }
 
     private static String digest(Path file) throws IOException {
@@ -70,27 +68,7 @@ public final class GameJars extends URLClassLoader {
     /** Digest of the jar that an object's class is from; {@code null} for what comes with the program. */
     public static String digestOf(Object of) {
         CodeSource source = of.getClass().getProtectionDomain().getCodeSource();
-        return of.getClass().getClassLoader() instanceof GameJars jars && source != null
+        return of.getClass().getClassLoader() instanceof JarFolder jars && source != null
             ? jars.digests.get(source.getLocation().toString()) : null;
-    }
-
-    /**
-     * The games of the jars, in the order of the jars.
-     *
-     * @throws IllegalArgumentException if a jar names a game that cannot be loaded
-     */
-    List<GameType> types() {
-        List<GameType> types = new ArrayList<>();
-        try {
-            for (GameType type : ServiceLoader.load(GameType.class, this)) {
-                if (type.getClass().getClassLoader() == this) {
-                    types.add(type);
-                }
-            }
-        } catch (ServiceConfigurationError | LinkageError problem) {
-            throw new IllegalArgumentException("found a jar whose game cannot be loaded (" + problem.getMessage()
-                + "), expected one made for this version");
-        }
-        return types;
     }
 }
