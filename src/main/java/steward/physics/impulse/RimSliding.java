@@ -79,7 +79,7 @@ final class RimSliding {
     }
 
     /** Starts the next chord of a body that touches a wall. @return false if it bounces instead, or has no room */
-    static boolean slide(Bodies bodies, int a, int w, Wall wall, double time, TurnSink sink) {
+    static boolean slide(Bodies bodies, int a, int w, Wall wall, double time, boolean records, TurnSink sink) {
         if (!grazes(bodies, a, wall)) {
             return false;
         }
@@ -108,12 +108,14 @@ final class RimSliding {
         setVelocity(bodies, a, speed, -ny * along - nx * chord, nx * along - ny * chord);
         bodies.x[a] = arena.x() + nx * room;
         bodies.y[a] = arena.y() + ny * room;
-        double changeX = vx - bodies.vx[a];
-        double changeY = vy - bodies.vy[a];
-        double change = Math.sqrt(changeX * changeX + changeY * changeY);
-        sink.impact(time, bodies.id(a), ~w, bodies.x[a], bodies.y[a], arena.x() + nx * arena.radius(),
-            arena.y() + ny * arena.radius(), changeX / change, changeY / change, change * bodies.mass[a], 0,
-            bodies.mass[a], Double.POSITIVE_INFINITY, vx, vy, bodies.vx[a], bodies.vy[a], 0, 0, 0, 0);
+        if (records) {
+            double changeX = vx - bodies.vx[a];
+            double changeY = vy - bodies.vy[a];
+            double change = Math.sqrt(changeX * changeX + changeY * changeY);
+            sink.impact(time, bodies.id(a), ~w, bodies.x[a], bodies.y[a], arena.x() + nx * arena.radius(),
+                arena.y() + ny * arena.radius(), changeX / change, changeY / change, change * bodies.mass[a], 0,
+                bodies.mass[a], Double.POSITIVE_INFINITY, vx, vy, bodies.vx[a], bodies.vy[a], 0, 0, 0, 0);
+        }
         sink.knot(bodies.id(a), time, bodies.x[a], bodies.y[a]);
         return true;
     }
