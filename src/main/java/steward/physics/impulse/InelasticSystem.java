@@ -35,6 +35,9 @@ final class InelasticSystem {
     /** A normal depends on another only if its share of it is above this, not by rounding. */
     private static final double DEPENDENT = 0x1p-30;
 
+    /** Velocities of all bodies after the impulses. */
+    double[] vx = new double[0];
+    double[] vy = new double[0];
     int size;
     int[] a = new int[0];
     /** Another body, or {@code ~wall}. */
@@ -53,6 +56,18 @@ final class InelasticSystem {
     private int active;
     private double parting;
     private int entries;
+
+    /** Begins an empty system of bodies; contacts that may keep no approach have to part at a speed of at least 0. */
+    void begin(Bodies bodies, double at) {
+        if (vx.length < bodies.size()) {
+            vx = new double[bodies.capacity()];
+            vy = new double[bodies.capacity()];
+        }
+        System.arraycopy(bodies.vx, 0, vx, 0, bodies.size());
+        System.arraycopy(bodies.vy, 0, vy, 0, bodies.size());
+        size = 0;
+        restart(bodies, at);
+    }
 
     /** Adds a contact that may keep an approach speed; at 0 it has to part. */
     void add(Bodies bodies, int body, int other, double nx, double ny, double may) {
@@ -118,20 +133,20 @@ final class InelasticSystem {
 
     /** The approach speed of a contact. */
     double approach(Bodies bodies, int k) {
-        double x = bodies.vx[a[k]];
-        double y = bodies.vy[a[k]];
+        return approach(k, bodies.vx, bodies.vy);
+    }
+
+    private double approach(int k, double[] ofX, double[] ofY) {
+        double x = ofX[a[k]];
+        double y = ofY[a[k]];
         if (b[k] >= 0) {
-            x -= bodies.vx[b[k]];
-            y -= bodies.vy[b[k]];
+            x -= ofX[b[k]];
+            y -= ofY[b[k]];
         }
         return normalX[k] * x + normalY[k] * y;
     }
 
-    /**
-     * Forgets all impulses.
-     *
-     * @param at the speed, at least 0, at which contacts that may keep no approach have to part
-     */
+    /** Forgets all impulses; contacts have to part at another speed. */
     void restart(Bodies bodies, double at) {
         parting = at;
         active = 0;
@@ -173,14 +188,12 @@ final class InelasticSystem {
     }
 
     private int mostApproaching(Bodies bodies, double tolerance) {
+        move(bodies);
         int most = -1;
         double speed = tolerance;
         for (int k = 0; k < size; k++) {
             if (impulse[k] == 0 && !blocked[k]) {
-                double left = approach[k];
-                for (int l = 0; l < active; l++) {
-                    left -= coupling(bodies, k, set[l]) * impulse[set[l]];
-                }
+                double left = approach(k, vx, vy) + (allowed[k] > 0 ? -allowed[k] : parting);
                 if (left > speed) {
                     speed = left;
                     most = k;
@@ -188,6 +201,33 @@ final class InelasticSystem {
             }
         }
         return most;
+    }
+
+    /** Computes the velocities after the impulses. */
+    private void move(Bodies bodies) {
+        for (int k = 0; k < size; k++) {
+            reset(bodies, a[k]);
+            if (b[k] >= 0) {
+                reset(bodies, b[k]);
+            }
+        }
+        for (int l = 0; l < active; l++) {
+            int k = set[l];
+            change(bodies, a[k], -impulse[k], k);
+            if (b[k] >= 0) {
+                change(bodies, b[k], impulse[k], k);
+            }
+        }
+    }
+
+    private void reset(Bodies bodies, int i) {
+        vx[i] = bodies.vx[i];
+        vy[i] = bodies.vy[i];
+    }
+
+    private void change(Bodies bodies, int i, double by, int k) {
+        vx[i] += by * bodies.inverseMass[i] * normalX[k];
+        vy[i] += by * bodies.inverseMass[i] * normalY[k];
     }
 
     /**

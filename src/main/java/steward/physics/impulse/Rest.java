@@ -66,8 +66,6 @@ public final class Rest {
     private int[] heap = new int[0];
     /** Of a body in the heap; -1 outside. */
     private int[] place = new int[0];
-    private double[] vx = new double[0];
-    private double[] vy = new double[0];
     private int heapSize;
     private int touching;
     private boolean squeezed;
@@ -96,8 +94,6 @@ public final class Rest {
             heap = new int[capacity];
             place = new int[capacity];
             Arrays.fill(place, -1);
-            vx = new double[capacity];
-            vy = new double[capacity];
         }
         squeezed = false;
         for (int i = 0; i < size; i++) {
@@ -169,14 +165,12 @@ public final class Rest {
 
     /** Solves the contacts that the heap would meet in the rest of the turn, until it meets none. */
     private void solve(Bodies bodies, int a, int b, double left) {
-        System.arraycopy(bodies.vx, 0, vx, 0, size);
-        System.arraycopy(bodies.vy, 0, vy, 0, size);
         impulses.begin(bodies, heap, heapSize);
         addContact(bodies, b < 0 ? a : Math.min(a, b), b < 0 ? b : Math.max(a, b), left);
         int before;
         do {
             before = system.size;
-            impulses.solve(bodies, vx, vy);
+            impulses.solve(bodies);
             addMet(bodies, left);
         } while (system.size > before);
     }
@@ -213,8 +207,8 @@ public final class Rest {
     private boolean reaches(Bodies bodies, int i, int j, double left) {
         double dx = bodies.x[j] - bodies.x[i];
         double dy = bodies.y[j] - bodies.y[i];
-        double ux = vx[j] - vx[i];
-        double uy = vy[j] - vy[i];
+        double ux = system.vx[j] - system.vx[i];
+        double uy = system.vy[j] - system.vy[i];
         double closing = -(dx * ux + dy * uy);
         double reach = bodies.radius[i] + bodies.radius[j];
         double distance = Math.sqrt(dx * dx + dy * dy);
@@ -231,10 +225,10 @@ public final class Rest {
     private boolean reachesWall(Bodies bodies, int i, Wall wall, double left) {
         double x = bodies.x[i];
         double y = bodies.y[i];
-        double closing = wall.normalX(x, y) * vx[i] + wall.normalY(x, y) * vy[i];
+        double closing = wall.normalX(x, y) * system.vx[i] + wall.normalY(x, y) * system.vy[i];
         double gap = wall.gap(x, y, bodies.radius[i]);
         return closing > impulses.tolerance() && closing * left > gap
-            && (gap <= 0 || wall.gap(x + vx[i] * left, y + vy[i] * left, bodies.radius[i]) < 0);
+            && (gap <= 0 || wall.gap(x + system.vx[i] * left, y + system.vy[i] * left, bodies.radius[i]) < 0);
     }
 
     private void addContact(Bodies bodies, int a, int b, double left) {
@@ -256,8 +250,8 @@ public final class Rest {
     private void addRim(Bodies bodies, int i, int w, Arena arena, double left) {
         double x = bodies.x[i] - arena.x();
         double y = bodies.y[i] - arena.y();
-        double endX = x + vx[i] * left;
-        double endY = y + vy[i] * left;
+        double endX = x + system.vx[i] * left;
+        double endY = y + system.vy[i] * left;
         double distance = Math.sqrt(endX * endX + endY * endY);
         double room = arena.radius() - bodies.radius[i];
         if (room > 0 && distance > room * (1 + RIM)) {

@@ -35,8 +35,7 @@ final class RestImpulses {
             speed = Math.max(speed, Math.abs(bodies.vx[heap[k]]) + Math.abs(bodies.vy[heap[k]]));
         }
         parts = true;
-        system.size = 0;
-        system.restart(bodies, PARTING * speed);
+        system.begin(bodies, PARTING * speed);
     }
 
     /** An approach up to this speed remains. */
@@ -44,37 +43,13 @@ final class RestImpulses {
         return (parts ? 0.75 : 1) * PARTING * speed;
     }
 
-    /** Solves the system. @param vx receives the velocities of its bodies */
-    void solve(Bodies bodies, double[] vx, double[] vy) {
+    /** Solves the system; contacts do not part if they cannot. */
+    void solve(Bodies bodies) {
         if (!system.solve(bodies, tolerance()) && parts) {
             parts = false;
             system.restart(bodies, 0);
             system.solve(bodies, tolerance());
         }
-        for (int k = 0; k < system.size; k++) {
-            reset(bodies, system.a[k], vx, vy);
-            if (system.b[k] >= 0) {
-                reset(bodies, system.b[k], vx, vy);
-            }
-        }
-        for (int k = 0; k < system.size; k++) {
-            if (system.impulse[k] > 0) {
-                change(bodies, system.a[k], -system.impulse[k], k, vx, vy);
-                if (system.b[k] >= 0) {
-                    change(bodies, system.b[k], system.impulse[k], k, vx, vy);
-                }
-            }
-        }
-    }
-
-    private static void reset(Bodies bodies, int i, double[] vx, double[] vy) {
-        vx[i] = bodies.vx[i];
-        vy[i] = bodies.vy[i];
-    }
-
-    private void change(Bodies bodies, int i, double by, int k, double[] vx, double[] vy) {
-        vx[i] += by * bodies.inverseMass[i] * system.normalX[k];
-        vy[i] += by * bodies.inverseMass[i] * system.normalY[k];
     }
 
     /** Insertion sort by the lower id, then the other; walls last. Ids ascend with indices. */
