@@ -20,19 +20,19 @@ public enum RungLaw {
     /** {@code event/official}, where bodies cannot come to rest. */
     OFFICIAL(1, "503e94a136d51a78"),
     /** {@code event/official}, where they can. */
-    OFFICIAL_WITH_REST(1, "b95cfdb860907c6f"),
+    OFFICIAL_WITH_REST(2, "69c6ced9bc0a5e4c"),
     /** {@code event/double}, where bodies cannot come to rest. */
     DOUBLE(1, "f465cab171fe3b9e"),
     /** {@code event/double}, where they can. */
-    DOUBLE_WITH_REST(1, "b388cce0fad5a075"),
+    DOUBLE_WITH_REST(2, "d9d53e22d193c103"),
     /** {@code event/compensated}, where bodies cannot come to rest. */
     COMPENSATED(2, "40397a35ed557add"),
     /** {@code event/compensated}, where they can. */
-    COMPENSATED_WITH_REST(2, "dede8c658f5c7b34"),
+    COMPENSATED_WITH_REST(3, "2bfe866790f3c156"),
     /** {@code event/exact}, where bodies cannot come to rest. */
     EXACT(2, "645d2e6a31ecc31a"),
     /** {@code event/exact}, where they can. */
-    EXACT_WITH_REST(2, "d435b2a346abf238");
+    EXACT_WITH_REST(3, "d92288eb17f77c31");
 
     /** The fingerprint of the whole ladder that programs had before laws had versions: law 1 of every rung. */
     public static final String WHOLE_LADDER = "b8309ca632eecf63";
