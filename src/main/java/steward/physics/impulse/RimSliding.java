@@ -28,7 +28,8 @@ import steward.physics.Wall;
  *
  * <p>Caveats: between two contacts velocity and place are those on the chord, off those on the rim by up to theta and R
  * theta^2 / 2, where 2 theta is the angle of a chord. Such a contact is a knot of the path; under laws without rest it
- * is recorded as an impact, too, with the change of energy 0 and the direction of the change of momentum as its normal, which is off the normal of the rim by up to theta.
+ * is recorded as an impact, too, with the change of energy 0 and the direction of the change of momentum as its normal,
+ * which is off the normal of the rim by up to theta.
  */
 final class RimSliding {
 
@@ -78,7 +79,12 @@ final class RimSliding {
         return Math.min(STEEPEST, Math.max(FLATTEST, speed / (2 * CHORDS * room)));
     }
 
-    /** Starts the next chord of a body that touches a wall. @param records it as an impact @return false if it bounces instead, or has no room */
+    /**
+     * Starts the next chord of a body that touches a wall.
+     *
+     * @param records whether the contact is recorded as an impact
+     * @return false if it bounces instead, or has no room
+     */
     static boolean slide(Bodies bodies, int a, int w, Wall wall, double time, boolean records, TurnSink sink) {
         if (!grazes(bodies, a, wall)) {
             return false;

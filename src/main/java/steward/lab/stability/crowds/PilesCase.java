@@ -45,8 +45,8 @@ public final class PilesCase implements StabilityCase {
 
     @Override
     public String demand() {
-        return "random piles of 3 to 60 bodies, pressed anew each turn into corners, wedges of 8 to 60 degrees, the rim "
-            + "of an arena, or together in free space, e = 0, 0.5, 0.9: no turn has more than 500 impacts or its "
+        return "random piles of 3 to 60 bodies, pressed anew each turn into corners, wedges of 8 to 60 degrees, the "
+            + "rim of an arena, or together in free space, e = 0, 0.5, 0.9: no turn has more than 500 impacts or its "
             + "limit, energy never grows (but for 1e-15 of it, by rounding), none overlap by more than 1e-12 of a "
             + "radius, one by one and as a crowd are the same to the bit; on every event rung";
     }
