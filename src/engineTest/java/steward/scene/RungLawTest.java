@@ -45,9 +45,10 @@ class RungLawTest {
             RungLaw law = RungLaw.of(rung, impacts);
             assertTrue(RungLaw.holds(law.fingerprint(), rung, RungLaw::fingerprint));
             assertFalse(RungLaw.holds(law.fingerprint(), rung, any -> "of another law"));
-            assertFalse(RungLaw.holds(RungLaw.WHOLE_LADDER, rung, any -> any == law ? "another" : any.fingerprint()));
-            assertEquals(RungLaw.of(rung, ImpactLaw.PHYSICS).version() == 1 && RungLaw.of(rung, ImpactLaw.PHYSICS
-                .withRestitution(ImpactLaw.Restitution.MINIMUM)).version() == 1,
+            RungLaw withoutRest = RungLaw.of(rung, ImpactLaw.PHYSICS);
+            assertFalse(RungLaw.holds(RungLaw.WHOLE_LADDER, rung, any -> any == withoutRest ? "another"
+                : any.fingerprint()));
+            assertEquals(withoutRest.version() == 1,
                 RungLaw.holds(RungLaw.WHOLE_LADDER, rung, RungLaw::fingerprint));
         }
     }

@@ -38,7 +38,8 @@ class OutsideGameTest {
         String engine = GameTypes.class.getProtectionDomain().getCodeSource().getLocation().getPath();
         String jackson = JsonGenerator.class.getProtectionDomain().getCodeSource().getLocation().getPath();
         List<String> call = Stream.concat(
-            Stream.of("-d", classes.toString(), "-proc:none", "-cp", engine + ":" + jackson), sources(".java").map(Path::toString)).toList();
+            Stream.of("-d", classes.toString(), "-proc:none", "-cp", engine + ":" + jackson),
+            sources(".java").map(Path::toString)).toList();
         assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, call.toArray(new String[0])));
         games = Files.createDirectories(folder.resolve("games"));
         pack(games.resolve("sumo.jar"), classes, "");

@@ -27,6 +27,8 @@ final class FlightLoop {
     private final ContactResponse response;
     private final Rest rest;
     private final Standstill standstill;
+    /** How many impacts beyond the first the last reaction has recorded: one for each contact of a heap at rest. */
+    private int more;
     /** Starts of flights while all bodies are where they are now, for a reaction of the scene. */
     private double[] startX = new double[0];
     private double[] startY = new double[0];
@@ -78,6 +80,7 @@ final class FlightLoop {
             lastLow = flights.nowLow();
             if (together == null) {
                 react(bodies, row, search.partner[row], last, sink);
+                left -= more;
             } else {
                 left = reactInOrder(bodies, together, last, left, sink);
             }
@@ -123,7 +126,7 @@ final class FlightLoop {
                 left--;
             }
             if (!reactAlone(bodies, row, partner, now, sink)) {
-                return left;
+                return left - more;
             }
         }
         for (int k = 0; k < done; k++) {
@@ -145,6 +148,7 @@ final class FlightLoop {
         boolean swapped = descending && partner >= 0;
         int a = swapped ? partner : row;
         int b = swapped ? row : partner;
+        more = 0;
         if (rest != null && rest.isAbout(bodies, a, b) && rest.mayRest(bodies, a, b) && settle(bodies, a, b, now,
             sink)) {
             return false;
@@ -181,10 +185,12 @@ final class FlightLoop {
     /** Lets a heap rest: then all flights begin anew. @return false if it is an ordinary impact */
     private boolean settle(Bodies bodies, int a, int b, double now, TurnSink sink) {
         moveAll(bodies, a, b, now);
-        if (!rest.settle(bodies, a, b, now, sink)) {
+        int impacts = rest.settle(bodies, a, b, now, sink);
+        if (impacts == 0) {
             moveBack(bodies, a, b);
             return false;
         }
+        more = impacts - 1;
         flights.startAll(bodies, now);
         search.searchAll(bodies, now);
         return true;

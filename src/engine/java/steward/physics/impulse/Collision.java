@@ -32,6 +32,8 @@ public final class Collision {
     private final Wall[] walls;
     /** Whether bodies can slide along an arena. */
     private final boolean slides;
+    /** Whether the contacts of a slide are impacts: where bodies rest they are not, as on a straight wall. */
+    private final boolean recordsSlides;
 
     private Collision(ImpactLaw law, Wall[] walls, ImpulseSolver solver) {
         this.solver = solver;
@@ -43,6 +45,7 @@ public final class Collision {
         pushOut = law.pushOut();
         this.walls = walls;
         slides = RimSliding.isPossible(law, walls);
+        recordsSlides = !law.bodiesRest();
     }
 
     /** With the expressions of the published official referee in their order, but for its change of velocity. */
@@ -124,7 +127,7 @@ public final class Collision {
 
     public void reactWall(Bodies bodies, int a, int w, double time, TurnSink sink) {
         Wall wall = walls[w];
-        if (slides && RimSliding.slide(bodies, a, w, wall, time, sink)) {
+        if (slides && RimSliding.slide(bodies, a, w, wall, time, recordsSlides, sink)) {
             solver.forgetRounding(a);
             return;
         }

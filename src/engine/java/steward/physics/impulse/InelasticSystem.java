@@ -1,115 +1,186 @@
 package steward.physics.impulse;
 
+import java.util.Arrays;
 import steward.physics.Bodies;
 
 /*
- * Contacts k with normals n_k from a_k to b_k and approach speeds u_k = n_k.(va - vb); impulses j_k >= 0 along them
- * change u by -A j, A_kl the sum over shared bodies of the signs times w n_k.n_l. Wanted are the least impulses after
- * which nothing approaches, u' = u - A j <= 0, with j_k > 0 only where u'_k = 0 (Moreau's inelastic impact): the
- * velocities nearest to the old ones, measured by the kinetic energy, among those that do not approach. So the energy
- * never rises, and the velocities are unique even if the impulses are not.
+ * Contacts k with normals n_k from a_k to b_k, approach speeds u_k = n_k.(va - vb) and speeds s_k that these may keep;
+ * impulses j_k >= 0 along them change u by -A j, A_kl the sum over shared bodies of the signs times w n_k.n_l. Wanted
+ * are the least impulses after which nothing approaches faster, u' = u - A j <= s, with j_k > 0 only where u'_k = s_k:
+ * the velocities nearest to the old ones, measured by the kinetic energy, of the convex set {u <= s} (B. Maury, "A
+ * time-stepping scheme for inelastic collisions", Numerische Mathematik 102, 2006; s = 0 is J. J. Moreau's inelastic
+ * impact). Rest belongs to the set, so the projection is not longer than what is projected: the energy never rises.
+ * The velocities are unique even if the impulses are not.
  *
  * Solved by active sets, as non-negative least squares (C. L. Lawson, R. J. Hanson, "Solving Least Squares Problems",
  * 1974, chapter 23): the contact that approaches most enters the set; the set is solved by Cholesky; contacts whose
  * impulse would be negative leave it. A contact whose normal depends on those of the set (its pivot vanishes) stays
- * out: what is left of its approach is rounding, or it is squeezed.
+ * out: what is left of its approach is rounding, or it is squeezed. Contacts may be added to a solved system, which
+ * goes on from its set.
  */
 
 /**
- * The impulses that end the approach in a system of contacts, and no more. The order of the contacts decides ties.
- * Bounds: {@value #MOST} contacts, {@value #ROUNDS} entries per contact. Residual: see {@link #residual}.
+ * The least impulses after which no contact of a system approaches faster than it may. The order of the contacts
+ * decides ties. Bounds: {@value #MOST} contacts, {@value #ROUNDS} entries per contact.
  */
 final class InelasticSystem {
 
     /** The most contacts in a system. */
-    static final int MOST = 192;
+    static final int MOST = 512;
     /** How often a contact may enter the set, on the average. */
     private static final int ROUNDS = 4;
     /** A pivot below this share of the diagonal has vanished. */
     private static final double VANISHED = 0x1p-36;
 
-    int size;
-    final int[] a = new int[MOST];
-    /** Another body, or {@code ~wall}. */
-    final int[] b = new int[MOST];
-    final double[] normalX = new double[MOST];
-    final double[] normalY = new double[MOST];
-    final double[] impulse = new double[MOST];
-    /** The approach speed that a contact may keep, because it has a gap. */
-    final double[] allowed = new double[MOST];
-    private final double[] approach = new double[MOST];
-    private final double[] trial = new double[MOST];
-    private final boolean[] blocked = new boolean[MOST];
-    private final int[] set = new int[MOST];
-    private final double[] factor = new double[MOST * (MOST + 1) / 2];
-    private int active;
+    /** A normal depends on another only if its share of it is above this, not by rounding. */
+    private static final double DEPENDENT = 0x1p-30;
 
-    void add(int body, int other, double nx, double ny) {
-        allowed[size] = 0;
+    /** Velocities of all bodies after the impulses. */
+    double[] vx = new double[0];
+    double[] vy = new double[0];
+    int size;
+    int[] a = new int[0];
+    /** Another body, or {@code ~wall}. */
+    int[] b = new int[0];
+    double[] normalX = new double[0];
+    double[] normalY = new double[0];
+    double[] impulse = new double[0];
+    /** The approach speed that a contact may keep. */
+    private double[] allowed = new double[0];
+    private double[] approach = new double[0];
+    private double[] trial = new double[0];
+    private boolean[] blocked = new boolean[0];
+    private int[] set = new int[0];
+    /** Rows of the Cholesky factor of the set. */
+    private double[] factor = new double[0];
+    private int active;
+    private double parting;
+    private int entries;
+
+    /** Begins an empty system of bodies; contacts that may keep no approach have to part at a speed of at least 0. */
+    void begin(Bodies bodies, double at) {
+        if (vx.length < bodies.size()) {
+            vx = new double[bodies.capacity()];
+            vy = new double[bodies.capacity()];
+        }
+        System.arraycopy(bodies.vx, 0, vx, 0, bodies.size());
+        System.arraycopy(bodies.vy, 0, vy, 0, bodies.size());
+        size = 0;
+        restart(bodies, at);
+    }
+
+    /** Adds a contact that may keep an approach speed; at 0 it has to part. */
+    void add(Bodies bodies, int body, int other, double nx, double ny, double may) {
+        if (size == a.length) {
+            grow(2 * size + 8);
+        }
         a[size] = body;
         b[size] = other;
         normalX[size] = nx;
         normalY[size] = ny;
-        size++;
+        allowed[size] = may;
+        enter(bodies, size++);
     }
 
-    /** Exchanges two contacts. */
+    private void enter(Bodies bodies, int k) {
+        approach[k] = approach(bodies, k) + (allowed[k] > 0 ? -allowed[k] : parting);
+        impulse[k] = 0;
+        blocked[k] = false;
+        entries += ROUNDS;
+    }
+
+    private void grow(int capacity) {
+        a = Arrays.copyOf(a, capacity);
+        b = Arrays.copyOf(b, capacity);
+        normalX = Arrays.copyOf(normalX, capacity);
+        normalY = Arrays.copyOf(normalY, capacity);
+        impulse = Arrays.copyOf(impulse, capacity);
+        allowed = Arrays.copyOf(allowed, capacity);
+        approach = Arrays.copyOf(approach, capacity);
+        trial = Arrays.copyOf(trial, capacity);
+        blocked = Arrays.copyOf(blocked, capacity);
+        set = Arrays.copyOf(set, capacity);
+    }
+
+    /** Exchanges two contacts of a solved system. */
     void swap(int k, int l) {
         int body = a[k];
         int other = b[k];
         double nx = normalX[k];
         double ny = normalY[k];
-        double kept = allowed[k];
-        allowed[k] = allowed[l];
-        allowed[l] = kept;
+        double j = impulse[k];
         a[k] = a[l];
         b[k] = b[l];
         normalX[k] = normalX[l];
         normalY[k] = normalY[l];
+        impulse[k] = impulse[l];
         a[l] = body;
         b[l] = other;
         normalX[l] = nx;
         normalY[l] = ny;
+        impulse[l] = j;
+    }
+
+    /** True if a contact of these two is in the system. */
+    boolean has(int body, int other) {
+        for (int k = 0; k < size; k++) {
+            if (a[k] == body && b[k] == other) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** The approach speed of a contact. */
     double approach(Bodies bodies, int k) {
-        double x = bodies.vx[a[k]];
-        double y = bodies.vy[a[k]];
+        return approach(k, bodies.vx, bodies.vy);
+    }
+
+    private double approach(int k, double[] ofX, double[] ofY) {
+        double x = ofX[a[k]];
+        double y = ofY[a[k]];
         if (b[k] >= 0) {
-            x -= bodies.vx[b[k]];
-            y -= bodies.vy[b[k]];
+            x -= ofX[b[k]];
+            y -= ofY[b[k]];
         }
         return normalX[k] * x + normalY[k] * y;
     }
 
+    /** Forgets all impulses; contacts have to part at another speed. */
+    void restart(Bodies bodies, double at) {
+        parting = at;
+        active = 0;
+        entries = 0;
+        for (int k = 0; k < size; k++) {
+            enter(bodies, k);
+        }
+    }
+
     /**
-     * Computes the impulses after which every contact separates at least at a speed, or has no more approach than it is
-     * allowed.
+     * Computes the impulses.
      *
-     * @param parting   the speed, at least 0
      * @param tolerance an approach up to this speed remains
      * @return false if a contact cannot part, or the bound on entries was reached
      */
-    boolean solve(Bodies bodies, double parting, double tolerance) {
-        active = 0;
+    boolean solve(Bodies bodies, double tolerance) {
         boolean parts = true;
-        for (int k = 0; k < size; k++) {
-            approach[k] = approach(bodies, k) + (allowed[k] > 0 ? -allowed[k] : parting);
-            impulse[k] = 0;
-            blocked[k] = false;
-        }
-        for (int entries = ROUNDS * size; entries > 0; entries--) {
+        for (; entries > 0; entries--) {
             int next = mostApproaching(bodies, tolerance);
             if (next < 0) {
                 return parts;
             }
             set[active++] = next;
-            if (!factorize(bodies)) {
-                active--;
-                blocked[next] = true;
-                parts = false;
-            } else {
+            int from = active - 1;
+            while (!factorize(bodies, from)) {
+                from = exchange();
+                if (from < 0) {
+                    active--;
+                    blocked[next] = true;
+                    parts = false;
+                    break;
+                }
+            }
+            if (!blocked[next]) {
                 descend(bodies);
             }
         }
@@ -117,14 +188,12 @@ final class InelasticSystem {
     }
 
     private int mostApproaching(Bodies bodies, double tolerance) {
+        move(bodies);
         int most = -1;
         double speed = tolerance;
         for (int k = 0; k < size; k++) {
             if (impulse[k] == 0 && !blocked[k]) {
-                double left = approach[k];
-                for (int l = 0; l < active; l++) {
-                    left -= coupling(bodies, k, set[l]) * impulse[set[l]];
-                }
+                double left = approach(k, vx, vy) + (allowed[k] > 0 ? -allowed[k] : parting);
                 if (left > speed) {
                     speed = left;
                     most = k;
@@ -132,6 +201,75 @@ final class InelasticSystem {
             }
         }
         return most;
+    }
+
+    /** Computes the velocities after the impulses. */
+    private void move(Bodies bodies) {
+        for (int k = 0; k < size; k++) {
+            reset(bodies, a[k]);
+            if (b[k] >= 0) {
+                reset(bodies, b[k]);
+            }
+        }
+        for (int l = 0; l < active; l++) {
+            int k = set[l];
+            change(bodies, a[k], -impulse[k], k);
+            if (b[k] >= 0) {
+                change(bodies, b[k], impulse[k], k);
+            }
+        }
+    }
+
+    private void reset(Bodies bodies, int i) {
+        vx[i] = bodies.vx[i];
+        vy[i] = bodies.vy[i];
+    }
+
+    private void change(Bodies bodies, int i, double by, int k) {
+        vx[i] += by * bodies.inverseMass[i] * normalX[k];
+        vy[i] += by * bodies.inverseMass[i] * normalY[k];
+    }
+
+    /**
+     * Lets the last contact of the set, whose normal depends on those of the others, take over their impulses until one
+     * of them has none, and leaves the set: no velocity changes.
+     *
+     * @return which one has left, or -1 if none can: then nothing was altered
+     */
+    private int exchange() {
+        int last = active - 1;
+        int row = last * (last + 1) / 2;
+        for (int i = last - 1; i >= 0; i--) {
+            double sum = factor[row + i];
+            for (int k = i + 1; k < last; k++) {
+                sum -= factor[k * (k + 1) / 2 + i] * trial[k];
+            }
+            trial[i] = sum / factor[i * (i + 1) / 2 + i];
+        }
+        int leaves = -1;
+        double least = 0;
+        for (int l = 0; l < last; l++) {
+            double until = impulse[set[l]] / trial[l];
+            if (trial[l] > DEPENDENT && (leaves < 0 || until < least)) {
+                least = until;
+                leaves = l;
+            }
+        }
+        if (leaves < 0) {
+            return leaves;
+        }
+        for (int l = 0; l < last; l++) {
+            impulse[set[l]] = Math.max(0, impulse[set[l]] - least * trial[l]);
+        }
+        impulse[set[last]] += least;
+        leave(leaves);
+        return leaves;
+    }
+
+    private void leave(int l) {
+        impulse[set[l]] = 0;
+        active--;
+        System.arraycopy(set, l + 1, set, l, active - l);
     }
 
     /** Moves to the solution of the set, from edge to edge while an impulse would become negative. */
@@ -157,18 +295,19 @@ final class InelasticSystem {
             if (leaves < 0) {
                 return;
             }
-            impulse[set[leaves]] = 0;
-            active--;
-            System.arraycopy(set, leaves + 1, set, leaves, active - leaves);
-            if (active == 0 || !factorize(bodies)) {
+            leave(leaves);
+            if (active == 0 || !factorize(bodies, leaves)) {
                 return;
             }
         }
     }
 
-    /** The Cholesky factor of the set. @return false if a pivot vanishes */
-    private boolean factorize(Bodies bodies) {
-        for (int i = 0; i < active; i++) {
+    /** Computes the Cholesky factor of the set from a row on. @return false if a pivot vanishes */
+    private boolean factorize(Bodies bodies, int from) {
+        if (factor.length < active * (active + 1) / 2) {
+            factor = Arrays.copyOf(factor, active * (active + 1));
+        }
+        for (int i = from; i < active; i++) {
             int row = i * (i + 1) / 2;
             for (int j = 0; j <= i; j++) {
                 double sum = coupling(bodies, set[i], set[j]);
@@ -223,14 +362,5 @@ final class InelasticSystem {
             }
         }
         return weight * (normalX[k] * normalX[l] + normalY[k] * normalY[l]);
-    }
-
-    /** The largest approach speed that is left: some units of 2^-50 of the speeds, unless something is squeezed. */
-    double residual(Bodies bodies) {
-        double most = 0;
-        for (int k = 0; k < size; k++) {
-            most = Math.max(most, approach(bodies, k));
-        }
-        return most;
     }
 }

@@ -1,5 +1,7 @@
 package steward.physics.impulse;
 
+import java.util.Arrays;
+import steward.physics.Arena;
 import steward.physics.Bodies;
 import steward.physics.Contacts;
 import steward.physics.ImpactLaw;
@@ -7,50 +9,49 @@ import steward.physics.PhysicsParts;
 import steward.physics.TurnSink;
 import steward.physics.Wall;
 
+/*
+ * Nothing accelerates within a turn, so paths are straight until the next impact. Of two bodies with the gap g, the
+ * normal n and the relative velocity v the distance is at least its part along n, so they do not meet in a time tau if
+ * n.v tau <= g; the same holds for a straight wall. The places inside an arena are convex, so a body on a straight path
+ * stays inside if its end is inside, and that holds if n'.(x + v tau) <= room for the normal n' there. All of these are
+ * linear conditions on the velocities, and those of rest satisfy them.
+ */
+
 /**
- * Rest: the end of bounces that would never end. Where restitution is below 1, bodies that press against something
- * immovable bounce infinitely often in a finite time. So an impact that rebounds at no more than the rest speed of its
- * heap ends the approach and no more, together with all closed contacts that hang on it, as one system
- * ({@link InelasticSystem}), recorded as one impact for each contact that exchanges an impulse, ascending by ids, at
- * one time.
+ * Rest: the end of bounces that would never end. Where restitution is below 1, bodies that press against each other or
+ * against a wall bounce infinitely often in a finite time.
  *
- * <p>A heap is what hangs on an impact by gaps of at most 1/{@value #NEAR} of the sum of the radii: two contacts or
- * more. These gaps are four times as wide each time it has come to rest in this turn, up to 1/{@value #WIDEST}; those
- * that count as closed, at first 2^-16, grow 16-fold. A contact with such a gap may keep the approach that uses up half
- * of it until the end of the turn; so the last gaps of a heap are closed over several turns, and not one by one within
- * a turn. Its rest speed is the highest speed that one of its bodies had at the start of the turn, times the number of
- * its bodies, times 2^(c - {@value #PATIENCE}), and at most that highest speed; c is the number of earlier impacts in
- * this turn of that body of the two that had more. So a first bounce is a bounce, and the larger the heap and the more
- * often it has bounced, the more is rest. In a heap that nothing immovable has stopped in this turn, directly or
- * through others, it is 2^(c - {@value #FREE_PATIENCE}): a collapse in free space ends by rounding. Without restitution
- * every impact in a heap is rest. Nothing depends on bodies elsewhere. A law may set the speed itself
- * ({@link ImpactLaw#restSpeed}).
+ * <ol>
+ * <li>A heap is what hangs together by gaps of at most 1/{@value #NEAR} of the sum of the radii, with two contacts or
+ * more.
+ * <li>In a heap an impact without restitution, or of a body that has had {@value #PATIENCE} others in this turn, is
+ * rest; all other impacts bounce.
+ * <li>At rest the bodies of the heap take the velocities that are nearest to theirs, measured by the kinetic energy,
+ * among those with which none of them meets another, a wall or an infinite mass before the turn ends
+ * ({@link InelasticSystem}).
+ * <li>Each contact that this takes an impulse is recorded as an impact, ascending by ids, at one time.
+ * <li>Only other bodies can disturb a heap in the same turn; so that few do, gaps up to the sum of the radii belong to
+ * a heap that has come to rest before.
+ * </ol>
  *
- * <p>Afterwards the contacts part as {@link RestImpulses} says: no contact of a heap at rest is met again. If something
- * approaches even so, the turn has its named ending.
+ * <p>Nothing depends on bodies elsewhere. A law may set the speed up to which a rebound in a heap is rest
+ * ({@link ImpactLaw#restSpeed}), in place of the second sentence. If something approaches even so, the turn has its
+ * named ending.
  */
 public final class Rest {
 
     /** Gaps up to 1 / NEAR of the sum of the radii belong to a heap. */
     public static final int NEAR = 2048;
-    /** After this many impacts of a body in a turn its heap rests, however fast it is; large heaps earlier. */
-    static final int PATIENCE = 5;
-    /** The same for a heap that nothing immovable holds. */
-    static final int FREE_PATIENCE = 40;
-    /** Gaps of a heap are never wider than 1 / WIDEST of the sum of the radii. */
-    public static final int WIDEST = 32;
-    /** Gaps up to this share of the radii are closed: what slow bodies close again within a small part of a turn. */
-    private static final double CLOSED = 0x1p-16;
-    /** Each time a heap comes to rest in a turn, its gaps grow by 2^WIDENING. */
-    private static final int WIDENING = 2;
-    /** The same for the gaps that count as closed. */
-    private static final int WIDENING_OF_CLOSED = 4;
-    /** The share of its gap that a closed contact may use up in the rest of the turn. */
-    private static final double USED = 0.5;
+    /** Impacts of a body in a turn before its heap rests. */
+    static final int PATIENCE = 4;
+    /** The share of a gap that is used up until the end of the turn: the rest is room for rounding. */
+    private static final double USED = 0.99;
+    /** Gaps below this share of the radii are closed: rounding may be as large as what is left of them. */
+    private static final double CLOSED = 0x1p-30;
+    /** A path that ends this share of the room outside an arena ends on its rim. */
+    private static final double RIM = 0x1p-40;
     /** The shortest rest of a turn that is divided by. */
     private static final double LEAST_LEFT = 0x1p-20;
-    /** More than enough for the widest gaps. */
-    private static final int LARGE = 16;
 
     private final Wall[] walls;
     private final Contacts contacts;
@@ -59,18 +60,14 @@ public final class Rest {
     private final double restSpeed;
     private final InelasticSystem system = new InelasticSystem();
     private final RestImpulses impulses;
-    /** How often the heap of a body has come to rest in this turn. */
-    private int[] settled = new int[0];
+    /** True if a body's heap has come to rest in this turn. */
+    private boolean[] rested = new boolean[0];
     private int[] impacts = new int[0];
-    private double[] speedAtStart = new double[0];
-    private double highest;
     private int[] heap = new int[0];
-    private boolean[] inHeap = new boolean[0];
-    /** Whether something immovable has stopped a body in this turn, directly or through others. */
-    private boolean[] wasHeld = new boolean[0];
+    /** Of a body in the heap; -1 outside. */
+    private int[] place = new int[0];
     private int heapSize;
     private int touching;
-    private boolean anchored;
     private boolean squeezed;
     private int size;
 
@@ -84,10 +81,7 @@ public final class Rest {
 
     /** @return {@code null} for laws without rest: elastic, with a minimum impulse, or in batches */
     public static Rest of(PhysicsParts parts, Wall[] walls) {
-        ImpactLaw law = parts.law();
-        boolean ends = law.restitution() == ImpactLaw.Restitution.ELASTIC || law.minimumImpulse() > 0
-            || law.separatingPairsReact() || walls.length == 0 && !parts.infiniteMasses();
-        return ends ? null : new Rest(parts, walls);
+        return parts.law().bodiesRest() && !parts.law().separatingPairsReact() ? new Rest(parts, walls) : null;
     }
 
     /** Begins a turn with these bodies. */
@@ -96,21 +90,15 @@ public final class Rest {
         if (impacts.length < size) {
             int capacity = bodies.capacity();
             impacts = new int[capacity];
-            settled = new int[capacity];
-            speedAtStart = new double[capacity];
+            rested = new boolean[capacity];
             heap = new int[capacity];
-            inHeap = new boolean[capacity];
-            wasHeld = new boolean[capacity];
+            place = new int[capacity];
+            Arrays.fill(place, -1);
         }
-        highest = 0;
         squeezed = false;
         for (int i = 0; i < size; i++) {
             impacts[i] = 0;
-            settled[i] = 0;
-            wasHeld[i] = false;
-            speedAtStart[i] = bodies.inverseMass[i] > 0
-                ? Math.sqrt(bodies.vx[i] * bodies.vx[i] + bodies.vy[i] * bodies.vy[i]) : 0;
-            highest = Math.max(highest, speedAtStart[i]);
+            rested[i] = false;
         }
     }
 
@@ -129,94 +117,155 @@ public final class Rest {
     }
 
     /**
-     * Counts an impact of two that are where they are now, and says whether it may be rest: a quick look.
+     * Counts an impact of two that are where they are now.
      *
      * @param b another body, or {@code ~wall}
+     * @return whether it is rest if it belongs to a heap
      */
     public boolean mayRest(Bodies bodies, int a, int b) {
-        boolean held = b < 0 || isHeld(bodies, a) || isHeld(bodies, b);
-        wasHeld[a] |= held;
-        if (b >= 0) {
-            wasHeld[b] |= held;
-        }
         int count = Math.max(impacts[a]++, b >= 0 ? impacts[b]++ : 0);
-        return count > 0 && reboundSpeed(bodies, a, b) <= (Double.isNaN(restSpeed) ? highest : restSpeed);
-    }
-
-    private boolean isHeld(Bodies bodies, int i) {
-        return wasHeld[i] || bodies.inverseMass[i] == 0;
-    }
-
-    /** The rest speed of a heap as a share of the highest speed in it. */
-    private static double share(int bodies, int count, int patience) {
-        return Math.min(1, Math.scalb((double) bodies, count - patience));
-    }
-
-    private double reboundSpeed(Bodies bodies, int a, int b) {
         double restitution = b < 0 ? restitutionRule.atWall(bodies, a, walls[~b])
             : restitutionRule.betweenBodies(bodies, a, b);
-        if (restitution == 0) {
-            return 0;
+        return restitution < 1 && (Double.isNaN(restSpeed) ? restitution == 0 || count >= PATIENCE
+            : restitution * approach(bodies, a, b) <= restSpeed);
+    }
+
+    private double approach(Bodies bodies, int a, int b) {
+        double x = bodies.vx[a];
+        double y = bodies.vy[a];
+        if (b < 0) {
+            return walls[~b].normalX(bodies.x[a], bodies.y[a]) * x + walls[~b].normalY(bodies.x[a], bodies.y[a]) * y;
         }
-        if (restitution == 1) {
-            return Double.POSITIVE_INFINITY;
-        }
-        system.size = 0;
-        addContact(bodies, a, b);
-        return restitution * system.approach(bodies, 0);
+        double dx = bodies.x[b] - bodies.x[a];
+        double dy = bodies.y[b] - bodies.y[a];
+        double distance = Math.sqrt(dx * dx + dy * dy);
+        return distance == 0 ? 0 : (dx * (x - bodies.vx[b]) + dy * (y - bodies.vy[b])) / distance;
     }
 
     /**
      * Lets the heap of an impact rest; all bodies are where they are now.
      *
-     * @return false if it is an ordinary impact, and nothing was altered
+     * @return how many impacts that has taken; 0 if it is an ordinary impact, and nothing was altered
      */
-    public boolean settle(Bodies bodies, int a, int b, double time, TurnSink sink) {
-        double rebound = reboundSpeed(bodies, a, b);
-        double near = near(a, b);
-        gather(bodies, a, b, near, false);
-        double speed = 0;
-        int before = 0;
-        for (int k = 0; k < heapSize; k++) {
-            speed = Math.max(speed, speedAtStart[heap[k]]);
-            before = Math.max(before, settled[heap[k]]);
+    public int settle(Bodies bodies, int a, int b, double time, TurnSink sink) {
+        gather(bodies, a, b);
+        int exchanged = 0;
+        if (touching > 1) {
+            double left = Math.max(1 - time, LEAST_LEFT);
+            solve(bodies, a, b, left);
+            exchanged = impulses.exchange(bodies, time, sink);
+            squeezed = exchanged == 0;
         }
-        int count = Math.max(impacts[a], b >= 0 ? impacts[b] : 0) - 1;
-        double limit = Double.isNaN(restSpeed)
-            ? speed * share(heapSize, count, anchored ? PATIENCE : FREE_PATIENCE) : anchored ? restSpeed : 0;
-        if (touching == 1 || rebound > limit) {
+        for (int k = 0; k < heapSize; k++) {
+            place[heap[k]] = -1;
+            rested[heap[k]] |= touching > 1;
+        }
+        return touching > 1 ? Math.max(1, exchanged) : 0;
+    }
+
+    /** Solves the contacts that the heap would meet in the rest of the turn, until it meets none. */
+    private void solve(Bodies bodies, int a, int b, double left) {
+        impulses.begin(bodies, heap, heapSize);
+        addContact(bodies, b < 0 ? a : Math.min(a, b), b < 0 ? b : Math.max(a, b), left);
+        int before;
+        do {
+            before = system.size;
+            impulses.solve(bodies);
+            addMet(bodies, left);
+        } while (system.size > before);
+    }
+
+    private void addMet(Bodies bodies, double left) {
+        for (int k = 0; k < heapSize && system.size < InelasticSystem.MOST; k++) {
+            int i = heap[k];
+            for (int j = 0; j < size; j++) {
+                if ((place[j] >= 0 && place[j] < k || bodies.inverseMass[j] == 0) && meet(bodies, i, j)
+                    && reaches(bodies, i, j, left)) {
+                    addOnce(bodies, Math.min(i, j), Math.max(i, j), left);
+                }
+            }
+            for (int w = 0; w < walls.length; w++) {
+                if (contacts.withWall(bodies.kind[i]) != Contacts.Meaning.BOUNCE) {
+                    continue;
+                }
+                if (walls[w] instanceof Arena arena) {
+                    addRim(bodies, i, w, arena, left);
+                } else if (reachesWall(bodies, i, walls[w], left)) {
+                    addOnce(bodies, i, ~w, left);
+                }
+            }
+        }
+    }
+
+    private void addOnce(Bodies bodies, int i, int j, double left) {
+        if (!system.has(i, j)) {
+            addContact(bodies, i, j, left);
+        }
+    }
+
+    /** True if two bodies would meet in a time, on straight paths. */
+    private boolean reaches(Bodies bodies, int i, int j, double left) {
+        double dx = bodies.x[j] - bodies.x[i];
+        double dy = bodies.y[j] - bodies.y[i];
+        double ux = system.vx[j] - system.vx[i];
+        double uy = system.vy[j] - system.vy[i];
+        double closing = -(dx * ux + dy * uy);
+        double reach = bodies.radius[i] + bodies.radius[j];
+        double distance = Math.sqrt(dx * dx + dy * dy);
+        double gap = distance - reach;
+        if (!(closing > impulses.tolerance() * distance) || closing * left <= gap * distance) {
             return false;
         }
-        gather(bodies, a, b, Math.min(near, Math.scalb(CLOSED, WIDENING_OF_CLOSED * Math.min(LARGE, before))), true);
-        for (int k = 0; k < heapSize; k++) {
-            settled[heap[k]]++;
+        double nearest = Math.min(left, closing / (ux * ux + uy * uy));
+        double x = dx + ux * nearest;
+        double y = dy + uy * nearest;
+        return gap <= 0 || x * x + y * y < reach * reach;
+    }
+
+    private boolean reachesWall(Bodies bodies, int i, Wall wall, double left) {
+        double x = bodies.x[i];
+        double y = bodies.y[i];
+        double closing = wall.normalX(x, y) * system.vx[i] + wall.normalY(x, y) * system.vy[i];
+        double gap = wall.gap(x, y, bodies.radius[i]);
+        return closing > impulses.tolerance() && closing * left > gap
+            && (gap <= 0 || wall.gap(x + system.vx[i] * left, y + system.vy[i] * left, bodies.radius[i]) < 0);
+    }
+
+    private void addContact(Bodies bodies, int a, int b, double left) {
+        double x = bodies.x[a];
+        double y = bodies.y[a];
+        if (b < 0) {
+            add(bodies, a, b, walls[~b].normalX(x, y), walls[~b].normalY(x, y),
+                walls[~b].gap(x, y, bodies.radius[a]), left);
+            return;
         }
-        for (int k = 0; k < system.size; k++) {
-            allow(bodies, k, 1 - time);
+        double dx = bodies.x[b] - x;
+        double dy = bodies.y[b] - y;
+        double distance = Math.sqrt(dx * dx + dy * dy);
+        add(bodies, a, b, distance == 0 ? 1 : dx / distance, distance == 0 ? 0 : dy / distance,
+            distance - bodies.radius[a] - bodies.radius[b], left);
+    }
+
+    /** Adds the tangent of the rim that a body would leave, where it would be at the end of the turn. */
+    private void addRim(Bodies bodies, int i, int w, Arena arena, double left) {
+        double x = bodies.x[i] - arena.x();
+        double y = bodies.y[i] - arena.y();
+        double endX = x + system.vx[i] * left;
+        double endY = y + system.vy[i] * left;
+        double distance = Math.sqrt(endX * endX + endY * endY);
+        double room = arena.radius() - bodies.radius[i];
+        if (room > 0 && distance > room * (1 + RIM)) {
+            double nx = endX / distance;
+            double ny = endY / distance;
+            add(bodies, i, ~w, nx, ny, room - (nx * x + ny * y), left);
         }
-        squeezed = !impulses.exchange(bodies, time, sink);
-        return true;
     }
 
-    /**
-     * The gaps, as a share of the sum of the radii, of the heap of an impact: wider, the more often it has come to rest
-     * in this turn.
-     */
-    public double near(int a, int b) {
-        return Math.min(1.0 / WIDEST, Math.scalb(1.0 / NEAR, WIDENING * settledBefore(a, b)));
-    }
-
-    private int settledBefore(int a, int b) {
-        return Math.min(LARGE, Math.max(settled[a], b >= 0 ? settled[b] : 0));
-    }
-
-    /** Lets a contact with a gap keep the approach that uses up a part of the gap in the rest of the turn. */
-    private void allow(Bodies bodies, int k, double left) {
-        int a = system.a[k];
-        int b = system.b[k];
-        double gap = b < 0 ? walls[~b].gap(bodies.x[a], bodies.y[a], bodies.radius[a]) : gap(bodies, a, b);
-        double size = bodies.radius[a] + (b < 0 ? 0 : bodies.radius[b]);
-        system.allowed[k] = gap > CLOSED * size ? USED * gap / Math.max(left, LEAST_LEFT) : 0;
+    private void add(Bodies bodies, int a, int b, double nx, double ny, double gap, double left) {
+        double radii = bodies.radius[a] + (b < 0 ? 0 : bodies.radius[b]);
+        if (system.size < InelasticSystem.MOST) {
+            system.add(bodies, a, b, nx, ny, gap > CLOSED * radii ? USED * gap / left : 0);
+        }
     }
 
     /** Whether the last heap had nothing to exchange although it approaches: there is no room, and no way out. */
@@ -224,28 +273,18 @@ public final class Rest {
         return squeezed;
     }
 
-    private void addContact(Bodies bodies, int a, int b) {
-        double x = bodies.x[a];
-        double y = bodies.y[a];
-        if (b < 0) {
-            system.add(a, b, walls[~b].normalX(x, y), walls[~b].normalY(x, y));
-            return;
-        }
-        double dx = bodies.x[b] - x;
-        double dy = bodies.y[b] - y;
-        double distance = Math.sqrt(dx * dx + dy * dy);
-        system.add(a, b, distance == 0 ? 1 : dx / distance, distance == 0 ? 0 : dy / distance);
+    /**
+     * The gaps of the heap of an impact, as a share of the sum of the radii: wider if it has come to rest in this turn.
+     */
+    public double near(int a, int b) {
+        return rested[a] || b >= 0 && rested[b] ? 1 : 1.0 / NEAR;
     }
 
-    /** Collects what hangs on an impact by small gaps, body by body, into the heap, and its contacts if asked. */
-    private void gather(Bodies bodies, int a, int b, double gapShare, boolean collects) {
+    /** Collects what hangs on an impact by small gaps, body by body, and counts the contacts of the two. */
+    private void gather(Bodies bodies, int a, int b) {
+        double gapShare = near(a, b);
         heapSize = 0;
         touching = 1;
-        anchored = wasHeld[a];
-        system.size = 0;
-        if (collects) {
-            addContact(bodies, Math.min(a, b < 0 ? a : b), b < 0 ? b : Math.max(a, b));
-        }
         enter(bodies, a);
         if (b >= 0) {
             enter(bodies, b);
@@ -253,11 +292,9 @@ public final class Rest {
         for (int k = 0; k < heapSize; k++) {
             int i = heap[k];
             for (int j = 0; j < size; j++) {
-                boolean counted = inHeap[j] && isBefore(j, k);
-                if (j != i && !counted && !isPair(i, j, a, b) && meet(bodies, i, j)
-                    && gap(bodies, i, j) <= tolerance(bodies, i, j, gapShare)) {
-                    found(bodies, Math.min(i, j), Math.max(i, j), collects);
-                    anchored |= isHeld(bodies, j);
+                if (j != i && !isPair(i, j, a, b) && meet(bodies, i, j) && gap(bodies, i, j)
+                    <= gapShare * (bodies.radius[i] + bodies.radius[j]) + rounding(bodies, i) + rounding(bodies, j)) {
+                    touching++;
                     enter(bodies, j);
                 }
             }
@@ -265,39 +302,18 @@ public final class Rest {
                 if (!(i == a && b == ~w) && contacts.withWall(bodies.kind[i]) == Contacts.Meaning.BOUNCE
                     && walls[w].gap(bodies.x[i], bodies.y[i], bodies.radius[i])
                     <= gapShare * bodies.radius[i] + rounding(bodies, i)) {
-                    found(bodies, i, ~w, collects);
-                    anchored = true;
+                    touching++;
                 }
             }
-        }
-        for (int k = 0; k < heapSize; k++) {
-            inHeap[heap[k]] = false;
-        }
-    }
-
-    private void found(Bodies bodies, int i, int j, boolean collects) {
-        touching++;
-        if (collects && system.size < InelasticSystem.MOST) {
-            addContact(bodies, i, j);
         }
     }
 
     /** An infinite mass ends a heap: nothing goes through it. */
     private void enter(Bodies bodies, int i) {
-        if (!inHeap[i] && bodies.inverseMass[i] > 0) {
-            inHeap[i] = true;
+        if (place[i] < 0 && bodies.inverseMass[i] > 0) {
+            place[i] = heapSize;
             heap[heapSize++] = i;
         }
-    }
-
-    /** Whether the contacts of a body of the heap have been collected before those of the k-th one. */
-    private boolean isBefore(int j, int k) {
-        for (int l = 0; l < k; l++) {
-            if (heap[l] == j) {
-                return true;
-            }
-        }
-        return false;
     }
 
     private static boolean isPair(int i, int j, int a, int b) {
@@ -312,10 +328,6 @@ public final class Rest {
         double dx = bodies.x[i] - bodies.x[j];
         double dy = bodies.y[i] - bodies.y[j];
         return Math.sqrt(dx * dx + dy * dy) - bodies.radius[i] - bodies.radius[j];
-    }
-
-    private static double tolerance(Bodies bodies, int i, int j, double share) {
-        return share * (bodies.radius[i] + bodies.radius[j]) + rounding(bodies, i) + rounding(bodies, j);
     }
 
     private static double rounding(Bodies bodies, int i) {

@@ -20,19 +20,36 @@ final class RestImpulses {
 
     private final InelasticSystem system;
     private final Wall[] walls;
-    /** Where contacts cannot part: below this, a velocity is 0. Otherwise 0. */
-    private double still;
+    private double speed;
+    private boolean parts;
 
     RestImpulses(InelasticSystem system, Wall[] walls) {
         this.system = system;
         this.walls = walls;
     }
 
-    /** Ends the approach of the contacts of the system. @return whether there was anything to exchange */
-    boolean exchange(Bodies bodies, double time, TurnSink sink) {
-        sort();
-        solve(bodies);
-        return record(bodies, time, sink);
+    /** Begins an empty system of bodies. */
+    void begin(Bodies bodies, int[] heap, int heapSize) {
+        speed = 0;
+        for (int k = 0; k < heapSize; k++) {
+            speed = Math.max(speed, Math.abs(bodies.vx[heap[k]]) + Math.abs(bodies.vy[heap[k]]));
+        }
+        parts = true;
+        system.begin(bodies, PARTING * speed);
+    }
+
+    /** An approach up to this speed remains. */
+    double tolerance() {
+        return (parts ? 0.75 : 1) * PARTING * speed;
+    }
+
+    /** Solves the system; contacts do not part if they cannot. */
+    void solve(Bodies bodies) {
+        if (!system.solve(bodies, tolerance()) && parts) {
+            parts = false;
+            system.restart(bodies, 0);
+            system.solve(bodies, tolerance());
+        }
     }
 
     /** Insertion sort by the lower id, then the other; walls last. Ids ascend with indices. */
@@ -53,29 +70,14 @@ final class RestImpulses {
         return wallK != wallL ? wallL : wallK ? system.b[k] > system.b[l] : system.b[k] < system.b[l];
     }
 
-    private void solve(Bodies bodies) {
-        double speed = 0;
-        for (int k = 0; k < system.size; k++) {
-            speed = Math.max(speed, speedOf(bodies, system.a[k]));
-            speed = Math.max(speed, system.b[k] >= 0 ? speedOf(bodies, system.b[k]) : 0);
-        }
-        still = 0;
-        if (!system.solve(bodies, PARTING * speed, 0.75 * PARTING * speed)) {
-            system.solve(bodies, 0, PARTING * speed);
-            still = STILL * speed;
-        }
-    }
-
-    private static double speedOf(Bodies bodies, int i) {
-        return Math.abs(bodies.vx[i]) + Math.abs(bodies.vy[i]);
-    }
-
-    /** Applies the impulses one after the other and records them. @return whether there are any */
-    private boolean record(Bodies bodies, double time, TurnSink sink) {
-        boolean any = false;
+    /** Applies the impulses one after the other, ascending by ids, and records them. @return how many there are */
+    int exchange(Bodies bodies, double time, TurnSink sink) {
+        sort();
+        double still = parts ? 0 : STILL * speed;
+        int exchanged = 0;
         for (int k = 0; k < system.size; k++) {
             if (system.impulse[k] > 0) {
-                any = true;
+                exchanged++;
                 int a = system.a[k];
                 int b = system.b[k];
                 boolean last = still > 0 && isLastOf(a, k);
@@ -88,9 +90,9 @@ final class RestImpulses {
                 double vby = b < 0 ? 0 : bodies.vy[b];
                 double inverse = bodies.inverseMass[a] + (b < 0 ? 0 : bodies.inverseMass[b]);
                 double energy = j * (j * inverse / 2 - system.approach(bodies, k));
-                change(bodies, a, -j * bodies.inverseMass[a], nx, ny, last);
+                accelerate(bodies, a, -j * bodies.inverseMass[a], nx, ny, last ? still : 0);
                 if (b >= 0) {
-                    change(bodies, b, j * bodies.inverseMass[b], nx, ny, still > 0 && isLastOf(b, k));
+                    accelerate(bodies, b, j * bodies.inverseMass[b], nx, ny, still > 0 && isLastOf(b, k) ? still : 0);
                 }
                 double ax = bodies.x[a];
                 double ay = bodies.y[a];
@@ -106,7 +108,7 @@ final class RestImpulses {
                 }
             }
         }
-        return any;
+        return exchanged;
     }
 
     private boolean isLastOf(int body, int k) {
@@ -118,12 +120,12 @@ final class RestImpulses {
         return true;
     }
 
-    private void change(Bodies bodies, int i, double by, double nx, double ny, boolean stills) {
-        bodies.vx[i] = stilled(bodies.vx[i] + by * nx, stills);
-        bodies.vy[i] = stilled(bodies.vy[i] + by * ny, stills);
+    private static void accelerate(Bodies bodies, int i, double by, double nx, double ny, double still) {
+        bodies.vx[i] = stilled(bodies.vx[i] + by * nx, still);
+        bodies.vy[i] = stilled(bodies.vy[i] + by * ny, still);
     }
 
-    private double stilled(double v, boolean stills) {
-        return stills && Math.abs(v) <= still ? 0 : v;
+    private static double stilled(double v, double still) {
+        return Math.abs(v) <= still ? 0 : v;
     }
 }

@@ -27,8 +27,9 @@ import steward.physics.Wall;
  * very slow ones flights of 2e-6 radians.
  *
  * <p>Caveats: between two contacts velocity and place are those on the chord, off those on the rim by up to theta and R
- * theta^2 / 2, where 2 theta is the angle of a chord. Such a contact is recorded as an impact with the change of energy
- * 0 and the direction of the change of momentum as its normal, which is off the normal of the rim by up to theta.
+ * theta^2 / 2, where 2 theta is the angle of a chord. Such a contact is a knot of the path; under laws without rest it
+ * is recorded as an impact, too, with the change of energy 0 and the direction of the change of momentum as its normal,
+ * which is off the normal of the rim by up to theta.
  */
 final class RimSliding {
 
@@ -78,8 +79,13 @@ final class RimSliding {
         return Math.min(STEEPEST, Math.max(FLATTEST, speed / (2 * CHORDS * room)));
     }
 
-    /** Starts the next chord of a body that touches a wall. @return false if it bounces instead, or has no room */
-    static boolean slide(Bodies bodies, int a, int w, Wall wall, double time, TurnSink sink) {
+    /**
+     * Starts the next chord of a body that touches a wall.
+     *
+     * @param records whether the contact is recorded as an impact
+     * @return false if it bounces instead, or has no room
+     */
+    static boolean slide(Bodies bodies, int a, int w, Wall wall, double time, boolean records, TurnSink sink) {
         if (!grazes(bodies, a, wall)) {
             return false;
         }
@@ -108,12 +114,14 @@ final class RimSliding {
         setVelocity(bodies, a, speed, -ny * along - nx * chord, nx * along - ny * chord);
         bodies.x[a] = arena.x() + nx * room;
         bodies.y[a] = arena.y() + ny * room;
-        double changeX = vx - bodies.vx[a];
-        double changeY = vy - bodies.vy[a];
-        double change = Math.sqrt(changeX * changeX + changeY * changeY);
-        sink.impact(time, bodies.id(a), ~w, bodies.x[a], bodies.y[a], arena.x() + nx * arena.radius(),
-            arena.y() + ny * arena.radius(), changeX / change, changeY / change, change * bodies.mass[a], 0,
-            bodies.mass[a], Double.POSITIVE_INFINITY, vx, vy, bodies.vx[a], bodies.vy[a], 0, 0, 0, 0);
+        if (records) {
+            double changeX = vx - bodies.vx[a];
+            double changeY = vy - bodies.vy[a];
+            double change = Math.sqrt(changeX * changeX + changeY * changeY);
+            sink.impact(time, bodies.id(a), ~w, bodies.x[a], bodies.y[a], arena.x() + nx * arena.radius(),
+                arena.y() + ny * arena.radius(), changeX / change, changeY / change, change * bodies.mass[a], 0,
+                bodies.mass[a], Double.POSITIVE_INFINITY, vx, vy, bodies.vx[a], bodies.vy[a], 0, 0, 0, 0);
+        }
         sink.knot(bodies.id(a), time, bodies.x[a], bodies.y[a]);
         return true;
     }

@@ -60,6 +60,8 @@ public final class QueueAdvance implements Advance {
     private final QueueContactResponse response;
     private final ContactResponse passing;
     private final Rest rest;
+    /** How many impacts beyond the first the last reaction has recorded: one for each contact of a heap at rest. */
+    private int more;
     /** Bodies whose impacts are near one time. */
     private int[] simultaneous = new int[0];
 
@@ -75,7 +77,7 @@ public final class QueueAdvance implements Advance {
         descending = law.scanOrder() == ImpactLaw.ScanOrder.DESCENDING;
         boolean exact = parts.arithmetic().isExact();
         rest = Rest.of(parts, walls);
-        crowd = new Crowd(exact, rest == null ? Cells.SLACK : 1 + 2 * ROOM / Rest.WIDEST);
+        crowd = new Crowd(exact, rest == null ? Cells.SLACK : Math.max(Cells.SLACK, 1 + 2 * ROOM / Rest.NEAR));
         events = new EventBuckets(new EventOrder(crowd));
         pairs = QueuePairs.of(crowd, parts);
         Collision collision;
@@ -159,6 +161,7 @@ public final class QueueAdvance implements Advance {
                     left = reactInOrder(bodies, now, left, sink);
                 } else {
                     react(bodies, body, link[at + PARTNER], now, sink);
+                    left -= more;
                 }
                 last = now;
                 if (rest != null && rest.isSqueezed()) {
@@ -235,7 +238,7 @@ public final class QueueAdvance implements Advance {
                 left--;
             }
             if (!reactAlone(bodies, body, partner, now, sink)) {
-                return left;
+                return left - more;
             }
         }
         for (int k = 0; k < count; k++) {
@@ -287,6 +290,7 @@ public final class QueueAdvance implements Advance {
     /** Responds to an impact. @return false if the flights of all bodies began anew and were predicted */
     private boolean reactAlone(Bodies bodies, int body, int partner, double now, TurnSink sink) {
         double nowLow = crowd.nowLow;
+        more = 0;
         boolean isFirst = partner < 0 || crowd.index[body] < crowd.index[partner] != descending;
         int a = isFirst ? body : partner;
         int b = isFirst ? partner : body;
@@ -313,12 +317,15 @@ public final class QueueAdvance implements Advance {
         if (!rest.isAbout(bodies, i, j) || !rest.mayRest(bodies, i, j)) {
             return false;
         }
-        double near = ROOM * rest.near(i, j);
-        if (!search.hasNear(a, b, near, now) && (b < 0 || !search.hasNear(b, a, near, now))) {
+        double near = rest.near(i, j);
+        if (near < 1 && !search.hasNear(a, b, ROOM * near, now)
+            && (b < 0 || !search.hasNear(b, a, ROOM * near, now))) {
             return false;
         }
         crowd.store(bodies, now);
-        return rest.settle(bodies, i, j, now, sink);
+        int impacts = rest.settle(bodies, i, j, now, sink);
+        more = Math.max(0, impacts - 1);
+        return impacts > 0;
     }
 
     private void countChange(int body) {

@@ -48,7 +48,7 @@ class ImpactLimitTest {
      * Below e = 7 - 4 sqrt(3) = 0.0718 three bodies in a line collide without end in a finite time (S. McNamara,
      * W. R. Young, "Inelastic collapse and clumping in a one-dimensional granular medium", 1992). Each round leaves a
      * fixed share of the speeds, so that doubles run out of digits after some dozens of impacts, unless the bound comes
-     * first. Then the three are squeezed further each turn, then thrown at a wall.
+     * first. The law of the scene knows no rest. Then the three are squeezed further each turn, then thrown at a wall.
      * <pre>
      *     |  O-->   O   <--O  |
      * </pre>
@@ -62,7 +62,8 @@ class ImpactLimitTest {
                 Scenes.add(bodies, 20 + 30 * k, 500, 400 * (1 - k), 0, 1);
                 bodies.setRestitution(k, 0.05);
             }
-            EventAdvance advance = Scenes.advance(Scenes.WITH_RESTITUTION.withMaximumImpacts(bound), walls);
+            EventAdvance advance = Scenes.advance(
+                Scenes.WITH_RESTITUTION.withRestSpeed(0).withMaximumImpacts(bound), walls);
             TurnLog log = new TurnLog();
             advance.turn(bodies, log);
             assertTrue(log.impacts() >= 12, log.impacts() + " impacts: no collapse");

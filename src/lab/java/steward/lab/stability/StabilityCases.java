@@ -10,6 +10,7 @@ import steward.lab.stability.crowds.LongRunCase;
 import steward.lab.stability.crowds.MirrorCase;
 import steward.lab.stability.crowds.NewtonsCradleCase;
 import steward.lab.stability.crowds.OfficialHeapsCase;
+import steward.lab.stability.crowds.PilesCase;
 import steward.lab.stability.crowds.RandomCradlesCase;
 import steward.lab.stability.crowds.RestCase;
 import steward.lab.stability.crowds.SimultaneousCase;
@@ -62,6 +63,7 @@ public final class StabilityCases {
             new RandomCradlesCase(),
             new MirrorCase(),
             new RestCase(),
+            new PilesCase(),
             new InelasticCollapseCase(),
             new LatticeCase(),
             new TiesCase(),

@@ -19,7 +19,9 @@ import steward.physics.ImpactLaw;
  */
 public final class InelasticCollapseCase implements StabilityCase {
 
-    private static final ImpactLaw LAW = ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM);
+    /** Without rest, which would end it. */
+    private static final ImpactLaw LAW = ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM)
+        .withRestSpeed(0);
 
     @Override
     public String name() {
@@ -28,7 +30,8 @@ public final class InelasticCollapseCase implements StabilityCase {
 
     @Override
     public String demand() {
-        return "e = 0.05 with 3 bodies, e = 0.95 with 90: every turn ends, by itself or named at the bound on impacts "
+        return "under a law without rest: "
+            + "e = 0.05 with 3 bodies, e = 0.95 with 90: every turn ends, by itself or named at the bound on impacts "
             + "(steps have none), and energy never grows, on every rung; on event rungs there are impacts until "
             + "rounding ends them, and a bound of 20 or 500 on them is reached, and named";
     }

@@ -2,7 +2,6 @@ package steward.lab.stability.pairs;
 
 import java.util.Locale;
 import steward.lab.trial.Finding;
-import steward.lab.trial.Probe;
 import steward.lab.trial.Progress;
 import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
@@ -11,6 +10,7 @@ import steward.numerics.SplitMix64;
 import steward.physics.Arena;
 import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
+import steward.physics.TurnLog;
 
 /**
  * A body on the rim of an arena that moves along it: after a turn it has covered its speed over the room for its
@@ -32,8 +32,8 @@ public final class SlidingCase implements StabilityCase {
     @Override
     public String demand() {
         return "along an arena's rim, random places, radii, up to 6 rad a turn, restitution 0..1, outward or "
-            + "inward share up to 1e-6: the arc within 1e-6 rad, the energy within 1e-12, at most 256 impacts, on "
-            + "every event rung, one by one and as a crowd";
+            + "inward share up to 1e-6: the arc within 1e-6 rad, the energy within 1e-12, at most 256 corners of the "
+            + "path, on every event rung, one by one and as a crowd";
     }
 
     @Override
@@ -51,10 +51,10 @@ public final class SlidingCase implements StabilityCase {
         }
         boolean met = angle <= MOST_ANGLE && energy <= MOST_ENERGY && most <= MOST_KNOTS;
         return Finding.of(rung.isEvent(), met, String.format(Locale.ROOT,
-            "%d slides: at most %.1e rad off, energy off by %.1e, %d impacts", slides, angle, energy, most));
+            "%d slides: at most %.1e rad off, energy off by %.1e, %d corners", slides, angle, energy, most));
     }
 
-    /** @return the error of the angle, that of the energy as a share, the number of impacts; infinite if limited */
+    /** @return the error of the angle, that of the energy as a share, the number of corners; infinite if limited */
     private static double[] slide(Rung rung, SplitMix64 random, boolean alone) {
         double radius = StrictMath.pow(10, 4 * random.nextDouble());
         double room = radius * (0.1 + 0.85 * random.nextDouble());
@@ -71,12 +71,12 @@ public final class SlidingCase implements StabilityCase {
         bodies.add(arena.x() + room * cos, arena.y() + room * sin, radius - room, 1);
         bodies.setVelocity(0, speed * (-sin - share * cos), speed * (cos - share * sin));
         double before = bodies.vx[0] * bodies.vx[0] + bodies.vy[0] * bodies.vy[0];
-        Probe probe = new Probe();
-        (alone ? rung.advance(SOFT, arena) : rung.crowdAdvance(SOFT, arena)).turn(bodies, probe);
+        TurnLog log = new TurnLog();
+        (alone ? rung.advance(SOFT, arena) : rung.crowdAdvance(SOFT, arena)).turn(bodies, log);
         double after = bodies.vx[0] * bodies.vx[0] + bodies.vy[0] * bodies.vy[0];
         double reached = StrictMath.atan2(bodies.y[0] - arena.y(), bodies.x[0] - arena.x());
         double off = StrictMath.IEEEremainder(reached - from - arc, 2 * Math.PI);
         return new double[] {Math.abs(off), Math.abs(after - before) / before,
-            probe.limited > 0 ? Double.POSITIVE_INFINITY : probe.impacts};
+            log.limited() ? Double.POSITIVE_INFINITY : log.knots()};
     }
 }
