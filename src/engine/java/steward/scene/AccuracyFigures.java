@@ -13,6 +13,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import steward.Internal;
+import steward.physics.ImpactLaw;
 import steward.scene.json.Block;
 import steward.scene.json.JsonTree;
 import steward.scene.json.SceneException;
@@ -165,18 +166,19 @@ public record AccuracyFigures(String source, String key, String sample, int stat
     /**
      * The rung for a scene that states a demand.
      *
-     * @param scene  the whole file
+     * @param scene   the whole file
+     * @param law     its law of impact
      * @param figures where its own figures may be
      * @throws SceneException if there are no figures, if they belong to another scene or physics, or if no rung is
      *                        known to meet the demand
      */
-    static AccuracyChoice choose(AccuracyDemand demand, Block scene, Optional<Path> figures) {
+    static AccuracyChoice choose(AccuracyDemand demand, Block scene, ImpactLaw law, Optional<Path> figures) {
         if (demand.share() > MOST_SHARE) {
             throw scene.block("accuracy").error("share", Wording.number(demand.share()), "at most " + MOST_SHARE
                 + ": what no state of a sample exceeds, others may");
         }
         AccuracyFigures all = find(scene, figures);
-        AccuracyFigures found = all.holding();
+        AccuracyFigures found = all.holding(mayRest(law, scene.json()));
         if (found.rungs.isEmpty()) {
             throw unusable(scene, "figures in " + found.source + " that another version of the physics has measured",
                 figures, true);
@@ -197,12 +199,21 @@ public record AccuracyFigures(String source, String key, String sample, int stat
             + "), at " + String.format(Locale.ROOT, "%.2f", rung.cost) + " times the cost of event/double");
     }
 
-    /** The figures of the rungs whose law is still the one that was measured. */
-    public AccuracyFigures holding() {
+    /** True if bodies may come to rest: nothing drives them apart, and the scene states a restitution somewhere. */
+    public static boolean mayRest(ImpactLaw law, String scene) {
+        return !(law.minimumImpulse() > 0) && scene.contains("\"restitution\"");
+    }
+
+    /**
+     * The figures of the rungs whose law is still the one that was measured.
+     *
+     * @param mayRest whether bodies of the scene {@linkplain #mayRest may come to rest}
+     */
+    public AccuracyFigures holding(boolean mayRest) {
         Map<RungLaw, String> computed = new EnumMap<>(RungLaw.class);
         return new AccuracyFigures(source, key, sample, states, rungs.stream().filter(each ->
-            RungLaw.holds(each.physics, each.rung, law -> computed.computeIfAbsent(law, PhysicsFingerprint::of)))
-            .toList());
+            RungLaw.holds(each.physics, each.rung, mayRest,
+                law -> computed.computeIfAbsent(law, PhysicsFingerprint::of))).toList());
     }
 
     /** Figures with the scene's key: those beside the scene file, else those of a shipped scene with the same key. */

@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import steward.physics.Arithmetic;
+import steward.physics.ImpactLaw;
 import steward.physics.event.StepAdvance;
 import steward.scene.json.Block;
 import steward.scene.json.SceneException;
@@ -20,17 +21,18 @@ final class AccuracyReader {
 
     /**
      * @param scene   the whole file
+     * @param law     its law of impact
      * @param figures where figures of this scene's accuracy may be
      * @param instead a rung that replaces the one of the file, or {@code null}
      * @throws SceneException if there is no such rung, or none is known to meet the demand
      */
-    static AccuracyChoice read(Block scene, Optional<Path> figures, Accuracy instead) {
+    static AccuracyChoice read(Block scene, ImpactLaw law, Optional<Path> figures, Accuracy instead) {
         Block block = scene.block("accuracy");
         if (block.contains(ERROR) || block.contains(SHARE)) {
             AccuracyDemand demand = new AccuracyDemand(positive(block, ERROR, Double.POSITIVE_INFINITY),
                 positive(block, SHARE, 1));
             block.done();
-            return instead == null ? AccuracyFigures.choose(demand, scene, figures)
+            return instead == null ? AccuracyFigures.choose(demand, scene, law, figures)
                 : overridden(instead, demand.text());
         }
         Accuracy rung = rung(block);

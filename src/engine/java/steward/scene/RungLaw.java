@@ -102,13 +102,15 @@ public enum RungLaw {
     /**
      * True if figures of a rung still hold.
      *
-     * @param measured the fingerprint of the law that was measured; after {@link #WHOLE_LADDER} the rung's law without
-     *                 rest has to be the first, since figures do not say whether their scene's bodies rest
+     * @param measured the fingerprint of the law that was measured; {@link #WHOLE_LADDER} is that of law 1
+     * @param mayRest  whether bodies of the scene may come to rest: then figures of the whole ladder hold only if both
+     *                 laws of the rung are the first, since they do not say which of them was measured
      * @param computed gives the fingerprint of what this program computes by a law
      */
-    static boolean holds(String measured, Accuracy rung, Function<RungLaw, String> computed) {
+    static boolean holds(String measured, Accuracy rung, boolean mayRest, Function<RungLaw, String> computed) {
         Stream<RungLaw> laws = Stream.of(of(rung, false), of(rung, true));
-        return measured.equals(WHOLE_LADDER) ? of(rung, false).isFirst(computed.apply(of(rung, false)))
+        return measured.equals(WHOLE_LADDER)
+            ? laws.limit(mayRest ? 2 : 1).allMatch(law -> law.isFirst(computed.apply(law)))
             : laws.map(computed).anyMatch(measured::equals);
     }
 }

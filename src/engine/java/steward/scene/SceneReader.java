@@ -66,7 +66,7 @@ public final class SceneReader {
         ImpactLaw law = root.optionalBlock("impacts").map(SceneReader::law).orElse(ImpactLaw.PHYSICS);
         Optional<Block> motion = root.optionalBlock("motion");
         Block time = root.block("time");
-        AccuracyChoice choice = AccuracyReader.read(root, text.figures(), instead);
+        AccuracyChoice choice = AccuracyReader.read(root, law, text.figures(), instead);
         double drag = motion.map(block -> block.number("drag", 0, 1, 0)).orElse(0.0);
         return new Scene(name, game, players, field, law, drag,
             motion.map(block -> motion(block, drag > 0)).orElse(new Motion(List.of())),

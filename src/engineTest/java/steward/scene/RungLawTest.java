@@ -43,13 +43,16 @@ class RungLawTest {
         for (ImpactLaw impacts : List.of(ImpactLaw.OFFICIAL_POD_RACE,
             ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM))) {
             RungLaw law = RungLaw.of(rung, impacts);
-            assertTrue(RungLaw.holds(law.fingerprint(), rung, RungLaw::fingerprint));
-            assertFalse(RungLaw.holds(law.fingerprint(), rung, any -> "of another law"));
+            assertTrue(RungLaw.holds(law.fingerprint(), rung, true, RungLaw::fingerprint));
+            assertFalse(RungLaw.holds(law.fingerprint(), rung, true, any -> "of another law"));
             RungLaw withoutRest = RungLaw.of(rung, ImpactLaw.PHYSICS);
-            assertFalse(RungLaw.holds(RungLaw.WHOLE_LADDER, rung, any -> any == withoutRest ? "another"
+            assertFalse(RungLaw.holds(RungLaw.WHOLE_LADDER, rung, false, any -> any == withoutRest ? "another"
                 : any.fingerprint()));
             assertEquals(withoutRest.version() == 1,
-                RungLaw.holds(RungLaw.WHOLE_LADDER, rung, RungLaw::fingerprint));
+                RungLaw.holds(RungLaw.WHOLE_LADDER, rung, false, RungLaw::fingerprint));
+            RungLaw withRest = RungLaw.of(rung, ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM));
+            assertEquals(withoutRest.version() == 1 && withRest.version() == 1,
+                RungLaw.holds(RungLaw.WHOLE_LADDER, rung, true, RungLaw::fingerprint));
         }
     }
 
