@@ -37,7 +37,7 @@ final class ChipStart {
     private double placeX;
     private double placeY;
 
-    private ChipStart(ChipSettings settings, long seed) {
+    private ChipStart(PokerChipRaceSettings settings, long seed) {
         random = new JavaRandom(seed);
         players = settings.players();
         symmetric = settings.symmetric();
@@ -45,8 +45,8 @@ final class ChipStart {
         int drawnPerPlayer = random.nextInt(MOST_PER_PLAYER) + 1;
         double drawnRadius =
             Math.floor(random.nextDouble() * (GREATEST_RADIUS - LEAST_RADIUS) + LEAST_RADIUS + 0.5);
-        neutral = settings.neutral() == ChipSettings.DRAWN ? drawnNeutral : settings.neutral();
-        perPlayer = settings.perPlayer() == ChipSettings.DRAWN ? drawnPerPlayer : settings.perPlayer();
+        neutral = settings.neutral() == PokerChipRaceSettings.DRAWN ? drawnNeutral : settings.neutral();
+        perPlayer = settings.perPlayer() == PokerChipRaceSettings.DRAWN ? drawnPerPlayer : settings.perPlayer();
         playerRadius = Double.isNaN(settings.radius()) ? drawnRadius : settings.radius();
     }
 
@@ -54,7 +54,7 @@ final class ChipStart {
      * A table before the first turn, with room for all chips that can be ejected in a game. If no attempt finds a place
      * for every chip of the players, the game begins with the chips that the last one has placed.
      */
-    static ChipTable draw(ChipSettings settings, long seed) {
+    static ChipTable draw(PokerChipRaceSettings settings, long seed) {
         ChipStart start = new ChipStart(settings, seed);
         boolean placed = false;
         for (int attempt = 0; attempt < ATTEMPTS && !placed; attempt++) {
@@ -108,7 +108,7 @@ final class ChipStart {
                 add(third, playerRadius, 0 - placeX, 0 - placeY, 0, 0);
             }
         }
-        boolean four = players == ChipSettings.MOST_PLAYERS;
+        boolean four = players == PokerChipRaceSettings.MOST_PLAYERS;
         for (int k = 0; k < perPlayer; k++) {
             if (!findPlace(playerRadius)) {
                 return false;

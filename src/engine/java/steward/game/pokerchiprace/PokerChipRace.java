@@ -25,7 +25,7 @@ public final class PokerChipRace extends AbstractGame {
     private static final String[] EATEN_BY = {"eaten by player 0", "eaten by player 1", "eaten by player 2",
         "eaten by player 3"};
 
-    private final ChipSettings settings;
+    private final PokerChipRaceSettings settings;
     private final Plan plan;
     private final ChipTable table;
     private final Advance advance;
@@ -37,11 +37,11 @@ public final class PokerChipRace extends AbstractGame {
     private double[] angles = new double[8];
 
     /** A game before its first turn, drawn as {@link ChipStart} says. */
-    public PokerChipRace(ChipSettings settings, Plan plan, long seed) {
+    public PokerChipRace(PokerChipRaceSettings settings, Plan plan, long seed) {
         this(settings, plan, ChipStart.draw(settings, seed));
     }
 
-    private PokerChipRace(ChipSettings settings, Plan plan, ChipTable table) {
+    private PokerChipRace(PokerChipRaceSettings settings, Plan plan, ChipTable table) {
         super(settings.players());
         this.settings = settings;
         this.plan = plan;
@@ -113,7 +113,7 @@ public final class PokerChipRace extends AbstractGame {
 
     @Override
     public int fewestPlayers() {
-        return ChipSettings.FEWEST_PLAYERS;
+        return PokerChipRaceSettings.FEWEST_PLAYERS;
     }
 
     @Override
@@ -259,7 +259,7 @@ public final class PokerChipRace extends AbstractGame {
     }
 
     /** The settings from the scene. */
-    public ChipSettings settings() {
+    public PokerChipRaceSettings settings() {
         return settings;
     }
 

@@ -74,7 +74,7 @@ public final class SearchRace extends AbstractGame {
         motion = plan.motion();
         double[] start = checkpoints[0];
         bodies.setDrag(bodies.addPoint(start[0], start[1], 1), scene.drag());
-        heading = CarExpressions.wholeDegrees(
+        heading = OfficialSearchRace.wholeDegrees(
             StrictAngles.atan2(checkpoints[1][1] - start[1], checkpoints[1][0] - start[0]));
     }
 
@@ -149,7 +149,7 @@ public final class SearchRace extends AbstractGame {
             advance.turn(bodies, log);
         }
         motion.endTurn(bodies);
-        heading = CarExpressions.wholeDegrees(heading);
+        heading = OfficialSearchRace.wholeDegrees(heading);
         decideOutcome();
     }
 
@@ -160,9 +160,9 @@ public final class SearchRace extends AbstractGame {
             if (dx == 0 && dy == 0) {
                 return;
             }
-            heading = CarExpressions.turned(heading, dx, dy);
+            heading = OfficialSearchRace.turned(heading, dx, dy);
         } else if (order == Order.TURN) {
-            heading = CarExpressions.turnedBy(heading, degrees);
+            heading = OfficialSearchRace.turnedBy(heading, degrees);
         } else {
             return;
         }
@@ -207,7 +207,7 @@ public final class SearchRace extends AbstractGame {
 
     private double timeToNext(double x, double y) {
         double[] next = checkpoints[nextCheckpoint()];
-        return CarExpressions.timeTo(x - next[0], y - next[1], bodies.vx[0], bodies.vy[0],
+        return OfficialSearchRace.timeTo(x - next[0], y - next[1], bodies.vx[0], bodies.vy[0],
             settings.checkpointRadius());
     }
 
@@ -233,7 +233,7 @@ public final class SearchRace extends AbstractGame {
         } else if (timer + 1 >= settings.maximumTurns()) {
             end("lost: finished in the last of " + settings.maximumTurns() + " turns, too late to be declared");
         } else {
-            score = CarExpressions.shown(timer + passTime);
+            score = OfficialSearchRace.shown(timer + passTime);
             end("finished after " + settings.laps() + (settings.laps() == 1 ? " lap" : " laps"));
         }
     }

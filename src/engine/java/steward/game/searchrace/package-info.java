@@ -1,6 +1,6 @@
 /**
  * The rules of the search race, an optimisation for one player: a car passes checkpoints, and less time is better. Free
- * of JSON and of processes; {@link steward.game.searchrace.CarExpressions} holds the official arithmetic.
+ * of JSON and of processes; {@link steward.game.searchrace.OfficialSearchRace} holds the official arithmetic.
  */
 @Internal
 package steward.game.searchrace;

@@ -7,8 +7,8 @@ import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.io.StringReader;
 import steward.cli.shared.Games;
+import steward.game.podrace.protocol.PodRaceSimulation;
 import steward.game.podrace.protocol.PodRaceType;
-import steward.game.podrace.protocol.SimulatorProtocol;
 
 /** The protocol of {@code steward simulate} without a process. */
 final class Simulation {
@@ -19,7 +19,7 @@ final class Simulation {
     /** What is wrong with an input. */
     static String problemOf(String input) {
         PodRaceType.PodRaceSetup setup = (PodRaceType.PodRaceSetup) Games.open("mad-pod-racing");
-        SimulatorProtocol protocol = new SimulatorProtocol(setup, new BufferedReader(new StringReader(input)),
+        PodRaceSimulation protocol = new PodRaceSimulation(setup, new BufferedReader(new StringReader(input)),
             new PrintStream(new ByteArrayOutputStream()));
         return assertThrows(IllegalArgumentException.class, protocol::run).getMessage();
     }

@@ -18,7 +18,7 @@ final class FantasticBitsView implements ServerView {
 
     @Override
     public Shown open(ViewLines first, String input, int players) {
-        return new ShownMatch(first, input);
+        return new FantasticBitsShown(first, input);
     }
 
     @Override

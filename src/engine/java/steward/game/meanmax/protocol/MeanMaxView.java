@@ -30,7 +30,7 @@ final class MeanMaxView implements ServerView {
 
     @Override
     public Shown open(ViewLines first, String input, int players) {
-        return new ShownGame(first, input);
+        return new MeanMaxShown(first, input);
     }
 
     @Override

@@ -12,7 +12,7 @@ import steward.scene.Scene;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.io.SerializedString;
 
-/** What bots of the pod race are sent as JSON; answers are read by {@link PodAnswer}. */
+/** What bots of the pod race are sent as JSON; answers are read by {@link PodRaceAnswer}. */
 final class PodRaceFrames implements BotFrames {
 
     /** The names that every turn writes, encoded once. */
@@ -23,7 +23,7 @@ final class PodRaceFrames implements BotFrames {
 
     private final PodRace race;
     private final Scene scene;
-    private final PodAnswer answer;
+    private final PodRaceAnswer answer;
     private final PodJsonCache texts;
     private final String[] messages;
 
@@ -32,7 +32,7 @@ final class PodRaceFrames implements BotFrames {
         this.race = race;
         this.scene = scene;
         this.texts = texts;
-        answer = new PodAnswer(race.settings().podsPerPlayer(), race.settings().maximumThrust());
+        answer = new PodRaceAnswer(race.settings().podsPerPlayer(), race.settings().maximumThrust());
         messages = new String[race.players()];
     }
 

@@ -16,14 +16,14 @@ final class PodRaceState implements StateCodec {
     }
 
     private final PodRace race;
-    private final PodAnswer answer;
+    private final PodRaceAnswer answer;
     private final PodJsonCache texts;
 
     /** @param texts shared with the frames of the same race */
     PodRaceState(PodRace race, PodJsonCache texts) {
         this.race = race;
         this.texts = texts;
-        answer = new PodAnswer(race.settings().podsPerPlayer(), race.settings().maximumThrust());
+        answer = new PodRaceAnswer(race.settings().podsPerPlayer(), race.settings().maximumThrust());
     }
 
     @Override

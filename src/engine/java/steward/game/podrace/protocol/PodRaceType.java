@@ -54,7 +54,7 @@ public final class PodRaceType implements GameType {
     @Override
     @Internal
     public Optional<ViewWriter> viewWriter() {
-        return Optional.of(new PodViews());
+        return Optional.of(new PodRaceViews());
     }
 
     private static void checkRoom(Scene scene, PodRaceSettings settings) {
@@ -105,7 +105,7 @@ public final class PodRaceType implements GameType {
 
         @Override
         public boolean simulate(BufferedReader in, PrintStream out) throws IOException {
-            new SimulatorProtocol(this, in, out).run();
+            new PodRaceSimulation(this, in, out).run();
             return true;
         }
 
@@ -119,7 +119,7 @@ public final class PodRaceType implements GameType {
 
         @Override
         public Pilot pilot(Pilot.Aim aim) {
-            return (game, player, random) -> PodPilot.answer((PodRace) game, player, random, aim);
+            return (game, player, random) -> PodRacePilot.answer((PodRace) game, player, random, aim);
         }
 
         /** CodinGame's protocols: that of the single-pod leagues where each player has one pod. */

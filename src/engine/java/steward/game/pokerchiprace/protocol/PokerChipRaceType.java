@@ -12,12 +12,12 @@ import steward.game.ServerView;
 import steward.game.TextCodec;
 import steward.game.ViewWriter;
 import steward.game.pokerchiprace.ChipEating;
-import steward.game.pokerchiprace.ChipSettings;
-import steward.game.pokerchiprace.OfficialChips;
+import steward.game.pokerchiprace.OfficialPokerChipRace;
 import steward.game.pokerchiprace.PokerChipRace;
+import steward.game.pokerchiprace.PokerChipRaceSettings;
 import steward.physics.Arithmetic;
-import steward.physics.Contacts;
 import steward.physics.Contacts.Meaning;
+import steward.physics.Contacts;
 import steward.physics.PhysicsParts;
 import steward.scene.Accuracy;
 import steward.scene.GameOwn;
@@ -46,34 +46,34 @@ public final class PokerChipRaceType implements GameType {
     @Override
     @Internal
     public Optional<ViewWriter> viewWriter() {
-        return Optional.of(new ChipViews());
+        return Optional.of(new PokerChipRaceViews());
     }
 
     @Override
     public Optional<ServerView> serverView() {
-        return Optional.of(new ChipView());
+        return Optional.of(new PokerChipRaceView());
     }
 
     @Override
     public int fewestPlayers() {
-        return ChipSettings.FEWEST_PLAYERS;
+        return PokerChipRaceSettings.FEWEST_PLAYERS;
     }
 
     @Override
     public int mostPlayers() {
-        return ChipSettings.MOST_PLAYERS;
+        return PokerChipRaceSettings.MOST_PLAYERS;
     }
 
     @Override
     public PokerChipRaceSetup open(Scene scene) {
-        ChipSettings settings = ChipSettings.read(scene);
+        PokerChipRaceSettings settings = PokerChipRaceSettings.read(scene);
         scene.root().done();
         Contacts contacts = new Contacts(1).set(0, 0, Meaning.ASK).setWall(0, Meaning.ASK);
         Plan plan = Plan.of(scene, contacts, 1, false, 0, List.of(
             new Part("pushes", true, "chips eject a fifteenth of their area", Part.When.COMMANDS),
             new Part("eating", true, "the bigger chip eats the smaller, equal ones bounce"
                 + (isOfficial(scene) ? "; impacts within 1e-5 turns react together" : ""), Part.When.OUTCOME)),
-            new GameOwn(OfficialChips::new, null, ""));
+            new GameOwn(OfficialPokerChipRace::new, null, ""));
         return new PokerChipRaceSetup(scene, settings, plan);
     }
 
@@ -88,7 +88,7 @@ public final class PokerChipRaceType implements GameType {
      * @param settings its block {@code chips}
      * @param plan     the parts that the scene requires
      */
-    public record PokerChipRaceSetup(Scene scene, ChipSettings settings, Plan plan) implements GameSetup {
+    public record PokerChipRaceSetup(Scene scene, PokerChipRaceSettings settings, Plan plan) implements GameSetup {
 
         @Override
         public PokerChipRace create(long seed) {
@@ -102,19 +102,19 @@ public final class PokerChipRaceType implements GameType {
 
         @Override
         public Pilot pilot(Pilot.Aim aim) {
-            return new ChipPilot(aim);
+            return new PokerChipRacePilot(aim);
         }
 
         @Override
         public FrameCodec codec(Game game) {
             PokerChipRace of = (PokerChipRace) game;
-            return new FrameCodec(new ChipFrames(of), new ChipState(of),
-                new ChipDrawing(of, scene.field().orElseThrow().walls()));
+            return new FrameCodec(new PokerChipRaceFrames(of), new PokerChipRaceState(of),
+                new PokerChipRaceDrawing(of, scene.field().orElseThrow().walls()));
         }
 
         @Override
         public Optional<TextCodec> textCodec(Game game) {
-            return Optional.of(new ChipText((PokerChipRace) game));
+            return Optional.of(new PokerChipRaceText((PokerChipRace) game));
         }
     }
 }

@@ -3,18 +3,18 @@ package steward.game.searchrace.protocol;
 import steward.game.BotFrames;
 import steward.game.DrawingJson;
 import steward.game.JsonNumbers;
-import steward.game.searchrace.CarExpressions;
+import steward.game.searchrace.OfficialSearchRace;
 import steward.game.searchrace.SearchRace;
 import steward.game.searchrace.SearchRaceSettings;
 import steward.scene.Scene;
 import tools.jackson.core.JsonGenerator;
 
-/** What bots of the search race are sent as JSON; answers are read by {@link CarAnswer}. */
+/** What bots of the search race are sent as JSON; answers are read by {@link SearchRaceAnswer}. */
 final class SearchRaceFrames implements BotFrames {
 
     private final SearchRace race;
     private final Scene scene;
-    private final CarAnswer answer = CarAnswer.ofBot();
+    private final SearchRaceAnswer answer = SearchRaceAnswer.ofBot();
     private String message;
 
     SearchRaceFrames(SearchRace race, Scene scene) {
@@ -45,7 +45,7 @@ final class SearchRaceFrames implements BotFrames {
         JsonNumbers.write(out, "y", race.bodies().y[0]);
         JsonNumbers.write(out, "vx", race.bodies().vx[0]);
         JsonNumbers.write(out, "vy", race.bodies().vy[0]);
-        out.writeNumberProperty("heading", CarExpressions.degrees(race.heading()));
+        out.writeNumberProperty("heading", OfficialSearchRace.degrees(race.heading()));
         out.writeNumberProperty("passed", race.passed());
         out.writeNumberProperty("nextCheckpoint", race.nextCheckpoint());
         JsonNumbers.writeOrNull(out, "passTime",

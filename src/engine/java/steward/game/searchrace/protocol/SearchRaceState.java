@@ -11,7 +11,7 @@ import tools.jackson.core.JsonParser;
 final class SearchRaceState implements StateCodec {
 
     private final SearchRace race;
-    private final CarAnswer command = CarAnswer.ofReplay();
+    private final SearchRaceAnswer command = SearchRaceAnswer.ofReplay();
 
     SearchRaceState(SearchRace race) {
         this.race = race;

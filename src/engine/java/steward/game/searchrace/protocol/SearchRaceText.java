@@ -3,7 +3,7 @@ package steward.game.searchrace.protocol;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import steward.game.TextCodec;
-import steward.game.searchrace.CarExpressions;
+import steward.game.searchrace.OfficialSearchRace;
 import steward.game.searchrace.SearchRace;
 import steward.game.searchrace.SearchRaceSettings;
 import steward.text.TextFormat;
@@ -48,7 +48,7 @@ final class SearchRaceText implements TextCodec {
         append(out, race.bodies().y[0]);
         append(out, race.bodies().vx[0]);
         append(out, race.bodies().vy[0]);
-        out.append(' ').append(CarExpressions.degrees(race.heading())).append('\n');
+        out.append(' ').append(OfficialSearchRace.degrees(race.heading())).append('\n');
         if (race.wantsTimes()) {
             out.append(NumberOutput.toString(race.passTime(), true)).append('\n');
         }

@@ -100,7 +100,7 @@ public final class SearchRaceType implements GameType {
 
         @Override
         public boolean simulate(BufferedReader in, PrintStream out) throws IOException {
-            new CarSimulator(this, in, out).run();
+            new SearchRaceSimulation(this, in, out).run();
             return true;
         }
 
@@ -118,7 +118,7 @@ public final class SearchRaceType implements GameType {
 
         @Override
         public Pilot pilot(Pilot.Aim aim) {
-            return (game, player, random) -> CarPilot.answer((SearchRace) game, random);
+            return (game, player, random) -> SearchRacePilot.answer((SearchRace) game, random);
         }
     }
 }

@@ -18,12 +18,12 @@ final class SearchRaceView implements ServerView {
     @Override
     public boolean isOf(ViewLines first) {
         JsonNode frame = GraphicsLines.json(first.line(1));
-        return frame != null && !ShownRace.places(frame).isEmpty();
+        return frame != null && !SearchRaceShown.places(frame).isEmpty();
     }
 
     @Override
     public Shown open(ViewLines first, String input, int players) {
-        return new ShownRace(first, input);
+        return new SearchRaceShown(first, input);
     }
 
     @Override

@@ -11,13 +11,13 @@ import java.util.TreeMap;
 import steward.game.Game;
 import steward.game.TurnEvent;
 import steward.game.ViewWriter;
-import steward.game.searchrace.CarExpressions;
+import steward.game.searchrace.OfficialSearchRace;
 import steward.game.searchrace.SearchRace;
 import steward.numerics.StrictAngles;
 
 /**
- * What the server shows of the search race, in the form that {@link ShownRace} tells, as {@link GraphicsLines}: places
- * in pixels, angles in whole degrees cut off, scales with six digits; of each the first time and when it changes.
+ * View of the server of the search race, in the form that {@link SearchRaceShown} tells, as {@link GraphicsLines}:
+ * places in pixels, angles in whole degrees cut off, scales with six digits; of each the first time and when it changes.
  */
 final class SearchRaceViews implements ViewWriter {
 
@@ -221,7 +221,7 @@ final class SearchRaceViews implements ViewWriter {
     }
 
     private static String degrees(double radians) {
-        return Integer.toString((int) (radians * CarExpressions.DEGREES));
+        return Integer.toString((int) (radians * OfficialSearchRace.DEGREES));
     }
 
     private static String quoted(String text) {

@@ -16,7 +16,7 @@ class AnswerSchemaTest {
 
     private static boolean isRead(String answer) {
         byte[] bytes = answer.getBytes(StandardCharsets.UTF_8);
-        return new PodAnswer(1, 200).read(bytes, bytes.length) == null;
+        return new PodRaceAnswer(1, 200).read(bytes, bytes.length) == null;
     }
 
     private static boolean isValid(String answer) {

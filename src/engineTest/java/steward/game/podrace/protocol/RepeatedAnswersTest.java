@@ -31,7 +31,7 @@ class RepeatedAnswersTest {
             + "{\"x\":9,\"y\":1,\"thrust\":0}]}" + " ".repeat(9000),
         "{\"pods\":[{\"x\":7,\"y\":8,\"boost\":true},{\"x\":9,\"y\":1,\"thrust\":0}]}" + " ".repeat(9000) + "1");
 
-    private static String said(PodAnswer answer, String line) {
+    private static String said(PodRaceAnswer answer, String line) {
         byte[] bytes = line.getBytes(StandardCharsets.UTF_8);
         String wrong = answer.read(bytes, bytes.length);
         return wrong != null ? wrong : answer + ", " + answer.message();
@@ -40,11 +40,11 @@ class RepeatedAnswersTest {
     @Test
     void whateverCameBefore() {
         SplitMix64 random = new SplitMix64(4);
-        PodAnswer reused = new PodAnswer(2, 200);
+        PodRaceAnswer reused = new PodRaceAnswer(2, 200);
         for (int k = 0; k < 5000; k++) {
             String line = LINES.get(random.nextInt(LINES.size()));
 
-            assertEquals(said(new PodAnswer(2, 200), line), said(reused, line), "seed 4, line " + k);
+            assertEquals(said(new PodRaceAnswer(2, 200), line), said(reused, line), "seed 4, line " + k);
         }
     }
 
@@ -52,7 +52,7 @@ class RepeatedAnswersTest {
     @Test
     void nothingStandsBehindAPlainAnswer() {
         String good = "{\"pods\":[{\"x\":1,\"y\":2.5,\"thrust\":100},{\"x\":-3,\"y\":2,\"shield\":true}]}";
-        PodAnswer answer = new PodAnswer(2, 200);
+        PodRaceAnswer answer = new PodRaceAnswer(2, 200);
         String read = said(answer, good);
         assertTrue(read.startsWith("x [1.0, -3.0]"), read);
         for (char behind = 0; behind < 0x180; behind++) {
@@ -75,8 +75,8 @@ class RepeatedAnswersTest {
         for (int k = 0; k < 60_000; k++) {
             String pods = "{\"pods\":[" + pod(random) + "," + pod(random) + "]";
             String damaged = k % 2 == 0 ? pods : damaged(pods, random);
-            String plain = said(new PodAnswer(2, 200), damaged + "}");
-            String parsed = said(new PodAnswer(2, 200), damaged + ",\"message\":\"\"}");
+            String plain = said(new PodRaceAnswer(2, 200), damaged + "}");
+            String parsed = said(new PodRaceAnswer(2, 200), damaged + ",\"message\":\"\"}");
             if (plain.startsWith("x [")) {
                 good++;
                 assertEquals(plain.substring(0, plain.lastIndexOf(',')),
@@ -121,12 +121,12 @@ class RepeatedAnswersTest {
     /** A program that writes two bytes for a character was understood, if it did so from its first line on. */
     @Test
     void linesInOtherEncodings() {
-        PodAnswer reused = new PodAnswer(2, 200);
+        PodRaceAnswer reused = new PodRaceAnswer(2, 200);
         for (String line : List.of(LINES.get(0), LINES.get(1), LINES.get(0))) {
             for (var charset : List.of(StandardCharsets.UTF_16BE, StandardCharsets.UTF_8, StandardCharsets.UTF_16LE)) {
                 byte[] bytes = line.getBytes(charset);
 
-                assertEquals(new PodAnswer(2, 200).read(bytes, bytes.length), reused.read(bytes, bytes.length),
+                assertEquals(new PodRaceAnswer(2, 200).read(bytes, bytes.length), reused.read(bytes, bytes.length),
                     charset.name());
             }
         }

@@ -15,7 +15,7 @@ import steward.physics.event.OfficialLoop;
  * <p>Chips that overlap meet once: the pair remembers its contact, in {@link Bodies#passing}, until time passes. Every
  * look first moves chips that stand in a wall into the table.
  */
-public final class OfficialChips extends OfficialLoop {
+public final class OfficialPokerChipRace extends OfficialLoop {
 
     private static final int LEFT = 0;
     private static final int TOP = 1;
@@ -40,7 +40,7 @@ public final class OfficialChips extends OfficialLoop {
     private final double[] r = new double[2];
 
     /** @param parts of a scene of this game in the official arithmetic */
-    public OfficialChips(PhysicsParts parts) {
+    public OfficialPokerChipRace(PhysicsParts parts) {
         super(parts, true);
     }
 

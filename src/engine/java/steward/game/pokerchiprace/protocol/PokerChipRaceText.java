@@ -21,7 +21,7 @@ import tools.jackson.core.io.NumberOutput;
  * with places counted from the corner of the table. The answer is one line for each of its own chips: {@code WAIT} or
  * {@code X Y}, each with an optional message. Lines before a bad one take effect.
  */
-final class ChipText implements TextCodec {
+final class PokerChipRaceText implements TextCodec {
 
     private static final int DECIMALS = 6;
 
@@ -31,7 +31,7 @@ final class ChipText implements TextCodec {
     private final PokerChipRace game;
     private final String[] messages;
 
-    ChipText(PokerChipRace game) {
+    PokerChipRaceText(PokerChipRace game) {
         this.game = game;
         messages = new String[game.players()];
     }

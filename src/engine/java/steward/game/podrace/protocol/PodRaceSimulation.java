@@ -20,7 +20,7 @@ import steward.game.podrace.PodState;
  * counts down; {@code boosted} is 1 once the boost is used up. Every state is complete: headings are set.
  */
 @Internal
-public final class SimulatorProtocol extends SimulationLines {
+public final class PodRaceSimulation extends SimulationLines {
 
     private static final int PODS = 4;
 
@@ -30,7 +30,7 @@ public final class SimulatorProtocol extends SimulationLines {
      * @param setup a race of four pods
      * @throws IllegalArgumentException if the race has another number of pods
      */
-    public SimulatorProtocol(PodRaceType.PodRaceSetup setup, BufferedReader in, PrintStream out) {
+    public PodRaceSimulation(PodRaceType.PodRaceSetup setup, BufferedReader in, PrintStream out) {
         super(in, out);
         if (setup.settings().pods() != PODS) {
             throw new IllegalArgumentException("the scene has " + setup.settings().pods() + " pods, expected " + PODS);

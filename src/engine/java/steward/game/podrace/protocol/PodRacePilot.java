@@ -7,7 +7,7 @@ import steward.game.podrace.PodState;
 import steward.numerics.SplitMix64;
 
 /** Seeded commands for the pods of a player: those of races, of a brawl, and of a crowd in the middle. */
-final class PodPilot {
+final class PodRacePilot {
 
     /** One of this many commands is a shield. */
     private static final int SHIELDS = 25;
@@ -20,7 +20,7 @@ final class PodPilot {
     /** A pod that shall stop somewhere gets a unit of thrust per this many u of distance. */
     private static final int BRAKE = 10;
 
-    private PodPilot() {
+    private PodRacePilot() {
     }
 
     static String answer(PodRace race, int player, SplitMix64 random, Pilot.Aim aim) {

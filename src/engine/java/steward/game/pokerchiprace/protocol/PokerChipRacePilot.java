@@ -12,7 +12,7 @@ import steward.physics.Bodies;
  * Chips by rule: now and then each is pushed toward the nearest smaller chip. Those that gather head for the centre;
  * those that mingle for anywhere on the table.
  */
-final class ChipPilot implements Pilot {
+final class PokerChipRacePilot implements Pilot {
 
     /** One of this many commands is a push. */
     private static final int PUSHES = 4;
@@ -21,7 +21,7 @@ final class ChipPilot implements Pilot {
 
     private final Aim aim;
 
-    ChipPilot(Aim aim) {
+    PokerChipRacePilot(Aim aim) {
         this.aim = aim;
     }
 

@@ -18,7 +18,7 @@ import tools.jackson.core.io.NumberOutput;
  * with two digits behind the point, and the scores. Speeds are not shown. Points of paths, and the angles by which the
  * site turns its pictures, are not read.
  */
-final class ChipView implements ServerView {
+final class PokerChipRaceView implements ServerView {
 
     private static final int DIGITS = 2;
 
@@ -29,7 +29,7 @@ final class ChipView implements ServerView {
 
     @Override
     public Shown open(ViewLines first, String input, int players) {
-        return new ShownTable(first, input);
+        return new PokerChipRaceShown(first, input);
     }
 
     @Override

@@ -7,7 +7,7 @@ import steward.numerics.StrictAngles;
  * headings and times have its bits. Degrees and radians are converted by one multiplication, as the JDK has done since
  * 9.
  */
-public final class CarExpressions {
+public final class OfficialSearchRace {
 
     /** No checkpoint is reached on this course. */
     static final double NEVER = Double.POSITIVE_INFINITY;
@@ -18,7 +18,7 @@ public final class CarExpressions {
     public static final double DEGREES = 57.29577951308232;
     private static final double RADIANS = 0.017453292519943295;
 
-    private CarExpressions() {
+    private OfficialSearchRace() {
     }
 
     /**

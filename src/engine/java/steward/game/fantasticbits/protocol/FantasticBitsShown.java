@@ -26,7 +26,7 @@ import tools.jackson.core.JsonGenerator;
  * What the server's referee was given, {@code refereeInput}, has a line {@code seed=}. Which variant was played it does
  * not tell: today's is taken.
  */
-final class ShownMatch implements ServerView.Shown {
+final class FantasticBitsShown implements ServerView.Shown {
 
     private static final int FIRST_LINE_OF_START = 6;
     private static final int MOST = 1000;
@@ -42,7 +42,7 @@ final class ShownMatch implements ServerView.Shown {
     private record Turn(List<Entity> entities, int[] scores, int[] magic) {
     }
 
-    ShownMatch(ViewLines first, String input) {
+    FantasticBitsShown(ViewLines first, String input) {
         seed = ShownSeed.required(input, first.source());
         start = read(first, FIRST_LINE_OF_START);
     }

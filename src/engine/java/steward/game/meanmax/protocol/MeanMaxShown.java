@@ -28,7 +28,7 @@ import tools.jackson.core.JsonGenerator;
  * an effect   id                      when it is new id x y looter 0 type radius
  * </pre>
  */
-final class ShownGame implements ServerView.Shown {
+final class MeanMaxShown implements ServerView.Shown {
 
     private static final String SCENE = "mean-max";
     private static final int PLAYERS_LINE = 2;
@@ -48,7 +48,7 @@ final class ShownGame implements ServerView.Shown {
     private final Map<Integer, ShownTurn.Wreck> wrecks = new TreeMap<>();
     private final Map<Integer, ShownTurn.Effect> effects = new TreeMap<>();
 
-    ShownGame(ViewLines first, String input) {
+    MeanMaxShown(ViewLines first, String input) {
         seed = ShownSeed.required(input, first.source());
         if (!first.line(PLAYERS_LINE).strip().equals(Integer.toString(PLAYERS))) {
             throw first.wrong(PLAYERS_LINE, PLAYERS + ", the number of players");

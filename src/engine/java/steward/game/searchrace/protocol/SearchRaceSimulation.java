@@ -5,7 +5,7 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import steward.game.SimulationLines;
-import steward.game.searchrace.CarExpressions;
+import steward.game.searchrace.OfficialSearchRace;
 import steward.game.searchrace.SearchRace;
 import tools.jackson.core.io.NumberOutput;
 
@@ -18,13 +18,13 @@ import tools.jackson.core.io.NumberOutput;
  * and its answer the new state in the same form, followed by the time of the last checkpoint passed in the turn (2.0 if
  * none was).
  */
-final class CarSimulator extends SimulationLines {
+final class SearchRaceSimulation extends SimulationLines {
 
     private static final String[] STATE = {"x", "y", "vx", "vy", "angleDegrees", "passed"};
 
     private final SearchRaceType.SearchRaceSetup setup;
 
-    CarSimulator(SearchRaceType.SearchRaceSetup setup, BufferedReader in, PrintStream out) {
+    SearchRaceSimulation(SearchRaceType.SearchRaceSetup setup, BufferedReader in, PrintStream out) {
         super(in, out);
         this.setup = setup;
     }
@@ -37,7 +37,7 @@ final class CarSimulator extends SimulationLines {
         for (int k = 0; k < state.length; k++) {
             state[k] = number(words[k], STATE[k]);
         }
-        race.set(state[0], state[1], state[2], state[3], CarExpressions.radians(state[4]),
+        race.set(state[0], state[1], state[2], state[3], OfficialSearchRace.radians(state[4]),
             whole(words[5], "passed", 0, race.toFinish() - 1), 0, SearchRace.NOT_PASSED);
         byte[] command = required("command: X Y THRUST or EXPERT ANGLE THRUST").getBytes(StandardCharsets.UTF_8);
         String wrong = new SearchRaceText(race).readAnswer(0, command, command.length);
@@ -46,7 +46,7 @@ final class CarSimulator extends SimulationLines {
         }
         race.play();
         return plain(race.bodies().x[0]) + " " + plain(race.bodies().y[0]) + " " + plain(race.bodies().vx[0]) + " "
-            + plain(race.bodies().vy[0]) + " " + CarExpressions.degrees(race.heading()) + " " + race.passed() + " "
+            + plain(race.bodies().vy[0]) + " " + OfficialSearchRace.degrees(race.heading()) + " " + race.passed() + " "
             + NumberOutput.toString(race.passTime(), true) + System.lineSeparator();
     }
 }

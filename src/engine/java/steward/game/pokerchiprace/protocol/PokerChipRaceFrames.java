@@ -7,17 +7,17 @@ import steward.game.pokerchiprace.PokerChipRace;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.io.SerializedString;
 
-/** What bots are sent as JSON; answers are read by {@link ChipAnswer}. */
-final class ChipFrames implements BotFrames {
+/** What bots are sent as JSON; answers are read by {@link PokerChipRaceAnswer}. */
+final class PokerChipRaceFrames implements BotFrames {
 
     private static final SerializedString CHIPS = new SerializedString("chips");
     private static final SerializedString OWN = new SerializedString("own");
 
     private final PokerChipRace game;
-    private final ChipAnswer answer = ChipAnswer.ofBot();
+    private final PokerChipRaceAnswer answer = PokerChipRaceAnswer.ofBot();
     private final String[] messages;
 
-    ChipFrames(PokerChipRace game) {
+    PokerChipRaceFrames(PokerChipRace game) {
         this.game = game;
         messages = new String[game.players()];
     }

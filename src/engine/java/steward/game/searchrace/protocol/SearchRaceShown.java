@@ -18,7 +18,7 @@ import tools.jackson.databind.JsonNode;
  * numbered as the referee makes them: {@link SearchRaceViews} names them. The tooltips have whole places; a race that
  * is finished is declared so in a frame more, in which nobody is asked.
  */
-final class ShownRace implements ServerView.Shown {
+final class SearchRaceShown implements ServerView.Shown {
 
     private static final Pattern CHECKPOINT = Pattern.compile("Checkpoint\nx = (-?[0-9]{1,7})\ny = (-?[0-9]{1,7})");
     private static final Pattern CAR = Pattern.compile("Car\nx = (-?[0-9]{1,9})\ny = (-?[0-9]{1,9})");
@@ -36,7 +36,7 @@ final class ShownRace implements ServerView.Shown {
     private record Turn(String x, String y, int passed, int timer) {
     }
 
-    ShownRace(ViewLines first, String input) {
+    SearchRaceShown(ViewLines first, String input) {
         checkpoints = List.copyOf(places(GraphicsLines.json(first.line(1))).values());
         if (checkpoints.size() < 2) {
             throw first.wrong(1, "tooltips of two checkpoints at least");

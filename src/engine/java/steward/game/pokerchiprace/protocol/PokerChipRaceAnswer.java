@@ -11,25 +11,25 @@ import tools.jackson.core.JsonParser;
  * player's list, each
  * <pre>{"x":1,"y":2}   {"wait":true}</pre>
  */
-final class ChipAnswer extends CommandsAnswer<ChipCommand> {
+final class PokerChipRaceAnswer extends CommandsAnswer<ChipCommand> {
 
     private int chips;
     private boolean waits;
 
-    private ChipAnswer(double farthest) {
+    private PokerChipRaceAnswer(double farthest) {
         super("chips", farthest, "x", "y", "wait");
     }
 
-    static ChipAnswer ofBot() {
-        return new ChipAnswer(FARTHEST);
+    static PokerChipRaceAnswer ofBot() {
+        return new PokerChipRaceAnswer(FARTHEST);
     }
 
-    static ChipAnswer ofReplay() {
-        return new ChipAnswer(Double.MAX_VALUE);
+    static PokerChipRaceAnswer ofReplay() {
+        return new PokerChipRaceAnswer(Double.MAX_VALUE);
     }
 
     /** Says how many commands the next answer must have. */
-    ChipAnswer expect(int number) {
+    PokerChipRaceAnswer expect(int number) {
         chips = number;
         return this;
     }

@@ -11,12 +11,12 @@ import steward.physics.Wall;
 import tools.jackson.core.JsonGenerator;
 
 /** What there is to draw: the table, its walls, and the players' chips at the start; their radii are in the states. */
-final class ChipDrawing implements Drawing {
+final class PokerChipRaceDrawing implements Drawing {
 
     private final PokerChipRace game;
     private final List<Wall> walls;
 
-    ChipDrawing(PokerChipRace game, List<Wall> walls) {
+    PokerChipRaceDrawing(PokerChipRace game, List<Wall> walls) {
         this.game = game;
         this.walls = walls;
     }

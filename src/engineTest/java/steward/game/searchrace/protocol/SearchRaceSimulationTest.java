@@ -14,7 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Tests of simulators, as lines. */
-class CarSimulatorTest {
+class SearchRaceSimulationTest {
 
     private static final String COURSE = "3\n0 0\n5000 0\n10000 0\n";
 

@@ -10,7 +10,7 @@ import tools.jackson.core.JsonToken;
  * Reads one answer, {@code {"x":1,"y":2.5,"thrust":100}} or {@code {"turn":-18,"thrust":200}}, and the same as a replay
  * keeps it, where {@code "debug":true} says that the answer's message asked for times.
  */
-final class CarAnswer extends JsonAnswer {
+final class SearchRaceAnswer extends JsonAnswer {
 
     private double x;
     private double y;
@@ -18,16 +18,16 @@ final class CarAnswer extends JsonAnswer {
     private double thrust;
     private boolean debug;
 
-    private CarAnswer(String... fields) {
+    private SearchRaceAnswer(String... fields) {
         super(fields);
     }
 
-    static CarAnswer ofBot() {
-        return new CarAnswer("x", "y", "turn", "thrust");
+    static SearchRaceAnswer ofBot() {
+        return new SearchRaceAnswer("x", "y", "turn", "thrust");
     }
 
-    static CarAnswer ofReplay() {
-        return new CarAnswer("x", "y", "turn", "thrust", "debug");
+    static SearchRaceAnswer ofReplay() {
+        return new SearchRaceAnswer("x", "y", "turn", "thrust", "debug");
     }
 
     @Override

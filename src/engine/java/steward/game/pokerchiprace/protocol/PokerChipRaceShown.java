@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Map;
 import steward.game.ServerView;
 import steward.game.ShownSeed;
-import steward.game.pokerchiprace.ChipSettings;
 import steward.game.pokerchiprace.ChipTable;
+import steward.game.pokerchiprace.PokerChipRaceSettings;
 import steward.scene.SceneFiles;
 import steward.text.ViewLines;
 import tools.jackson.core.JsonGenerator;
@@ -23,7 +23,7 @@ import tools.jackson.core.JsonGenerator;
  * </pre>
  * What the server's referee was given, {@code refereeInput}, has a line {@code seed=} and the settings of the start.
  */
-final class ShownTable implements ServerView.Shown {
+final class PokerChipRaceShown implements ServerView.Shown {
 
     private static final String SCENE = "poker-chip-race";
     private static final Map<String, String> SETTINGS = Map.of("player_initial_radius", "radius",
@@ -43,15 +43,15 @@ final class ShownTable implements ServerView.Shown {
     private final List<Turn> shown = new ArrayList<>();
 
     /** What is on the table. */
-    private record Turn(List<ChipView.Chip> chips, int[] scores) {
+    private record Turn(List<PokerChipRaceView.Chip> chips, int[] scores) {
     }
 
-    ShownTable(ViewLines first, String input) {
+    PokerChipRaceShown(ViewLines first, String input) {
         String[] sizes = first.words(SIZES_LINE);
         if (sizes.length != SIZES) {
             throw first.wrong(SIZES_LINE, "players, width, height and the most turns");
         }
-        players = first.whole(sizes[0], ChipSettings.MOST_PLAYERS, SIZES_LINE);
+        players = first.whole(sizes[0], PokerChipRaceSettings.MOST_PLAYERS, SIZES_LINE);
         readInput(first.source(), input);
         seed = ShownSeed.required(input, first.source());
         start = read(first, FIRST_LINE_OF_START);
@@ -93,7 +93,7 @@ final class ShownTable implements ServerView.Shown {
             throw view.wrong(first, "how many chips there are");
         }
         int behind = first + 1 + view.whole(counts[0], MOST, first);
-        List<ChipView.Chip> chips = new ArrayList<>();
+        List<PokerChipRaceView.Chip> chips = new ArrayList<>();
         for (int line = first + 1; line < behind; line++) {
             readChip(view, line, chips);
         }
@@ -112,7 +112,7 @@ final class ShownTable implements ServerView.Shown {
     }
 
     /** A chip that was eaten in this turn is shown with a radius below 0, and is no longer there. */
-    private void readChip(ViewLines view, int line, List<ChipView.Chip> chips) {
+    private void readChip(ViewLines view, int line, List<PokerChipRaceView.Chip> chips) {
         String[] words = view.words(line);
         if (words.length < CHIP_WORDS
             || words.length < CHIP_WORDS + POINT_WORDS * view.whole(words[CHIP_WORDS - 1], MOST, line)) {
@@ -123,7 +123,8 @@ final class ShownTable implements ServerView.Shown {
             : view.whole(words[1], players - 1, line);
         double radius = view.number(words[2], line);
         if (radius >= 0) {
-            chips.add(new ChipView.Chip(view.whole(words[0], MOST, line), owner, radius, view.number(words[3], line),
+            chips.add(new PokerChipRaceView.Chip(view.whole(words[0], MOST, line), owner, radius,
+                view.number(words[3], line),
                 view.number(words[4], line)));
         }
     }
@@ -135,7 +136,7 @@ final class ShownTable implements ServerView.Shown {
 
     private static void writeChips(JsonGenerator out, Turn turn) {
         out.writeArrayPropertyStart("bodies");
-        turn.chips.forEach(chip -> ChipView.write(out, chip));
+        turn.chips.forEach(chip -> PokerChipRaceView.write(out, chip));
         out.writeEndArray();
     }
 

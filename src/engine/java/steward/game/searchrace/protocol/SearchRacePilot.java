@@ -4,7 +4,7 @@ import steward.game.searchrace.SearchRace;
 import steward.numerics.SplitMix64;
 
 /** Seeded commands for the car: it aims at the next checkpoint against its drift, and misses a little. */
-final class CarPilot {
+final class SearchRacePilot {
 
     /** How many turns of its velocity a car aims short of its checkpoint, so that the drift carries it there. */
     private static final int DRIFT = 3;
@@ -13,7 +13,7 @@ final class CarPilot {
     /** One of this many commands turns by degrees. */
     private static final int TURNS = 10;
 
-    private CarPilot() {
+    private SearchRacePilot() {
     }
 
     static String answer(SearchRace race, SplitMix64 random) {

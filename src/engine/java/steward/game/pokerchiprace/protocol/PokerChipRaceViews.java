@@ -23,10 +23,10 @@ import steward.scene.Scene;
 import tools.jackson.core.io.NumberOutput;
 
 /**
- * View of the server of the Poker Chip Race, in the form that {@link ShownTable} tells: every frame shows all chips;
- * those eaten in a turn come last in the frame that ends it, in the order in which they were eaten.
+ * View of the server of the Poker Chip Race, in the form that {@link PokerChipRaceShown} tells: every frame shows all
+ * chips; those eaten in a turn come last in the frame that ends it, in the order in which they were eaten.
  */
-final class ChipViews implements ViewWriter {
+final class PokerChipRaceViews implements ViewWriter {
 
     private static final int LONGEST_MESSAGE = 20;
     private static final int PLACE = 2;

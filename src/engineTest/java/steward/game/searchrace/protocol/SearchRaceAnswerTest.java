@@ -14,7 +14,7 @@ import steward.game.TextCodec;
 import steward.game.searchrace.SearchRace;
 
 /** Answers of bots in both protocols: what is taken, and what is said of the others. */
-class CarAnswerTest {
+class SearchRaceAnswerTest {
 
     private final SearchRace race = SearchRaces.onMap("0 0;5000 0;10000 0");
     private final FrameCodec codec = SearchRaces.changed().codec(race);

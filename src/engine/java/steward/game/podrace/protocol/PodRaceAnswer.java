@@ -14,7 +14,7 @@ import tools.jackson.core.JsonParser;
  * and what a replay keeps of it.
  */
 @Internal
-public final class PodAnswer extends CommandsAnswer<Void> {
+public final class PodRaceAnswer extends CommandsAnswer<Void> {
 
     private static final int NOT_GIVEN = Integer.MIN_VALUE;
 
@@ -37,7 +37,7 @@ public final class PodAnswer extends CommandsAnswer<Void> {
      * @param pods          how many pods an answer must command
      * @param maximumThrust the greatest ordinary thrust
      */
-    public PodAnswer(int pods, int maximumThrust) {
+    public PodRaceAnswer(int pods, int maximumThrust) {
         super("pods", Double.MAX_VALUE, "x", "y", "thrust", "shield", "boost");
         this.maximumThrust = maximumThrust;
         targetX = new double[pods];

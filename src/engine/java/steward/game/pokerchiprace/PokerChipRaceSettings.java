@@ -19,7 +19,7 @@ import steward.scene.json.Block;
  * @param symmetric    whether the start is symmetric
  * @param maximumTurns turns after which the game ends, 1..1000
  */
-public record ChipSettings(int players, int neutral, int perPlayer, double radius, boolean symmetric,
+public record PokerChipRaceSettings(int players, int neutral, int perPlayer, double radius, boolean symmetric,
                            int maximumTurns) {
 
     /** A number that the seed decides. */
@@ -46,7 +46,7 @@ public record ChipSettings(int players, int neutral, int perPlayer, double radiu
      *
      * @throws steward.scene.json.SceneException if something is missing or not as the game needs it
      */
-    public static ChipSettings read(Scene scene) {
+    public static PokerChipRaceSettings read(Scene scene) {
         Block root = scene.root();
         if (root.contains("motion")) {
             throw root.error("motion", "a block motion", "none: nothing slows a chip down and nothing is rounded");
@@ -68,7 +68,7 @@ public record ChipSettings(int players, int neutral, int perPlayer, double radiu
         int perPlayer = chips.integer("perPlayer", 1, MOST_PER_PLAYER, DRAWN);
         double radius = chips.number("radius", LEAST_RADIUS, GREATEST_RADIUS, Double.NaN);
         boolean symmetric = chips.flag("symmetric", scene.players() >= MOST_PLAYERS);
-        return new ChipSettings(scene.players(), neutral, perPlayer, radius, symmetric, turns);
+        return new PokerChipRaceSettings(scene.players(), neutral, perPlayer, radius, symmetric, turns);
     }
 
     /** The order counts, because impacts name a wall by its place in it. */

@@ -18,7 +18,7 @@ import steward.physics.Impact;
  * elimination; where they are silent the published referee: a pod that was told to aim at its own place shows the
  * thrust that it was given.
  */
-final class PodViews implements ViewWriter {
+final class PodRaceViews implements ViewWriter {
 
     private static final int FIELD_WIDTH = 16000;
     private static final int FIELD_HEIGHT = 9000;

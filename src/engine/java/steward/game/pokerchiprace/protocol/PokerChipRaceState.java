@@ -1,7 +1,7 @@
 package steward.game.pokerchiprace.protocol;
 
-import steward.game.JsonNumbers;
 import steward.game.CommandListState;
+import steward.game.JsonNumbers;
 import steward.game.pokerchiprace.ChipCommand;
 import steward.game.pokerchiprace.ChipTable;
 import steward.game.pokerchiprace.PokerChipRace;
@@ -10,18 +10,18 @@ import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.io.SerializedString;
 
 /** Commands and states of the Poker Chip Race as a replay keeps them. */
-final class ChipState extends CommandListState<ChipCommand> {
+final class PokerChipRaceState extends CommandListState<ChipCommand> {
 
     private static final SerializedString BODIES = new SerializedString("bodies");
 
     private final PokerChipRace game;
-    private final ChipAnswer recorded;
+    private final PokerChipRaceAnswer recorded;
 
-    ChipState(PokerChipRace game) {
-        this(game, ChipAnswer.ofReplay());
+    PokerChipRaceState(PokerChipRace game) {
+        this(game, PokerChipRaceAnswer.ofReplay());
     }
 
-    private ChipState(PokerChipRace game, ChipAnswer recorded) {
+    private PokerChipRaceState(PokerChipRace game, PokerChipRaceAnswer recorded) {
         super(recorded);
         this.recorded = recorded;
         this.game = game;
@@ -49,7 +49,7 @@ final class ChipState extends CommandListState<ChipCommand> {
 
     @Override
     protected void writeFields(JsonGenerator out, ChipCommand command) {
-        ChipAnswer.write(out, command);
+        PokerChipRaceAnswer.write(out, command);
     }
 
     /** The list of a player's chips is that of its bodies, in their order. */
