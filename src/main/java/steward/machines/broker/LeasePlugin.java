@@ -9,12 +9,29 @@ import org.apache.activemq.artemis.core.server.ServerConsumer;
 import org.apache.activemq.artemis.core.server.ServerSession;
 import org.apache.activemq.artemis.core.server.plugin.ActiveMQServerPlugin;
 
-/** Notes which worker each job was handed to last. */
+/** Decides which workers may be handed jobs, and notes which worker each job was handed to last. */
 final class LeasePlugin implements ActiveMQServerPlugin {
+
+    private final Gate gate;
 
     private final Map<String, String> leases = new ConcurrentHashMap<>();
     private final Map<String, Long> since = new ConcurrentHashMap<>();
     private volatile ActiveMQServer server;
+
+    /** @param gate says who may be handed jobs */
+    LeasePlugin(Gate gate) {
+        this.gate = gate;
+    }
+
+    @Override
+    public boolean canAccept(ServerConsumer consumer, MessageReference reference) {
+        if (reference.getMessage().getStringProperty(Queues.JOB) == null) {
+            return true;
+        }
+        ServerSession session = server.getSessionByID(consumer.getSessionID());
+        return session != null && gate.mayTake(session.getUsername(),
+            (int) leases.values().stream().filter(session.getUsername()::equals).count());
+    }
 
     @Override
     public void registered(ActiveMQServer registered) {
@@ -29,6 +46,7 @@ final class LeasePlugin implements ActiveMQServerPlugin {
             if (session != null) {
                 leases.put(job, session.getUsername());
                 since.put(job, System.nanoTime());
+                gate.took(session.getUsername());
             }
         }
     }
