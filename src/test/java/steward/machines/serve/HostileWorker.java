@@ -100,34 +100,38 @@ public final class HostileWorker {
             return new WorkerWord.Played(List.of(), List.of(), "no space left on device");
         }
         boolean honest = games++ < 3;
-        byte[] transcript = transcript(game, honest || way != Way.ANSWERS);
-        return new WorkerWord.Played(List.of(way == Way.STATES && !honest ? changed(transcript, text ->
-            text.replaceFirst("\"states\":\"[0-9a-f]", "\"states\":\"x")) : way == Way.EARLY ? late(transcript, "1")
-            : way == Way.LATE ? late(transcript, "600000000000") : transcript), List.of(false), null);
+        byte[] transcript = switch (way) {
+            case EARLY -> late(game, "1");
+            case LATE -> late(game, "600000000000");
+            case STATES -> changed(transcript(game, true), text -> honest ? text
+                : text.replaceFirst("\"states\":\"[0-9a-f]", "\"states\":\"x"));
+            default -> transcript(game, honest || way != Way.ANSWERS);
+        };
+        return new WorkerWord.Played(List.of(transcript), List.of(false), null);
     }
 
     private byte[] transcript(GameJob.Game game, boolean honest) throws InterruptedException {
         List<String> commands = game.seats().stream().map(seat -> seat.name() + "="
             + bots.command(seat.name(), honest)).toList();
-        return transcript(scene, commands, game.seed());
+        return transcript(scene, commands, game.seed(), 1);
     }
 
-    static byte[] transcript(String scene, List<String> commands, long seed) throws InterruptedException {
-        Contest contest = Contest.of(Games.open(scene), commands, Protocol.JSON, 1)
+    /** Plays a game. @param factor of its time limits */
+    static byte[] transcript(String scene, List<String> commands, long seed, double factor) throws InterruptedException {
+        Contest contest = Contest.of(Games.open(scene), commands, Protocol.JSON, factor)
             .isolatedBy(() -> Isolation.OFF);
         TranscriptWriter transcript = new TranscriptWriter(commands, "off");
         contest.play(seed, 0, null, transcript);
         return transcript.compressed();
     }
 
-    /** The game as if the first player had missed the first deadline: its head, one turn, its end. */
-    private static byte[] late(byte[] transcript, String nanos) {
-        return changed(transcript, text -> {
-            String[] lines = text.split("\n");
-            return lines[0] + "\n{\"commands\":[null,null],\"faults\":[\"no answer within 60000 ms (waited 60001 ms)\","
-                + "null]}\n" + lines[lines.length - 1].replaceFirst("\"answerNanos\":\\[[0-9]+", "\"answerNanos\":["
-                + nanos) + "\n";
-        });
+    /** The game as if the first player had missed the first deadline, with the hash of states that follows. */
+    private byte[] late(GameJob.Game game, String nanos) throws InterruptedException {
+        List<String> commands = new ArrayList<>(List.of("never=codingame:sleep 5"));
+        game.seats().stream().skip(1).forEach(seat -> commands.add(seat.name() + "="
+            + bots.command(seat.name(), true)));
+        return changed(transcript(scene, commands, game.seed(), 0.001), text -> text.replaceFirst(
+            "\"answerNanos\":\\[[0-9]+", "\"answerNanos\":[" + nanos));
     }
 
     private static byte[] changed(byte[] transcript, UnaryOperator<String> change) {

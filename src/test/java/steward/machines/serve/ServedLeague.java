@@ -160,7 +160,7 @@ abstract class ServedLeague {
         List<String> commands = game.seats().stream().map(GameJob.Seat::name).map(name -> name + "=codingame:"
             + (name.equals("fast") ? bots.driver() : bots.idler(name.equals("wrong") ? 3 : 0))).toList();
         return new WorkerWord.Played(List.of(HostileWorker.transcript(folder.resolve("short.json").toString(), commands,
-            game.seed())), List.of(false), null);
+            game.seed(), 1)), List.of(false), null);
     }
 
     static void hello(BrokerClient client, String machine) throws BrokenException {

@@ -32,7 +32,7 @@ class WorkerVerdictsTest extends ServedLeague {
 
     private void alone(int games) {
         make("alone");
-        done("run", "TMP/alone", "--games", Integer.toString(games), "--quiet");
+        done("run", "TMP/alone", "--games", Integer.toString(games), "--quiet", "--pause-after", "0");
         make("many");
     }
 
@@ -53,7 +53,7 @@ class WorkerVerdictsTest extends ServedLeague {
         alone(60);
         WorkerToken other = token("many", "good");
         WorkerToken token = token("many", "bad");
-        CompletableFuture<String> run = serve("many", 60, "--threads", "1");
+        CompletableFuture<String> run = serve("many", 60, "--threads", "1", "--pause-after", "0");
         play(worker(other, 1, Long.MAX_VALUE));
         try (BrokerClient client = client(token)) {
             HostileWorker hostile = hostile(Way.STATES);
@@ -89,7 +89,7 @@ class WorkerVerdictsTest extends ServedLeague {
     @Test
     void aWorkerThatAnswersForABotIsDoubtfulAndTheOperatorSetsItsGamesAside() throws Exception {
         alone(60);
-        String said = beside(hostile(Way.ANSWERS), 60, "--threads", "1");
+        String said = beside(hostile(Way.ANSWERS), 60, "--threads", "1", "--pause-after", "0");
         assertFalse(said.contains("caught"), said);
         assertTrue(Pattern.compile("worker bad is doubtful: fast answered otherwise than here in 5 of \\d+ games that "
             + "were asked again, here the same twice \\(no other worker to compare with\\), such as turn ")
@@ -97,7 +97,7 @@ class WorkerVerdictsTest extends ServedLeague {
         assertFalse(counting("alone").equals(counting("many")), "its games count");
 
         done("worker", "revoke", "TMP/many", "bad", "--set-aside");
-        said = serve("many", 60, "--threads", "1").get(200, TimeUnit.SECONDS);
+        said = serve("many", 60, "--threads", "1", "--pause-after", "0").get(200, TimeUnit.SECONDS);
         assertTrue(Pattern.compile("worker bad is revoked; \\d+ of its games are set aside").matcher(said).find(), said);
         assertEquals(counting("alone"), counting("many"), said);
     }
@@ -115,7 +115,7 @@ class WorkerVerdictsTest extends ServedLeague {
         add("clock", "echo \"$nextX $nextY $(($(date +%s%N) / 1000 % 100))\"");
         add("there", "case \"$0\" in *bundles*) echo \"$nextX $nextY 50\" ;; *) exit 3 ;; esac");
         WorkerToken token = token("many", "good");
-        CompletableFuture<String> run = serve("many", 60, "--threads", "1");
+        CompletableFuture<String> run = serve("many", 60, "--threads", "1", "--pause-after", "0");
         play(worker(token, 1, Long.MAX_VALUE));
         String said = run.get(200, TimeUnit.SECONDS);
         assertTrue(said.contains("clock plays by the clock: each time it is asked it answers otherwise: turn 1"), said);
@@ -130,16 +130,16 @@ class WorkerVerdictsTest extends ServedLeague {
     @Test
     void latenessThatTheWorkersOwnTimesDoNotAllowIsNotBelieved() throws Exception {
         alone(40);
-        String said = beside(hostile(Way.EARLY), 40, "--threads", "1");
+        String said = beside(hostile(Way.EARLY), 40, "--threads", "1", "--pause-after", "0");
         assertTrue(said.contains("worker bad could not play a game: game "), said);
-        assertTrue(said.contains("after 0 us, expected a late answer only after 60000000 us"), said);
+        assertTrue(said.contains("after 0 us, expected a late answer only after 60000000"), said);
         assertEquals(counting("alone"), counting("many"), said);
     }
 
     @Test
     void latenessThatHasNotPassedIsNotBelieved() throws Exception {
         alone(40);
-        String said = beside(hostile(Way.LATE), 40, "--threads", "1");
+        String said = beside(hostile(Way.LATE), 40, "--threads", "1", "--pause-after", "0");
         assertTrue(said.contains("us, expected no more than the time since the worker was handed the game"), said);
         assertEquals(counting("alone"), counting("many"), said);
     }
@@ -149,7 +149,7 @@ class WorkerVerdictsTest extends ServedLeague {
     void aWorkerThatKeepsItsGamesStopsNobody() throws Exception {
         alone(300);
         long began = System.nanoTime();
-        String said = beside(hostile(Way.KEEPS), 300, "--threads", "1");
+        String said = beside(hostile(Way.KEEPS), 300, "--threads", "1", "--pause-after", "0");
         assertTrue(System.nanoTime() - began < TimeUnit.MINUTES.toNanos(4), said);
         assertTrue(said.contains("worker bad could not play a game: it has not finished its games within "), said);
         assertEquals(counting("alone"), counting("many"), said);
@@ -160,7 +160,7 @@ class WorkerVerdictsTest extends ServedLeague {
     void aWorkerThatFailsAtEachGameIsPaused() throws Exception {
         alone(120);
         HostileWorker full = hostile(Way.FAILS);
-        String said = beside(full, 120, "--threads", "1");
+        String said = beside(full, 120, "--threads", "1", "--pause-after", "0");
         assertEquals(2, said.split("bad could not play a game: no space left", -1).length, said);
         assertTrue(said.contains("; it is paused, and tried with one job after 1 s, 2 s, 4 s and so on\n"), said);
         assertTrue(full.jobs() <= 15, () -> "found " + full.jobs() + " jobs: " + said);
