@@ -97,7 +97,7 @@ abstract class ServedLeague {
         Thread thread = new Thread(() -> {
             try {
                 worker.play();
-            } catch (InterruptedException | InputException end) {
+            } catch (InterruptedException | InputException | Worker.RefusedException end) {
                 return;
             }
         });

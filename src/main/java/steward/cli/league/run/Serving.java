@@ -37,6 +37,9 @@ public interface Serving {
         void close();
     }
 
+    /** True if the call says that other machines may play. */
+    boolean isServed();
+
     /**
      * Begins to serve, if the call says so.
      *
