@@ -35,8 +35,8 @@ import steward.text.TextFormat;
         "told otherwise: they are programs of whoever keeps the league. After Ctrl-C the",
         "games that are under way are finished, and no others begun.",
         "", "Example:", "  steward worker --join attic.example:7161 --token-file mine.token",
-        "", "Exit status: 0 told to end; 1 the league refuses the worker; 2 the call or a file",
-        "is unusable; 130 interrupted, 143 terminated."})
+        "", "Exit status: 0 told to end; 1 the league refuses the worker; 2 the call or a",
+        "file is unusable; 130 interrupted, 143 terminated."})
 public final class WorkerCommand implements Callable<Integer> {
 
     private static final String VARIABLE = "STEWARD_TOKEN";
@@ -87,6 +87,7 @@ public final class WorkerCommand implements Callable<Integer> {
         check.range("--games", games, 1, Integer.MAX_VALUE);
         InetSocketAddress found = ServeOptions.address(check, "--join", address);
         long nanos = RunCommand.nanos(time);
+        long idleNanos = RunCommand.nanos("--idle", idle);
         check.that(!sandbox.isHold(), "--hold: expected none: the league says which bots are held");
         Supplier<Isolation> isolation = sandbox.isolation(streams, "strict");
         WorkerToken token = token();
@@ -94,7 +95,7 @@ public final class WorkerCommand implements Callable<Integer> {
             threads.count(streams), games == null ? Long.MAX_VALUE : games, nanos, isolation, folder(),
             ProgramVersion.text(), RunCommand.machine(isolation.get().level().word())), Games.types(),
             this::tell);
-        watch(worker, RunCommand.nanos("--idle", idle), stopFile == null ? null : OutputFiles.path(stopFile));
+        watch(worker, idleNanos, stopFile == null ? null : OutputFiles.path(stopFile));
         return play(worker);
     }
 

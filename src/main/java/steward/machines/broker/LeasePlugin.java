@@ -7,6 +7,7 @@ import org.apache.activemq.artemis.core.server.ActiveMQServer;
 import org.apache.activemq.artemis.core.server.MessageReference;
 import org.apache.activemq.artemis.core.server.ServerConsumer;
 import org.apache.activemq.artemis.core.server.ServerSession;
+import org.apache.activemq.artemis.core.server.impl.AckReason;
 import org.apache.activemq.artemis.core.server.plugin.ActiveMQServerPlugin;
 
 /** Decides which workers may be handed jobs, and notes which worker each job was handed to last. */
@@ -16,6 +17,8 @@ final class LeasePlugin implements ActiveMQServerPlugin {
 
     private final Map<String, String> leases = new ConcurrentHashMap<>();
     private final Map<String, Long> since = new ConcurrentHashMap<>();
+    /** Sessions that have jobs which are not finished, by job. */
+    private final Map<String, String> sessions = new ConcurrentHashMap<>();
     private volatile ActiveMQServer server;
 
     /** @param gate says who may be handed jobs */
@@ -45,10 +48,30 @@ final class LeasePlugin implements ActiveMQServerPlugin {
             ServerSession session = server.getSessionByID(consumer.getSessionID());
             if (session != null) {
                 leases.put(job, session.getUsername());
+                sessions.put(job, consumer.getSessionID());
                 since.put(job, System.nanoTime());
                 gate.took(session.getUsername());
             }
         }
+    }
+
+    @Override
+    public void messageAcknowledged(MessageReference reference, AckReason reason, ServerConsumer consumer) {
+        String job = reference.getMessage().getStringProperty(Queues.JOB);
+        if (job != null) {
+            sessions.remove(job);                      // its report may still wait
+        }
+    }
+
+    /** Jobs that a session has not finished are nobody's again. */
+    @Override
+    public void afterCloseSession(ServerSession session, boolean failed) {
+        sessions.forEach((job, holder) -> {
+            if (holder.equals(session.getName()) && sessions.remove(job, holder)) {
+                leases.remove(job);
+                since.remove(job);
+            }
+        });
     }
 
     /** Who has a job, or {@code null}. */
@@ -65,5 +88,6 @@ final class LeasePlugin implements ActiveMQServerPlugin {
     void forget(String job) {
         leases.remove(job);
         since.remove(job);
+        sessions.remove(job);
     }
 }

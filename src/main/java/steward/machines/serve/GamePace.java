@@ -14,8 +14,8 @@ import steward.league.play.Elsewhere;
  */
 final class GamePace {
 
-    /** Time for what is not a bot's: the way to the worker and back, the start of processes. */
-    private static final long START_NANOS = TimeUnit.SECONDS.toNanos(2);
+    /** Time for what is not a bot's: its bundle, its trial, the start of processes, on a busy machine. */
+    private static final long START_NANOS = TimeUnit.SECONDS.toNanos(10);
     /** How much slower a worker may be than the games before. */
     private static final double SLOWER = 8;
     /** Share of the difference by which a game moves a bot's mean. */

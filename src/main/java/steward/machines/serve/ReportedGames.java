@@ -149,7 +149,7 @@ final class ReportedGames {
             Member member = game.members().get(seat);
             if (!member.bot().random() && !member.version().random()) {
                 int player = seat;
-                askedAgain.ask(member.entrant().name(), worker, () -> asked(match, player, member));
+                askedAgain.ask(member.version().display(), worker, () -> asked(match, player, member));
             }
         }
     }
