@@ -15,6 +15,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
+import java.util.function.LongSupplier;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import steward.machines.broker.LeagueBroker;
@@ -79,10 +80,10 @@ final class OfferedJobs {
     /**
      * Offers games, as many as fit into a message.
      *
-     * @param leaseNanos after which they are taken away from a worker
+     * @param lease after how many nanoseconds they are taken away from a worker, as of now: what is known grows
      * @return {@code null} if somebody else has to play them
      */
-    Told play(List<GameJob.Game> wanted, long leaseNanos) throws InterruptedException {
+    Told play(List<GameJob.Game> wanted, LongSupplier lease) throws InterruptedException {
         byte[] id = new byte[16];
         random.nextBytes(id);
         String job = HexFormat.of().formatHex(id);
@@ -103,7 +104,7 @@ final class OfferedJobs {
         offers.put(job, offer);
         try {
             broker.offer(job, offer.needs(), new GameJob(job, asked).bytes());
-            Told told = await(job, offer, leaseNanos);
+            Told told = await(job, offer, lease);
             if (told == null) {
                 broker.withdraw(job);
                 return null;
@@ -121,7 +122,7 @@ final class OfferedJobs {
         return 6 * bot.name().length() + 200;
     }
 
-    private Told await(String job, Offer offer, long leaseNanos) throws InterruptedException {
+    private Told await(String job, Offer offer, LongSupplier lease) throws InterruptedException {
         long alone = 0;
         while (!closed) {
             try {
@@ -134,9 +135,9 @@ final class OfferedJobs {
                 if (!canPlay.test(offer.needs())) {
                     return null;
                 }
-                if (broker.heldNanos(job) > leaseNanos) {
+                if (broker.heldNanos(job) > lease.getAsLong()) {
                     ended.accept(broker.holder(job), "it has not finished its games within "
-                        + TimeUnit.NANOSECONDS.toSeconds(leaseNanos) + " s, and they go to others");
+                        + TimeUnit.NANOSECONDS.toSeconds(broker.heldNanos(job)) + " s, and they go to others");
                     return null;
                 }
             } catch (ExecutionException impossible) {

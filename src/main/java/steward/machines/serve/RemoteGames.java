@@ -225,7 +225,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             throw unusable;
         }
         OfferedJobs.Told told = offered.play(games.stream().map(game -> new GameJob.Game(game.task().seed(),
-            game.members().stream().map(this::seat).toList())).toList(), pace.patience(games));
+            game.members().stream().map(this::seat).toList())).toList(), () -> pace.patience(games));
         List<List<StoredGame>> played = new ArrayList<>(Collections.nCopies(games.size(), null));
         int begun = told == null ? 0 : told.games().size();
         int believed = 0;
