@@ -95,8 +95,8 @@ final class CapacityCommand implements Callable<Integer> {
         double later = LATER_WARM + seconds;
         double busy = ThreadsOption.loadOfOthers();
         if (busy > MOST_BUSY) {
-            streams.warn("other programs keep " + TextFormat.fixed(100 * busy, 0) + "% of this machine's processors busy: "
-                + "the figures are too high, and how many games were reached too low; measure on a quiet machine");
+            streams.warn("other programs keep " + TextFormat.fixed(100 * busy, 0) + "% of the processors busy: the "
+                + "figures are too high, and how many games were reached too low; measure on a quiet machine");
         }
         RunProgress progress = new RunProgress(streams, Stream.of(Stream.generate(() -> warm + seconds).limit(2),
             Stream.generate(() -> later).limit(2L * rounds - 2), Stream.of(4 * seconds, 10.0))

@@ -15,8 +15,8 @@ import steward.machines.token.BrokerKey;
 import steward.machines.token.WorkerList;
 
 /** {@code steward league worker}: who may play for a league. */
-@Command(name = "worker", description = "Says which workers may play for a league: add, revoke, pardon, list; renew the "
-    + "broker's certificate.",
+@Command(name = "worker", description = "Says which workers may play for a league: add, revoke, pardon, list; renew "
+    + "the broker's certificate.",
     footer = {"",
         "add makes a token, a file that belongs to one worker; keep it as you would a",
         "password. revoke ends what it allows, also while the league is played; with",
@@ -44,8 +44,8 @@ final class LeagueWorkerCommand implements Callable<Integer> {
     @Option(names = "--out", paramLabel = "FILE", description = "With add: where the token goes (default: NAME.token).")
     private String out;
 
-    @Option(names = "--set-aside", description = "With revoke: the worker's games do not count, and 'league run --serve' "
-        + "plays them again.")
+    @Option(names = "--set-aside", description = "With revoke: the worker's games do not count, and 'league run "
+        + "--serve' plays them again.")
     private boolean aside;
 
     LeagueWorkerCommand(Streams streams) {

@@ -314,8 +314,8 @@ public final class TranscriptCheck {
         private ReplayCheck.Outcome end() throws DisprovedException {
             String found = last.text(TranscriptWriter.STATES);
             if (!found.equals(states.hex())) {
-                throw DisprovedException.computed(source + ": differs when it is played again: found states of the hash "
-                    + found + ", expected " + states.hex());
+                throw DisprovedException.computed(source + ": differs when it is played again: found states of the "
+                    + "hash " + found + ", expected " + states.hex());
             }
             List<long[]> times = new ArrayList<>();
             TIMES.forEach(name -> times.add(numbers(name)));

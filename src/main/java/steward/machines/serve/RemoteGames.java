@@ -4,16 +4,13 @@ import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.security.SecureRandom;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collection;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import steward.contest.Contest;
@@ -26,7 +23,6 @@ import steward.league.StoredGame;
 import steward.league.play.Elsewhere;
 import steward.league.play.KeptGames;
 import steward.league.play.Roster.Member;
-import steward.machines.broker.Gate;
 import steward.machines.broker.LeagueBroker;
 import steward.machines.bundle.Bundle;
 import steward.machines.check.DisprovedException;
@@ -71,11 +67,9 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     private final OfferedJobs offered;
     private final GamePace pace;
     private final WorkerPauses pauses = new WorkerPauses(System::nanoTime);
-    /** Jobs that each worker may have at the same time: twice its places, as a report and its job's end are apart. */
-    private final Map<String, Integer> mostJobs = new ConcurrentHashMap<>();
+    private final WorkerGate gate = new WorkerGate(pauses);
     private final JobSize size = new JobSize();
-    private final Map<String, Bundle> bundles = new ConcurrentHashMap<>();
-    private final Map<String, Bundle> byStamp = new ConcurrentHashMap<>();
+    private final OfferedBundles bundles = new OfferedBundles();
     private final Thread listening = new Thread(this::listen, "what workers say");
     private volatile WorkerList list;
     private volatile boolean closed;
@@ -89,26 +83,6 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     private final Map<String, WorkerState> workers = new TreeMap<>();
     private int taken;
     private String stamp;
-
-    /** Says to the broker who may be handed jobs. */
-    private final class Places implements Gate {
-
-        @Override
-        public boolean mayTake(String worker, int jobs) {
-            return jobs < mostJobs.getOrDefault(worker, 0) && pauses.mayTake(worker);
-        }
-
-        @Override
-        public void took(String worker) {
-            pauses.took(worker);
-        }
-    }
-
-    /** Sets the games of a machine aside. */
-    public interface SettingAside {
-        /** See {@link steward.league.play.LeagueRun#setAside}. */
-        int setAside(String machine, String why) throws InterruptedException;
-    }
 
     /**
      * How workers are served.
@@ -144,7 +118,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         BrokerKey key = new BrokerKey(folder);
         key.make();
         broker = new LeagueBroker(service.address(), key, list.workers().stream().map(WorkerList.Worker::name).toList(),
-            (name, secret) -> list.admits(name, secret), new Places());
+            (name, secret) -> list.admits(name, secret), gate);
         pace = new GamePace(service.leaseNanos());
         offered = new OfferedJobs(broker, () -> anyConnected, this::canPlay, (worker, why) ->
             unplayed(state(worker), why));
@@ -183,8 +157,6 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         return setter.setAside(WorkerState.machine(state.name), WorkerBook.ASIDE + "worker " + state.name
             + " was caught");
     }
-
-    // ---- games -----------------------------------------------------------------------------------
 
     @Override
     public synchronized int takePlace(long waitMs) throws InterruptedException {
@@ -225,7 +197,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             throw unusable;
         }
         OfferedJobs.Told told = offered.play(games.stream().map(game -> new GameJob.Game(game.task().seed(),
-            game.members().stream().map(this::seat).toList())).toList(), () -> pace.patience(games));
+            game.members().stream().map(bundles::seat).toList())).toList(), () -> pace.patience(games));
         List<List<StoredGame>> played = new ArrayList<>(Collections.nCopies(games.size(), null));
         int begun = told == null ? 0 : told.games().size();
         int believed = 0;
@@ -250,31 +222,13 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
 
     @Override
     public boolean canPlay(List<Member> members) {
-        List<String> needs = members.stream().map(member -> byStamp.get(key(member))).filter(Objects::nonNull)
-            .map(Bundle::hash).toList();
-        return canPlay(needs);
+        return canPlay(bundles.known(members));
     }
 
     /** Whether a worker that is connected has not said of any of these bundles that it does not run there. */
     private synchronized boolean canPlay(Collection<String> needs) {
         return !anyConnected || workers.values().stream().anyMatch(worker -> slots(worker) > 0
             && Collections.disjoint(worker.unfit, needs));
-    }
-
-    /** A bot as jobs name it. */
-    private GameJob.Seat seat(Member member) {
-        Bundle bundle = bundle(member);
-        return new GameJob.Seat(member.entrant().name(), bundle.hash(), bundle.bytes().length);
-    }
-
-    private static String key(Member member) {
-        return member.bot().name() + "\n" + member.stamp();
-    }
-
-    private Bundle bundle(Member member) {
-        Bundle bundle = byStamp.computeIfAbsent(key(member), key -> Bundle.of(member.bot()));
-        bundles.put(bundle.hash(), bundle);
-        return bundle;
     }
 
     /** The game as its transcripts tell it; {@code null} if they are disproved, with consequences for the worker. */
@@ -440,7 +394,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             if (word instanceof WorkerWord.Hello hello) {
                 hello(state, hello);
             } else if (word instanceof WorkerWord.Fetch fetch) {
-                fetch(state, fetch);
+                broker.tell(state.name, bundles.piece(fetch));
             } else if (word instanceof WorkerWord.Result result) {
                 offered.told(state.name, result);
             } else if (word instanceof WorkerWord.Unfit unfit) {
@@ -480,8 +434,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         }
         synchronized (this) {
             state.slots = slots;
-            mostJobs.put(state.name, 2 * slots + 2);
-            pauses.joined(state.name);
+            gate.joined(state.name, slots);
             state.unfit.clear();                       // it may be another machine by now; it says them again
             state.version = shown(hello.version());
             state.machine = shown(hello.machine());
@@ -502,24 +455,12 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     private void unfit(WorkerState state, WorkerWord.Unfit unfit) {
         boolean isNew;
         synchronized (this) {
-            isNew = bundles.containsKey(unfit.bundle()) && state.unfit.add(unfit.bundle());
+            isNew = bundles.has(unfit.bundle()) && state.unfit.add(unfit.bundle());
         }
         if (isNew) {
             say("worker " + state.name + " cannot play a bot: " + shown(unfit.reason()));
             offered.lookWhoCanPlay();
         }
-    }
-
-    private void fetch(WorkerState state, WorkerWord.Fetch fetch) {
-        String hash = fetch.bundle();
-        int from = fetch.from();
-        Bundle bundle = bundles.get(hash);
-        HeaderText answer = new HeaderText().put("type", "bundle").put("bundle", hash).put("from", from);
-        byte[] part = {};
-        if (bundle != null && from <= bundle.bytes().length) {
-            part = Arrays.copyOfRange(bundle.bytes(), from, Math.min(bundle.bytes().length, from + WireMessage.CHUNK));
-        }
-        broker.tell(state.name, WireMessage.bytes(answer.put("known", bundle != null), part));
     }
 
     private synchronized void leave(WorkerState state) {
@@ -534,8 +475,6 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     private void say(String what) {
         teller.accept(what);
     }
-
-    // ---- for people ------------------------------------------------------------------------------
 
     /** All workers that have said anything. */
     public synchronized List<WorkerSeen> seen() {

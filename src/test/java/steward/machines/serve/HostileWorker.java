@@ -117,7 +117,8 @@ public final class HostileWorker {
     }
 
     /** Plays a game. @param factor of its time limits */
-    static byte[] transcript(String scene, List<String> commands, long seed, double factor) throws InterruptedException {
+    static byte[] transcript(String scene, List<String> commands, long seed, double factor)
+            throws InterruptedException {
         Contest contest = Contest.of(Games.open(scene), commands, Protocol.JSON, factor)
             .isolatedBy(() -> Isolation.OFF);
         TranscriptWriter transcript = new TranscriptWriter(commands, "off");

@@ -98,7 +98,8 @@ class WorkerVerdictsTest extends ServedLeague {
 
         done("worker", "revoke", "TMP/many", "bad", "--set-aside");
         said = serve("many", 60, "--threads", "1", "--pause-after", "0").get(200, TimeUnit.SECONDS);
-        assertTrue(Pattern.compile("worker bad is revoked; \\d+ of its games are set aside").matcher(said).find(), said);
+        assertTrue(Pattern.compile("worker bad is revoked; \\d+ of its games are set aside")
+            .matcher(said).find(), said);
         assertEquals(counting("alone"), counting("many"), said);
     }
 
